@@ -40,7 +40,7 @@ double scene(const char* name) {
   double sum = 0;
   for (int t = 0; t < kSteps; ++t) {
     const StepInput input = scene.input(t);
-    sum += simulation.step(input.pose, input.velocity, input.dt).force.z();
+    sum += simulation.step(input.X_WH, input.V_WH, input.dt).force.z();
   }
   return sum;
 }

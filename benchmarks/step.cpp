@@ -75,7 +75,7 @@ void run_path(benchmark::State& state, const std::string& name, const Workload& 
     state.SetIterationTime(times.total());
     times.report(state);
   }
-  state.counters["most_in_contact"] = double(most);
+  state.counters["max_in_contact"] = double(most);
   state.counters["removed"] = double(removed);
   state.counters["force_z_sum"] = force_z;
 }

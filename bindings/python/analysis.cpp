@@ -98,13 +98,13 @@ void bind_stability(py::module_& m) {
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("search") = S{}, doc("is_stable"));
   m.def(
-      "largest_stable_stiffness",
+      "max_stable_stiffness",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, const S& search) {
         const ModelFactory make = factory_from(factory);
         const py::gil_scoped_release released;
-        return largest_stable_stiffness(config, make, search);
+        return max_stable_stiffness(config, make, search);
       },
-      py::arg("config"), py::arg("factory"), py::arg("search") = S{}, doc("largest_stable_stiffness"));
+      py::arg("config"), py::arg("factory"), py::arg("search") = S{}, doc("max_stable_stiffness"));
   using B = Bounce;
   bind_result<B>(m, "Bounce", member("restitution", &B::restitution), member("mean_restitution", &B::mean_restitution),
                  member("generated_energy", &B::generated_energy), member("penetration", &B::penetration),
@@ -124,7 +124,7 @@ void bind_stability(py::module_& m) {
   using Z = Buzz;
   bind_result<Z>(m, "Buzz", member("position_rms", &Z::position_rms), member("frequency", &Z::frequency),
                  member("force_peak_to_peak", &Z::force_peak_to_peak), member("generated_power", &Z::generated_power),
-                 member("greatest_force", &Z::greatest_force))
+                 member("max_force", &Z::max_force))
       .def("buzzes", &Z::buzzes, doc("Buzz::buzzes"));
   using P = PressTest;
   bind_struct<P>(m, "PressTest", field("height", &P::height), field("depth", &P::depth), field("speed", &P::speed),
@@ -166,9 +166,9 @@ void bind_faults(py::module_& m) {
       "injected_faults", [] { return std::vector<InjectedFault>(injected_faults().begin(), injected_faults().end()); },
       "All of them.");
   using R = FaultResponse;
-  bind_result<R>(m, "FaultResponse", member("time_to_zero", &R::time_to_zero),
-                 member("greatest_force", &R::greatest_force), member("greatest_growth", &R::greatest_growth),
-                 member("oldest_force", &R::oldest_force), member("end", &R::end));
+  bind_result<R>(m, "FaultResponse", member("time_to_zero", &R::time_to_zero), member("max_force", &R::max_force),
+                 member("max_growth", &R::max_growth), member("oldest_force", &R::oldest_force),
+                 member("end", &R::end));
   m.def(
       "measure_fault_response",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const GuardOptions& options,

@@ -46,7 +46,7 @@ void for_each_field_of_row(const CoupledResult& result, double time, const Visit
   visit("hand", result.hand);
   visit("coupling", result.coupling);
   visit("X_WH", result.X_WH);
-  visit("velocity", result.velocity);
+  visit("V_WH", result.V_WH);
   visit("removed_voxels", result.removed_voxels);
   visit("removed_volume", result.removed_volume);
   visit("parts", result.parts);
@@ -62,7 +62,7 @@ py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Arra
     fields.append(detail::row_field<std::remove_cvref_t<decltype(value)>>(name));
   });
   const auto step = [&](const StepInput& now) -> const CoupledResult& {
-    return self.coupling.step(now.pose, now.velocity, now.dt);
+    return self.coupling.step(now.X_WH, now.V_WH, now.dt);
   };
   const auto write = [](const CoupledResult& result, double time, std::byte* row) {
     for_each_field_of_row(result, time, [&](const char*, const auto& value) { detail::put(row, value); });
@@ -94,7 +94,7 @@ void bind_coupled_result(py::module_& m) {
       .def_property_readonly("hand", of_result(&CoupledResult::hand), doc("CoupledResult::hand"))
       .def_property_readonly("coupling", of_result(&CoupledResult::coupling), doc("CoupledResult::coupling"))
       .def_property_readonly("X_WH", of_result(&CoupledResult::X_WH), doc("CoupledResult::X_WH"))
-      .def_property_readonly("velocity", of_result(&CoupledResult::velocity), doc("CoupledResult::velocity"))
+      .def_property_readonly("V_WH", of_result(&CoupledResult::V_WH), doc("CoupledResult::V_WH"))
       .def_property_readonly(
           "removed_voxels", [](const py::object& self) { return voxel_indices(self.cast<const R&>().voxels, self); },
           "(n, 3) int32: indices of the voxels that this tick emptied; read-only.")
@@ -137,9 +137,9 @@ void bind_coupling(py::module_& m) {
           "step",
           [](C& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
             const StepInput input = step_input(pose, velocity, dt);
-            return PythonCoupledResult(self.write().step(input.pose, input.velocity, input.dt));
+            return PythonCoupledResult(self.write().step(input.X_WH, input.V_WH, input.dt));
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("VirtualCoupling::step"))
+          py::arg("X_WD"), py::arg("V_WD"), py::arg("dt"), doc("VirtualCoupling::step"))
       .def(
           "run", &run, py::arg("poses"), py::arg("velocities"), py::arg("dt"),
           "Makes a tick for every row, without the interpreter lock; the arguments are those of Simulation.run.\n\n"
@@ -148,8 +148,8 @@ void bind_coupling(py::module_& m) {
           "    (n,) structured; the fields are those of CoupledResult: `trace[\"hand\"][\"force\"]` is (n, 3),\n"
           "    `trace[\"X_WH\"]` (n, 4, 4); removed_voxels is their number, see Simulation.removed_in_run; `time` [s]\n"
           "    is that since the beginning of the run.")
-      .def("release", writing<C>(&VirtualCoupling::release), doc("VirtualCoupling::release"))
-      .def("leave", writing<C>(&VirtualCoupling::leave), py::arg("rejoin"), doc("VirtualCoupling::leave"))
+      .def("reset", writing<C>(&VirtualCoupling::reset), doc("VirtualCoupling::reset"))
+      .def("park", writing<C>(&VirtualCoupling::park), py::arg("rejoin"), doc("VirtualCoupling::park"))
       .def(
           "set_gains",
           [](C& self, const CouplingGains& gains) {

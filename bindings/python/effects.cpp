@@ -28,9 +28,9 @@ void bind_effects(py::module_& m) {
   m.def("gravity_wrench", &gravity_wrench, py::arg("gravity"), py::arg("R_WH"), doc("gravity_wrench"));
   m.def("masked", &masked, py::arg("mask"), py::arg("wrench"), doc("masked"));
   m.def("filtered", &filtered, py::arg("filter"), py::arg("previous"), py::arg("calculated"), doc("filtered"));
-  m.def("least_force_growth", &least_force_growth, py::arg("stiffness"), py::arg("speed"), doc("least_force_growth"));
+  m.def("min_force_growth", &min_force_growth, py::arg("stiffness"), py::arg("speed"), doc("min_force_growth"));
   m.def("saturated", &saturated, py::arg("v"), py::arg("longest"), doc("saturated"));
-  m.def("growth_limited", &growth_limited, py::arg("previous"), py::arg("target"), py::arg("longest_growth"),
+  m.def("growth_limited", &growth_limited, py::arg("previous"), py::arg("target"), py::arg("max_growth"),
         doc("growth_limited"));
 
   bind_struct<EffectsInput>(m, "EffectsInput", field("X_WH", &EffectsInput::X_WH), field("X_WT", &EffectsInput::X_WT),

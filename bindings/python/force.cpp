@@ -66,7 +66,7 @@ void bind_laws(py::module_& m) {
   LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", doc("TwistDrillLaw"));
   using Drill = TwistDrillLaw::Constants;
   bind_struct<Drill>(drill, "Constants", "TwistDrillLaw::Constants", field("specific_energy", &Drill::specific_energy),
-                     field("largest_feed_per_turn", &Drill::largest_feed_per_turn));
+                     field("max_feed_per_revolution", &Drill::max_feed_per_revolution));
   drill.def(py::init<const Drill&>(), py::arg("constants"), doc("TwistDrillLaw::TwistDrillLaw"))
       .def("thrust", &TwistDrillLaw::thrust, py::arg("diameter"), py::arg("a"), py::arg("point_angle"),
            doc("TwistDrillLaw::thrust"))
@@ -86,7 +86,7 @@ void bind_force(py::module_& m) {
   bind_friction(m);
   m.def("stiffness_for_accuracy", &stiffness_for_accuracy, py::arg("head"), py::arg("material"),
         py::arg("spindle_speed"), py::arg("feed_speed"), py::arg("cutter") = Cutter{}, doc("stiffness_for_accuracy"));
-  m.def("largest_contact_stiffness", &largest_contact_stiffness, py::arg("head"), doc("largest_contact_stiffness"));
+  m.def("max_contact_stiffness", &max_contact_stiffness, py::arg("head"), doc("max_contact_stiffness"));
   m.def("stiffness_for_device", &stiffness_for_device, py::arg("head"), py::arg("device_stiffness"),
         doc("stiffness_for_device"));
 

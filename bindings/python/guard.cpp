@@ -73,7 +73,7 @@ void bind_guard(py::module_& m) {
       .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop lasts.")
       .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is asked for.");
   bind_options(m);
-  m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
+  m.def("output_limits", &output_limits, py::arg("device"), py::arg("max_contact_speed") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
       .def(py::init([](const DeviceCapabilities& capabilities, const GuardOptions& options) {
              return std::make_unique<SafetyGuard>(capabilities, options);  // with a mailbox of its own
@@ -82,8 +82,8 @@ void bind_guard(py::module_& m) {
       .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
       .def("stop", &SafetyGuard::stop, doc("SafetyGuard::stop"))
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
-      .def("release", &SafetyGuard::release, py::arg("commanded"), py::arg("contact") = ModelContact{},
-           doc("SafetyGuard::release"))
+      .def("limit", &SafetyGuard::limit, py::arg("commanded"), py::arg("contact") = ModelContact{},
+           doc("SafetyGuard::limit"))
       .def("applied", &SafetyGuard::applied, py::arg("wrench"), doc("SafetyGuard::applied"))
       .def_property_readonly("requests", &SafetyGuard::requests, py::return_value_policy::reference_internal,
                              doc("SafetyGuard::requests"))
@@ -103,7 +103,7 @@ void bind_guard(py::module_& m) {
                              "Both sides of the last tick.")
       .def_property_readonly("period", &SafetyGuard::period, doc("SafetyGuard::period"))
       .def_property_readonly("slew", &SafetyGuard::slew, doc("SafetyGuard::slew"))
-      .def_property_readonly("greatest_force", &SafetyGuard::greatest_force, doc("SafetyGuard::greatest_force"));
+      .def_property_readonly("max_force", &SafetyGuard::max_force, doc("SafetyGuard::max_force"));
 
   bind_described<RealtimeOptions>(m, "RealtimeOptions");
   using H = LatencyHistogram;

@@ -35,7 +35,7 @@ void bind_islands(py::module_& m) {
   py::class_<Island>(m, "Island", doc("Island"))
       .def_property_readonly("indices", &indices_of, "(n, 3) int32 of its voxels, block by block.")
       .def_readonly("voxels", &Island::voxels, doc("Island::voxels"))
-      .def_readonly("least_fill", &Island::least_fill, doc("Island::least_fill"));
+      .def_readonly("min_fill", &Island::min_fill, doc("Island::min_fill"));
   using F = IslandFinder;
   py::class_<F>(m, "IslandFinder", doc("IslandFinder"))
       .def(py::init([](const PythonWorkpiece& workpiece, const IslandOptions& options) {

@@ -184,8 +184,8 @@ void bind_messages(py::module_& m) {
   bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
                  member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
                  member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
-                 member("contact_point", &T::contact_point), member("spindle_speed", &T::spindle_speed),
-                 member("steps", &T::steps), member("effort", &T::effort), member("most_effort", &T::most_effort),
+                 member("contact_point_W", &T::contact_point_W), member("spindle_speed", &T::spindle_speed),
+                 member("steps", &T::steps), member("effort", &T::effort), member("max_effort", &T::max_effort),
                  member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
                  member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
                  member("workpiece", &T::workpiece))
@@ -193,8 +193,8 @@ void bind_messages(py::module_& m) {
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
   using S = LoopSnapshot;
   bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
-                 member("output", &S::output), member("largest_commanded", &S::largest_commanded),
-                 member("largest_applied", &S::largest_applied), member("arming", &S::arming),
+                 member("output", &S::output), member("max_commanded", &S::max_commanded),
+                 member("max_applied", &S::max_applied), member("arming", &S::arming),
                  member("commands_dropped", &S::commands_dropped), member("commands_refused", &S::commands_refused),
                  member("blocks_waiting", &S::blocks_waiting), member("blocks_outside", &S::blocks_outside),
                  member("X_WT", &S::X_WT), member("tool", &S::tool));

@@ -60,7 +60,7 @@ void bind_recorder(py::module_& m) {
              const std::optional<DeviceTick>& device) {
             return make_step(*self.simulation, pose, velocity, dt, self.stepper(device ? &*device : nullptr));
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"), py::arg("device") = py::none(),
+          py::arg("X_WH"), py::arg("V_WH"), py::arg("dt"), py::arg("device") = py::none(),
           "Makes a step of the simulation, from a pose (4, 4), a velocity (6,) and dt [s], and records it.")
       .def(
           "run",
@@ -122,9 +122,9 @@ void bind_recording(py::module_& m) {
             const auto width = std::size_t(trace.itemsize());
             for (py::ssize_t i = 0; i < n; ++i) {
               const RecordedStep& step = steps[std::size_t(i)];
-              write_pose(step.input.pose, poses.mutable_data(i));
-              std::copy_n(step.input.velocity.linear.data(), 3, velocities.mutable_data(i));
-              std::copy_n(step.input.velocity.angular.data(), 3, velocities.mutable_data(i) + 3);
+              write_pose(step.input.X_WH, poses.mutable_data(i));
+              std::copy_n(step.input.V_WH.linear.data(), 3, velocities.mutable_data(i));
+              std::copy_n(step.input.V_WH.angular.data(), 3, velocities.mutable_data(i) + 3);
               dt.mutable_at(i) = step.input.dt;
               StepResult result;
               result.force = step.force;
@@ -173,7 +173,7 @@ void bind_replay(py::module_& m) {
   using R = ReplayReport;
   bind_result<R>(m, "ReplayReport", member("steps", &R::steps), member("identical", &R::identical),
                  member("first_difference", &R::first_difference),
-                 member("largest_force_difference", &R::largest_force_difference), member("left_out", &R::left_out),
+                 member("max_force_difference", &R::max_force_difference), member("left_out", &R::left_out),
                  member("workpiece_hash", &R::workpiece_hash));
   using Law = std::shared_ptr<ForceLaw>;
   m.def(
@@ -202,7 +202,7 @@ void bind_recordings(py::module_& m) {
   use_recordings();  // open_device("replay:FILE")
   bind_struct<PlaybackRange>(m, "PlaybackRange", field("first", &PlaybackRange::first),
                              field("count", &PlaybackRange::count));
-  m.attr("kMostPlayedSteps") = kMostPlayedSteps;
+  m.attr("kMaxPlayedSteps") = kMaxPlayedSteps;
   m.def("open_playback", &open_playback, py::arg("recording"), py::arg("range") = PlaybackRange{}, doc("open_playback"),
         py::call_guard<py::gil_scoped_release>());
   bind_recorder(m);

@@ -25,7 +25,7 @@ auto by_material(const ByMaterial<double>& (Simulation::*volumes)() const) {
 
 Stepper stepper_of(PythonSimulation& self) {
   return [&self](const StepInput& input) -> const StepResult& {
-    return self.simulation.step(input.pose, input.velocity, input.dt);
+    return self.simulation.step(input.X_WH, input.V_WH, input.dt);
   };
 }
 
@@ -46,9 +46,9 @@ void bind_config(py::module_& m) {
       "check_input",
       [](const C& config, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
         const StepInput input = step_input(pose, velocity, dt);
-        return std::uint32_t(check_input(config, input.pose, input.velocity, input.dt));
+        return std::uint32_t(check_input(config, input.X_WH, input.V_WH, input.dt));
       },
-      py::arg("config"), py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("check_input"));
+      py::arg("config"), py::arg("X_WH"), py::arg("V_WH"), py::arg("dt"), doc("check_input"));
 }
 
 void bind_limits(py::module_& m) {
@@ -57,8 +57,8 @@ void bind_limits(py::module_& m) {
                          member("sub_steps", &WorstCase::sub_steps),
                          member("level_of_detail", &WorstCase::level_of_detail),
                          member("contacts", &WorstCase::contacts));
-  m.def("most_voxels", &most_voxels, py::arg("head"), py::arg("voxel_size"), doc("most_voxels"));
-  m.def("most_blocks", &most_blocks, py::arg("head"), py::arg("voxel_size"), doc("most_blocks"));
+  m.def("max_voxels", &max_voxels, py::arg("head"), py::arg("voxel_size"), doc("max_voxels"));
+  m.def("max_blocks", &max_blocks, py::arg("head"), py::arg("voxel_size"), doc("max_blocks"));
 }
 
 void bind_the_simulation(py::module_& m) {
@@ -78,7 +78,7 @@ void bind_the_simulation(py::module_& m) {
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
             return make_step(self, pose, velocity, dt, stepper_of(self));
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("Simulation::step"))
+          py::arg("X_WH"), py::arg("V_WH"), py::arg("dt"), doc("Simulation::step"))
       .def(
           "run",
           [](S& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
@@ -105,9 +105,9 @@ void bind_the_simulation(py::module_& m) {
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
             const StepInput input = step_input(pose, velocity, dt);
             // It works in the simulation's own memory.
-            return self.write().probe(input.pose, input.velocity, input.dt, motions);
+            return self.write().probe(input.X_WH, input.V_WH, input.dt, motions);
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"),
+          py::arg("X_WH"), py::arg("V_WH"), py::arg("dt"),
           py::arg_v("motions", ProbedMotions::all, "ProbedMotions.all"), doc("Simulation::probe"))
       .def_property_readonly("last_input", reading<S>(&Simulation::last_input), doc("Simulation::last_input"))
       .def_property_readonly(

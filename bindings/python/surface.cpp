@@ -99,8 +99,8 @@ void bind_page(py::module_& m) {
           py::arg("frame"), "(n, 3) of the vertices, in W, of length 1.");
   page.attr("kEdge") = P::kEdge;
   page.attr("kBlocks") = P::kBlocks;
-  page.attr("kMostVertices") = P::kMostVertices;
-  page.attr("kMostIndices") = P::kMostIndices;
+  page.attr("kMaxVertices") = P::kMaxVertices;
+  page.attr("kMaxIndices") = P::kMaxIndices;
 }
 
 }  // namespace

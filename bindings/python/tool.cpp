@@ -68,7 +68,7 @@ void bind_heads(py::module_& m) {
       .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
       .def("reach", &ToolHead::reach, doc("ToolHead::reach"))
       .def("volume", &ToolHead::volume, doc("ToolHead::volume"))
-      .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
+      .def("max_radius", &ToolHead::max_radius, doc("ToolHead::max_radius"))
       .def("cutting_radius", &ToolHead::cutting_radius, doc("ToolHead::cutting_radius"))
       .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
@@ -127,7 +127,7 @@ void bind_tool(py::module_& m) {
   bind_shapes(m);
   bind_heads(m);
   bind_handles(m);
-  m.attr("kFastestSpindle") = kFastestSpindle;
+  m.attr("kMaxSpindleSpeed") = kMaxSpindleSpeed;
   bind_described<Spindle>(m, "Spindle").def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
   py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
@@ -145,7 +145,7 @@ void bind_tool(py::module_& m) {
       .def_property_readonly("stalled", &SpindleMotor::stalled, doc("SpindleMotor::stalled"));
   bind_enum<MotorKind>(m, "MotorKind");
   m.def("common_motor", &common_motor, py::arg("speed"), doc("common_motor"));
-  m.def("fastest_speed", &fastest_speed, py::arg("motor"), doc("fastest_speed"));
+  m.def("max_speed", &max_speed, py::arg("motor"), doc("max_speed"));
   m.def("common_spindle", py::overload_cast<MotorKind, AngularSpeed>(&common_spindle), py::arg("motor"),
         py::arg("speed"), doc("common_spindle"));
   m.def("common_spindle", py::overload_cast<AngularSpeed>(&common_spindle), py::arg("speed"), doc("common_spindle"));

@@ -39,7 +39,7 @@ Occupancy& PythonWorkpiece::occupancy() const {
 namespace {
 
 /// An array larger than this, 4 GiB of bytes, is a mistake more often than a wish.
-constexpr double kMostVoxelsOfAnArray = 4294967296.0;
+constexpr double kMaxVoxelsOfAnArray = 4294967296.0;
 
 IndexBox box_or_bounds(const Workpiece& workpiece, const std::optional<IndexBox>& box) {
   const IndexBox wanted = box ? *box : workpiece.bounds();
@@ -47,7 +47,7 @@ IndexBox box_or_bounds(const Workpiece& workpiece, const std::optional<IndexBox>
     throw Error(box ? "IndexBox is empty; each max must be at least its min." : "the workpiece is empty; give a box.");
   double voxels = 1;  // IndexBox::voxels cannot count those of any box
   for (std::size_t axis = 0; axis < 3; ++axis) voxels *= double(wanted.max[axis]) - wanted.min[axis] + 1;
-  if (voxels > kMostVoxelsOfAnArray)
+  if (voxels > kMaxVoxelsOfAnArray)
     throw Error("an array of " + format_number(voxels) + " voxels is too large; ask for a smaller box.");
   return wanted;
 }

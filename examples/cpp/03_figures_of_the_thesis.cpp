@@ -33,7 +33,7 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   ThesisLaw::Constants constants;
   constants.required_power = 0;  // whatever is touched goes
   if (thesis) config.law = std::make_shared<ThesisLaw>(constants);
-  if (thesis) config.longest_sweep = 1;  // its tool jumps from step to step; the first call takes it there
+  if (thesis) config.max_sweep = 1;  // its tool jumps from step to step; the first call takes it there
   const double voxel = 0.01 * mm, lowest = head.bounding_box().min.z();
   Simulation simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, voxel, material),
                         Tool(head, RayHandle{0}, Spindle{(thesis ? 1000.0 : 20000.0) * units::rad_per_s}),

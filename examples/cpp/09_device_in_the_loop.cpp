@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
   const RunReport report = loop.wait();
   std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name_of(report.guard)
             << ", removed " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most "
-            << loop.latest().largest_applied << " N, " << blocks << " changed blocks\n";
+            << loop.latest().max_applied << " N, " << blocks << " changed blocks\n";
 
   while (!simulation.undo(64)) {  // between runs; in a run: loop.send(commands::Undo{})
   }

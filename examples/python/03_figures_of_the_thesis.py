@@ -21,7 +21,7 @@ def step_down(head, thesis):
     config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e17)  # a layer of 2 um
     if thesis:
         config.law = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(required_power=0))  # whatever is touched goes
-        config.longest_sweep = 1  # its tool jumps from step to step; the first call takes it there
+        config.max_sweep = 1  # its tool jumps from step to step; the first call takes it there
     spindle = hapticut.Spindle(1000.0 if thesis else 20000.0)  # [rad/s]
     simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=spindle), config)
     still, top = np.zeros(6), -hapticut.ToolHead(head).bounding_box().min[2]

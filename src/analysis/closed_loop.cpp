@@ -43,7 +43,7 @@ ClosedLoop::ClosedLoop(const ClosedLoopConfig& config)
     : config_(config),
       plant_(config.device, config.hand,
              {config.period, config.period / kFineSteps, config.dry_friction, config.encoder, config.rotation}) {
-  require_between(config.delay, 0, kLongestDelay, "ClosedLoopConfig::delay [ticks]");
+  require_between(config.delay, 0, kMaxDelay, "ClosedLoopConfig::delay [ticks]");
   require_not_negative(config.velocity_filter, "ClosedLoopConfig::velocity_filter [Hz]");
   reset({});
 }

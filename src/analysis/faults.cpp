@@ -131,7 +131,7 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
       Wrench wrench = admitted.valid ? model(seen) : Wrench{};
       if (faulty && fault == InjectedFault::nan_force) wrench.force.x() = kNan;
       if (faulty && fault == InjectedFault::force_x1000) wrench.force *= 1000;
-      loop.write(guard.release(wrench));
+      loop.write(guard.limit(wrench));
       const bool blind = fault == InjectedFault::nan_pose || fault == InjectedFault::frozen_pose ||
                          fault == InjectedFault::stale_reading || fault == InjectedFault::jump_30mm ||
                          fault == InjectedFault::units_x1000 || fault == InjectedFault::unplugged;
@@ -140,9 +140,9 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
     const Vec3 force = loop.applied().force;
     if (faulty) {
       const double since = double(n - fault_tick) * period;
-      response.greatest_force = std::max(response.greatest_force, force.norm());
+      response.max_force = std::max(response.max_force, force.norm());
       const Vec3 shrunken = growth_limited(last, force, 0);
-      response.greatest_growth = std::max(response.greatest_growth, (force - shrunken).norm());
+      response.max_growth = std::max(response.max_growth, (force - shrunken).norm());
       if (force.isZero(0)) {
         if (response.time_to_zero < 0) response.time_to_zero = since;
       } else {
@@ -157,8 +157,8 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
 
 bool obeys_the_rules(const FaultResponse& response, const SafetyGuard& guard, double period) {
   constexpr double kRounding = 1e-9;  // [1]
-  return response.greatest_force <= guard.greatest_force() * (1 + kRounding) &&
-         response.greatest_growth <= guard.slew() * period * (1 + kRounding) &&
+  return response.max_force <= guard.max_force() * (1 + kRounding) &&
+         response.max_growth <= guard.slew() * period * (1 + kRounding) &&
          response.oldest_force <= kOldestForce + kRounding;
 }
 

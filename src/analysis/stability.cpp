@@ -90,8 +90,8 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
   return true;
 }
 
-double largest_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
-                                const StabilitySearch& search) {
+double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
+                            const StabilitySearch& search) {
   require_positive(search.low, "StabilitySearch::low");
   require_between(search.coarse_factor, 1.001, 10, "StabilitySearch::coarse_factor");
   require_positive(search.tolerance, "StabilitySearch::tolerance");
@@ -156,7 +156,7 @@ Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, d
     if (counts) z.push_back(loop.plant().pose().translation.z());
     loop.tick(model);
     if (counts) force.push_back(loop.applied().force.z());
-    buzz.greatest_force = std::max(buzz.greatest_force, loop.applied().force.norm());
+    buzz.max_force = std::max(buzz.max_force, loop.applied().force.norm());
   }
   double mean = 0;
   for (const double value : z) mean += value / double(z.size());

@@ -41,7 +41,7 @@ constexpr double kPulpBlend = 0.3 * mm;    // seams of the pulp
 constexpr double kTaper = 3.5 * mm;        // height over which the enamel of the walls reaches its full thickness
 constexpr double kFissureFade = 1.5 * mm;  // height over which a fissure reaches its full depth
 constexpr double kWedgeSlope = 1.5397;     // greatest slope of (1 - x^2)^2 for 0 <= x <= 1: 16 sqrt(3)/18
-constexpr double kLeastDentin = 0.5 * mm;  // of any kind of tissue between the pulp and the outer surface
+constexpr double kMinDentin = 0.5 * mm;    // of any kind of tissue between the pulp and the outer surface
 
 /// 0 below `from`, 1 above `to`, smooth between.
 double smooth_step(double value, double from, double to) {
@@ -322,7 +322,7 @@ double Molar::pulp(const Vec3& p) const {
 
 MaterialId Molar::material(const Vec3& p) const {
   const double depth = -smooth_surface(p);
-  if (depth > kLeastDentin && pulp(p) < 0) return kMolarPulp;
+  if (depth > kMinDentin && pulp(p) < 0) return kMolarPulp;
   if (size_.caries_depth > 0) {
     const Vec3 half = Vec3(size_.caries_width, size_.caries_width, size_.caries_depth) / 2;
     if ((p - lesion_center_).cwiseQuotient(half).norm() < 1) return kMolarCaries;

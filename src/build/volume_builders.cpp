@@ -53,7 +53,7 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   require_not_negative(options.voxel_size, "VolumeBuildOptions::voxel_size [m]");
   require_between(options.subsamples, 1, kMaxSubsamples, "VolumeBuildOptions::subsamples");
   const double size = options.voxel_size > 0 ? options.voxel_size : volume.spacing.minCoeff();
-  require_metres(size, kLargestVoxel, "voxel size [m]");
+  require_metres(size, kMaxVoxelSize, "voxel size [m]");
 
   Layout layout;
   layout.step = size * volume.spacing.cwiseInverse();

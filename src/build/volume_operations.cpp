@@ -14,7 +14,7 @@
 namespace hapticut {
 namespace {
 
-constexpr int kMostLabels = 65536;
+constexpr int kMaxLabels = 65536;
 
 template <class Value>
 Volume<Value> respaced(Volume<Value> volume, const Vec3& spacing) {
@@ -162,10 +162,10 @@ std::size_t count_from(const GreyVolume& volume, double threshold) {
 
 std::map<int, std::size_t> count_labels(const LabelVolume& volume) {
   require_valid(volume);
-  std::vector<std::size_t> counts(kMostLabels, 0);
+  std::vector<std::size_t> counts(kMaxLabels, 0);
   for (const std::uint16_t label : volume.values) ++counts[label];
   std::map<int, std::size_t> used;
-  for (int label = 0; label < kMostLabels; ++label)
+  for (int label = 0; label < kMaxLabels; ++label)
     if (counts[std::size_t(label)] > 0) used[label] = counts[std::size_t(label)];
   return used;
 }
@@ -174,7 +174,7 @@ std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t mo
   require_valid(volume);
   std::map<int, std::size_t> counts;
   for (const float value : volume.values) {
-    if (!(value >= 0 && value < kMostLabels && value == std::floor(value))) return {};
+    if (!(value >= 0 && value < kMaxLabels && value == std::floor(value))) return {};
     ++counts[int(value)];
     if (counts.size() > most) return {};
   }
@@ -184,7 +184,7 @@ std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t mo
 std::uint16_t unused_label(const LabelVolume& volume) {
   require_valid(volume);
   const int label = *std::max_element(volume.values.begin(), volume.values.end()) + 1;
-  if (label == kMostLabels) throw Error("the volume uses label 65535, so that none is left for more; renumber them.");
+  if (label == kMaxLabels) throw Error("the volume uses label 65535, so that none is left for more; renumber them.");
   return std::uint16_t(label);
 }
 

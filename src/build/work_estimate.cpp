@@ -12,7 +12,7 @@
 namespace hapticut {
 
 void require_allowed(const WorkEstimate& estimate, bool large) {
-  if (large || (estimate.memory_bytes <= kMostMemoryUnasked && estimate.seconds <= kMostSecondsUnasked)) return;
+  if (large || (estimate.memory_bytes <= kMaxMemoryUnasked && estimate.seconds <= kMaxSecondsUnasked)) return;
   throw Error("the workpiece would take about " + format_number(estimate.voxels) + " voxels, " +
               format_number(estimate.memory_bytes) + " bytes and " + format_number(estimate.seconds) +
               " s of work; check its unit and size, choose a larger voxel size, or say that so much is meant "

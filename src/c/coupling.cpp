@@ -29,11 +29,11 @@ CouplingGains gains_of(const hapticut_coupling_gains& given) noexcept {
   set_if_given(given.stiffness, gains.stiffness);
   set_if_given(given.damping, gains.damping);
   set_if_given(given.mass, gains.mass);
-  set_if_given(given.largest_force, gains.largest_force);
+  set_if_given(given.max_force, gains.max_force);
   set_if_given(given.angular_stiffness, gains.angular_stiffness);
   set_if_given(given.angular_damping, gains.angular_damping);
   set_if_given(given.inertia, gains.inertia);
-  set_if_given(given.largest_torque, gains.largest_torque);
+  set_if_given(given.max_torque, gains.max_torque);
   return gains;
 }
 
@@ -85,9 +85,9 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
   });
 }
 
-int hapticut_coupling_let_go(hapticut_coupling coupling) {
+int hapticut_coupling_reset(hapticut_coupling coupling) {
   return within(Use<CouplingObject>(coupling), [](const auto& use) {
-    return within(IdleStay(*use->simulation), [&](const auto&) { use->coupling.release(); });
+    return within(IdleStay(*use->simulation), [&](const auto&) { use->coupling.reset(); });
   });
 }
 

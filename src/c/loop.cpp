@@ -118,7 +118,7 @@ void put_snapshot(const LoopSnapshot& seen, hapticut_loop_state& own) noexcept {
   own.dissipated = tool.dissipated;
   own.contact_depth = tool.contact_depth;
   own.contact_voxels = std::uint32_t(tool.contact_voxels);
-  put(tool.contact_point, own.contact_point);
+  put(tool.contact_point_W, own.contact_point_W);
   own.undo_marks = std::uint32_t(tool.undo_marks);
   own.redo_marks = std::uint32_t(tool.redo_marks);
   own.commands_dropped = seen.commands_dropped;

@@ -38,8 +38,8 @@ void put_step(const StepResult& stepped, hapticut_step_result& result) noexcept 
   result.contact_volume = stepped.contact.volume;
   result.contact_voxels = std::uint32_t(stepped.contact.voxels);
   result.sub_steps = std::uint32_t(stepped.sub_steps);
-  put(stepped.contact.point, result.contact_point);
-  put(stepped.contact.normal, result.contact_normal);
+  put(stepped.contact.point_W, result.contact_point_W);
+  put(stepped.contact.normal_W, result.contact_normal_W);
   result.contact_area = stepped.contact.area;
   result.contact_pressure = stepped.contact.pressure;
 }

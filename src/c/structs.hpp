@@ -16,7 +16,7 @@
 /// The structs of the interface against those of callers that are older or newer, and against C++.
 namespace hapticut::c {
 
-inline constexpr std::uint32_t kSmallestStruct = 8, kLargestStruct = 4096;
+inline constexpr std::uint32_t kMinStruct = 8, kMaxStruct = 4096;
 
 /// Whether a caller's struct can be read or written.
 /// @param name  of the argument, for the sentence
@@ -30,7 +30,7 @@ template <class S>
     return fail(HAPTICUT_ERROR_ARGUMENT, text);
   }
   const std::uint32_t size = given->struct_size;
-  if (size >= kSmallestStruct && size <= kLargestStruct && size % 8 == 0) return HAPTICUT_OK;
+  if (size >= kMinStruct && size <= kMaxStruct && size % 8 == 0) return HAPTICUT_OK;
   std::snprintf(text, sizeof text, "%s->struct_size = %u; set it to sizeof(*%s), which is %zu here.", name,
                 unsigned(size), name, sizeof(S));
   return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);

@@ -14,8 +14,8 @@
 namespace hapticut::c {
 namespace {
 
-constexpr std::size_t kMostHeld = 4096;   // pages
-constexpr std::size_t kMostBlocks = 256;  // taken over in one call, so that a call is short
+constexpr std::size_t kMaxHeld = 4096;   // pages
+constexpr std::size_t kMaxBlocks = 256;  // taken over in one call, so that a call is short
 
 class SurfaceObject final : public Object {
  public:
@@ -41,7 +41,7 @@ class SurfaceObject final : public Object {
   Held& free_page() {
     const auto found = std::find_if(pages.begin(), pages.end(), [](const auto& one) { return one->ticket == 0; });
     if (found != pages.end()) return **found;
-    if (pages.size() == kMostHeld)
+    if (pages.size() == kMaxHeld)
       throw Refusal(HAPTICUT_ERROR_FULL, "4096 pages of this surface are held; call hapticut_surface_release_page.");
     return *pages.emplace_back(std::make_unique<Held>());
   }
@@ -93,7 +93,7 @@ int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
       throw Refusal(HAPTICUT_ERROR_STRUCT_SIZE,
                     "page->struct_size is too small to hold the ticket by which a page is released.");
     ChangedBlock block;
-    for (std::size_t n = 0; n < kMostBlocks && use->feed->receive(block); ++n)
+    for (std::size_t n = 0; n < kMaxBlocks && use->feed->receive(block); ++n)
       if (!use->stream.update(block.origin, block.material.data(), block.fill.data()))
         throw Error("The workpiece has grown beyond this surface; open another one.");
     SurfaceObject::Held& held = use->free_page();

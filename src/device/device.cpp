@@ -141,7 +141,7 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   time_is_up_ = time_is_up_ || (seconds_ > 0 && reading.time - begin_ >= seconds_);
   if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error)
     report_lost(reading.fault);
-  Wrench wrench = guard_.release(command.wrench, command.contact);
+  Wrench wrench = guard_.limit(command.wrench, command.contact);
   slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
   publish(state);
   report_.compute.add(monotonic_time() - began);

@@ -18,13 +18,13 @@ namespace {
 
 using units::kPi;
 
-constexpr double kLeastSpread = 1.05;    // [1] of the chips, to tell edge from chip
-constexpr double kLargestError = 0.5;    // [1] standard error over the constant
-constexpr double kSmallEdge = 0.1;       // [1] of thrust and torque; an edge known to this is known, be it 0
-constexpr double kLargestRadius = 0.05;  // [m]
-constexpr double kExact = 1e-4;          // [1] root mean square of what a search leaves of numbers that fit exactly
-constexpr double kLeastTold = 1e-6;      // [1] of the eigenvalues, where constants are told from each other
-constexpr double kWithinErrors = 4;      // [1] times the variance: what may lie within two standard errors
+constexpr double kMinSpread = 1.05;  // [1] of the chips, to tell edge from chip
+constexpr double kMaxError = 0.5;    // [1] standard error over the constant
+constexpr double kSmallEdge = 0.1;   // [1] of thrust and torque; an edge known to this is known, be it 0
+constexpr double kMaxRadius = 0.05;  // [m]
+constexpr double kExact = 1e-4;      // [1] root mean square of what a search leaves of numbers that fit exactly
+constexpr double kMinTold = 1e-6;    // [1] of the eigenvalues, where constants are told from each other
+constexpr double kWithinErrors = 4;  // [1] times the variance: what may lie within two standard errors
 
 /// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both are
 /// for kappa = 1: thrusts go with 1/kappa, but for that of p_e; the torque of p_e goes with kappa.
@@ -138,11 +138,11 @@ Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identifi
   const int freedom = freedom_of(rows, true, ratio_identified);
   if (freedom == 0) {
     const Vec3 told = Eigen::SelfAdjointEigenSolver<Mat3>(normal, Eigen::EigenvaluesOnly).eigenvalues();
-    return {fit.u > kExact * whole_u, fit.squares < kExact * kExact && told.x() > kLeastTold * told.z()};
+    return {fit.u > kExact * whole_u, fit.squares < kExact * kExact && told.x() > kMinTold * told.z()};
   }
   const Vec3 errors = (fit.squares / freedom * normal.inverse().diagonal()).cwiseSqrt();
-  return {errors.y() < kLargestError * fit.u / whole_u,
-          errors.z() < std::max(kLargestError * fit.edge / whole_edge, kSmallEdge)};
+  return {errors.y() < kMaxError * fit.u / whole_u,
+          errors.z() < std::max(kMaxError * fit.edge / whole_edge, kSmallEdge)};
 }
 
 /// The best fit with the second constant this many times u.
@@ -155,7 +155,7 @@ Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, bool ratio_identif
 
 void require_measured(const DrillingTest& t) {
   require_positive(t.radius, "DrillingTest::radius [m]");
-  require_metres(t.radius, kLargestRadius, "DrillingTest::radius [m]");
+  require_metres(t.radius, kMaxRadius, "DrillingTest::radius [m]");
   require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
   require_feed(t.feed_speed, "DrillingTest::feed_speed [m/s]");
   require_positive(t.lips, "DrillingTest::lips [1]");
@@ -192,7 +192,7 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   Calibration c;
   c.ratio_identified = thrusts && torques;
   const int freedom = freedom_of(rows, true, c.ratio_identified);
-  const bool may_tell = most > kLeastSpread * least && freedom >= 0, has_prior = term == ChipTerm::edge_length;
+  const bool may_tell = most > kMinSpread * least && freedom >= 0, has_prior = term == ChipTerm::edge_length;
   Fit fit = best_fit(rows, may_tell, c.ratio_identified);
   if (may_tell) {
     const Known known = known_by(fit, rows, c.ratio_identified);
@@ -215,8 +215,8 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
     if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
     // Where the edge carries all, u is the least with which a material may have its length.
     const double longest = range_of(&Material::edge_length).high;
-    const double least_u = fit.edge / (term == ChipTerm::edge_length ? longest : std::sqrt(longest));
-    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, least_u);
+    const double min_u = fit.edge / (term == ChipTerm::edge_length ? longest : std::sqrt(longest));
+    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, min_u);
     if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
     if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
   }

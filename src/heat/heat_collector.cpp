@@ -49,8 +49,8 @@ void HeatCollector::on_step(const ObservedStep& step) noexcept {
   } else if (rubbed > 0) {
     pending_.rubbed += rubbed;
     const Tool& tool = step.simulation.tool();
-    const Pose X_WT = step.input.pose * tool.X_HT();
-    const Wrench about_To = transport(step.result.model, step.input.pose.translation - X_WT.translation);
+    const Pose X_WT = step.input.X_WH * tool.X_HT();
+    const Wrench about_To = transport(step.result.model, step.input.X_WH.translation - X_WT.translation);
     const Mat3 R_TW = X_WT.rotation.transpose();
     pending_.p_WQ = X_WT * touching_point(tool.head(), {R_TW * about_To.force, R_TW * about_To.torque});
     const Contact& contact = step.result.contact;  // a disc as deep as the head, with the same volume

@@ -13,8 +13,8 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostCells = 8e6;  // some 130 bytes each
-constexpr int kFarthest = 3;        // [cells] that heat may have to go to find material
+constexpr double kMaxCells = 8e6;  // some 130 bytes each
+constexpr int kFarthest = 3;       // [cells] that heat may have to go to find material
 
 }  // namespace
 
@@ -41,9 +41,9 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
     count *= dims_[axis] + 2;
   }
   materials_ = std::size_t(workpiece.materials().size());
-  if (count * double(materials_) > kMostCells)
+  if (count * double(materials_) > kMaxCells)
     throw Error("the workpiece spans " + format_number(count) + " cells of " + std::to_string(width) +
-                " voxels, times " + std::to_string(materials_) + " materials; at most " + format_number(kMostCells) +
+                " voxels, times " + std::to_string(materials_) + " materials; at most " + format_number(kMaxCells) +
                 " are possible. Raise HeatConfig::voxels_per_cell, or crop it.");
   cell_size_ = width * workpiece.voxel_size();
   cell_volume_ = std::pow(cell_size_, 3);

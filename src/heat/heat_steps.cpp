@@ -20,7 +20,7 @@ double cem43(double temperature, double time) {
 
 /// [1/s] at which the fastest cell loses its heat to what is around it. In parts of at most its inverse no cell becomes
 /// warmer than the warmest around it, or colder than the coldest.
-double HeatField::fastest_rate() const {
+double HeatField::max_rate() const {
   double fastest = 0;
   for (std::size_t cell = stride_[0]; cell + stride_[0] < cells_.heat.size(); ++cell) {
     if (!(cells_.capacity[cell] > 0)) continue;
@@ -35,7 +35,7 @@ double HeatField::fastest_rate() const {
 void HeatField::advance(double dt) {
   require_within(dt, Range::not_negative(), "HeatField::advance: dt [s]");
   refresh_changed();
-  if (rate_ == 0) rate_ = fastest_rate();
+  if (rate_ == 0) rate_ = max_rate();
   const auto parts = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
   for (std::uint64_t n = 0; n < parts; ++n) {
     step(dt / double(parts));

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 std::string text_of_errno(int error_number) { return std::generic_category().message(error_number); }
 
 constexpr std::string_view kTemporaryPrefix = ".hapticut-";
-constexpr std::size_t kLongestName = 255;  // [bytes] of a file
+constexpr std::size_t kMaxName = 255;  // [bytes] of a file
 
 /// Of processes that see each other by number: this machine, and the space that its numbers are counted in.
 std::string home_of_processes() {
@@ -45,7 +45,7 @@ std::string temporary_name(const std::string& name) {
   static const std::string home = home_of_processes();
   const std::string start =
       std::string(kTemporaryPrefix) + home + "-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-";
-  return start + name.substr(name.size() - std::min(name.size(), kLongestName - start.size()));
+  return start + name.substr(name.size() - std::min(name.size(), kMaxName - start.size()));
 }
 
 /// The process that made a temporary file here and is gone, or 0.
@@ -84,7 +84,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(place_behind_links(path)) {
   if (!path.has_filename()) cannot_write(path, "it has no file name");
   const fs::file_status status = fs::status(path_, code);
   if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it exists and is not a regular file");
-  if (path_.filename().string().size() > kLongestName) cannot_write(path, text_of_errno(ENAMETOOLONG));
+  if (path_.filename().string().size() > kMaxName) cannot_write(path, text_of_errno(ENAMETOOLONG));
   remove_leftovers(path_.parent_path());
   temporary_path_ = path_.parent_path() / temporary_name(path_.filename().string());
   // O_EXCL: no other file is ever overwritten under the temporary name.

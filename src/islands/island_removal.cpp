@@ -22,7 +22,7 @@ BlockMask around(const Island& island, const BlockVoxels& block) noexcept {
 }
 
 BlockMask filled_enough(const Island& island, const BlockView& block) noexcept {
-  return block.filled_voxels(float(island.least_fill));
+  return block.filled_voxels(float(island.min_fill));
 }
 
 }  // namespace

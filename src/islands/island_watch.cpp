@@ -16,7 +16,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kIslands = 256;  // under way at once; more wait in the watching thread
-constexpr std::size_t kMostLeft = 64;  // that are kept for `left`
+constexpr std::size_t kMaxLeft = 64;   // that are kept for `left`
 
 Simulation& simulation_of(LoopModel& model) {
   Simulation* const simulation = model.simulation();
@@ -95,7 +95,7 @@ void IslandWatch::State::look() {
   for (Removal done; over.pop(done);) {
     if (done->joined) continue;
     const std::lock_guard lock(mutex);
-    if (left.size() == kMostLeft) left.erase(left.begin());
+    if (left.size() == kMaxLeft) left.erase(left.begin());
     left.push_back(std::move(done->island));
   }
 }

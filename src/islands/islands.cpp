@@ -14,7 +14,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostWatchedBlocks = 1 << 25;  // 2 GB of bits
+constexpr double kMaxWatchedBlocks = 1 << 25;  // 2 GB of bits
 
 /// Sets whose members are joined bit by bit, and what is known of each whole set.
 template <class Of>
@@ -243,13 +243,13 @@ IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& opti
     : options_(options), blocks_(workpiece.bounds()), frame_(workpiece.frame()) {
   require_fields_within(options_, "IslandOptions::");
   const double blocks = blocks_.count();
-  if (blocks > kMostWatchedBlocks)
+  if (blocks > kMaxWatchedBlocks)
     throw Error("the workpiece spans " + format_number(blocks) + " blocks, more than " +
-                format_number(kMostWatchedBlocks) + " in which islands can be looked for; crop it.");
+                format_number(kMaxWatchedBlocks) + " in which islands can be looked for; crop it.");
   solid_.resize(std::size_t(blocks));
   workpiece.for_each_block([&](const BlockView& block) {
     if (const auto number = blocks_.number_of(block.origin))
-      solid_[*number] = block.filled_voxels(float(options_.least_fill));
+      solid_[*number] = block.filled_voxels(float(options_.min_fill));
   });
 }
 
@@ -269,7 +269,7 @@ void IslandFinder::update(const BlockView& block) {
   const auto number = blocks_.number_of(block.origin);
   if (!number) return;
   // Where nothing is asked of the fill, a voxel without any is empty all the same.
-  const float least = std::max(float(options_.least_fill), std::numeric_limits<float>::min());
+  const float least = std::max(float(options_.min_fill), std::numeric_limits<float>::min());
   const BlockMask now = block.filled_voxels(least), went = solid_[*number].without(now);
   solid_[*number] = now;
   const auto known = gone_.find(*number);
@@ -323,7 +323,7 @@ Island IslandFinder::take_out(const std::vector<std::pair<std::size_t, BlockMask
         if (const auto next = blocks_.number_of(beside(origin, side))) all.try_emplace(*next, BlockMask{});
   }
   Island island;
-  island.least_fill = options_.least_fill;
+  island.min_fill = options_.min_fill;
   for (const auto& [block, voxels] : all) {
     island.blocks.push_back({blocks_.origin_of(block), voxels});
     island.voxels += voxels.count();

@@ -23,7 +23,7 @@ class SectionVectors {
   HWY_INLINE explicit SectionVectors(Vec largest) : p_(largest) {
     const Vec one = broadcast(1.0F);
     q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(largest, largest, one))),
-                 broadcast(VoxelSection<float>::kLeastWidth));
+                 broadcast(VoxelSection<float>::kMinWidth));
     per_area_ = one / (p_ * q_);
   }
 
@@ -112,11 +112,11 @@ class SectionVectors {
 HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration,
                                   bool at_end) {
   const Vec one = broadcast(1.0F), dt = broadcast(duration);
-  const Vec least = cut.least, least_squared = least * least, half = broadcast(duration / 2);
+  const Vec least = cut.least, min_squared = least * least, half = broadcast(duration / 2);
   const Vec deeper = hn::Min(top, cut.beyond(top));
   const Vec before = hn::Min(half, deeper / hn::Max(speed, broadcast(1e-20F)));
   const Vec time = before + (at_end ? before : half), t = hn::NegMulAdd(speed, before, top);
-  const Vec gain = hn::MulAdd(rate, least_squared, speed);
+  const Vec gain = hn::MulAdd(rate, min_squared, speed);
   const Vec balance = time * time * rate * gain;
   // tanh(y)/y = m/(1 - y m) with m = (1 - e^-2y)/(2y), and by its series where (1 - tanh(y)/y)/y^2 would cancel
   const Vec y = hn::Sqrt(balance), m = mean_of_decay(y + y);
@@ -125,13 +125,13 @@ HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate,
   const Vec c = hn::IfThenElse(small, hn::NegMulAdd(balance, lack_of_small, one), m / hn::NegMulAdd(y, m, one));
   const Vec lack = hn::IfThenElse(small, lack_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
   const Vec gone =
-      hn::MulAdd(time * c, hn::MulSub(t, t, least_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
+      hn::MulAdd(time * c, hn::MulSub(t, t, min_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
   const Vec as_evaluated = dt * cut.excess;
   return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
 }
 
 /// FoundationLaw on parts of voxels.
-struct PressedParts {
+struct PartOutcome {
   Vec rubbing, cut;            // [N/m^3] springs: of what is not deep enough to be cut, and of what is
   Vec left;                    // [1] fill after the sub-step
   Vec energy;                  // [J/m^3] u of what is cut, as its chips are
@@ -159,15 +159,15 @@ struct PressedParts {
 /// @tparam kCrushes       some of them are deep enough to be crushed:
 /// @param crushing_depth  [m] deeper than this
 template <bool kCrushes>
-HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s,
-                                       Vec mean_rate, Vec fill, Vec damped, Vec crushing_depth, bool may_cut,
-                                       bool release) {
+HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s,
+                                      Vec mean_rate, Vec fill, Vec damped, Vec crushing_depth, bool may_cut,
+                                      bool release) {
   const Floats d;
   const Vec zero = hn::Zero(d), half = broadcast(0.5F);
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
   const Mask inside = s.top > zero;
   const SectionVectors section(s.largest);
-  PressedParts p;
+  PartOutcome p;
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;
@@ -179,7 +179,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
     p.top = hn::IfThenElse(p.crushed, crushing_depth, s.top);
     height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
     const Vec below = section.fill_below(height);
-    const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kSmallestPart), below);
+    const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kMinPart), below);
     p.kept = hn::IfThenElse(p.crushed, kept, fill);
     p.yielding = hn::IfThenElseZero(p.crushed, p.top * per_l * section.area_at(height));
   }
@@ -215,19 +215,19 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
     if (release) {  // helped by what is stored where the layer's top is on average
       const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
-                        p.price * broadcast(FoundationLaw::kLeastEnergyShare));
+                        p.price * broadcast(FoundationLaw::kMinEnergyShare));
       path = work / p.price;
       share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     }
-    const Vec gone = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kSmallestPart));
-    const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kLargestExponent)));
+    const Vec gone = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
+    const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kMaxExponent)));
     const Vec mean = mean_of_decay(exponent);
     p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
     const Vec loss = p.kept * exponent * mean;
     p.left = p.kept - loss;
     p.refused = loss - (p.kept - p.left);
-    const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kSmallestPart));
+    const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kMinPart));
     // Never zero, so that it also says which lanes are finished.
     p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));
     p.left = hn::IfThenZeroElse(finished, p.left);
@@ -237,7 +237,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec height_left = may_cut ? section.height_of(p.left) : height;
   const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
   p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
-  const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
+  const Mask taken = fill - p.left > broadcast(FoundationLaw::kMinLoss) * fill;
   // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
   p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after);
   p.released = zero;

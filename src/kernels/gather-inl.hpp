@@ -151,7 +151,7 @@ class Gather {
     std::uint32_t done = 0;
     Vectors lanes[kParts];
     first_strip(base, lanes);
-    for (std::uint32_t rest = strips_within(base, -margin) & strips_on_turn(block); rest != 0; rest &= rest - 1) {
+    for (std::uint32_t rest = strips_within(base, -margin) & strips_of_phase(block); rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       if (block.solid != nullptr && (block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff) != 0xffff) continue;
       Vectors r[kParts];
@@ -183,7 +183,7 @@ class Gather {
   HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
     const float half = kHalfStrip * job_.motion.voxel_size + beyond_;
-    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block) & ~done;
+    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_of_phase(block) & ~done;
     const std::uint32_t inner = strips_within(base, -half);
     const Mask all = hn::FirstN(Floats(), kWidth);
     Vectors lanes[kParts];
@@ -250,11 +250,11 @@ class Gather {
     return strips;
   }
 
-  [[nodiscard]] HWY_INLINE std::uint32_t strips_on_turn(const BlockView& block) const {
+  [[nodiscard]] HWY_INLINE std::uint32_t strips_of_phase(const BlockView& block) const {
     if (job_.level_of_detail <= 1) return ~0U;
     std::uint32_t strips = 0;
     for (int strip = 0; strip < kStrips; ++strip)
-      strips |= std::uint32_t(job_.has_turn(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
+      strips |= std::uint32_t(job_.has_phase(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
     return strips;
   }
 

@@ -104,7 +104,7 @@ struct ContactJob {
   /// @param origin  of the block
   /// @param slab    0 ... 7, the strip's place along i
   /// @param strip   0 ... 3, and along j
-  [[nodiscard]] bool has_turn(const VoxelIndex& origin, int slab, int strip) const {
+  [[nodiscard]] bool has_phase(const VoxelIndex& origin, int slab, int strip) const {
     return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + turn) % level_of_detail == 0;
   }
 };

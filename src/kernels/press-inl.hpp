@@ -268,8 +268,8 @@ class Press : Places {
     const Vec fill = hn::IfThenElseZero(inside, old_fill), advance = s.rate * broadcast(m_.duration);
     const Vec crushing_depth = kCrushes ? damped.crushing_depth(material.crushing_depth) : zero;
     const Vec mean_rate = m_.tooth_rate > 0 ? s.rate - rate_of_depth<true>(r, s, m_.ripple, m_.ripple) : s.rate;
-    const PressedParts p = press_parts_of<kCrushes>(m_, material, s, mean_rate, fill, damped.factor, crushing_depth,
-                                                    !kStands && may_cut_, release_);
+    const PartOutcome p = press_parts_of<kCrushes>(m_, material, s, mean_rate, fill, damped.factor, crushing_depth,
+                                                   !kStands && may_cut_, release_);
     if (!kStands && (kCrushes || writes())) {
       const Mask finished = p.credit > zero;
       if (!hn::AllFalse(d, finished)) {

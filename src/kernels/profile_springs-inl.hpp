@@ -143,7 +143,7 @@ class CurveSprings {
     const V v_z = z - same(z, center_z_), turn = same(z, turn_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
-      const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
+      const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
       return {depth_below(hn::NegMulAdd(distance_squared, turned, same(z, radius_)), scale), turned, turned * v_z,
               none};
     }
@@ -151,7 +151,7 @@ class CurveSprings {
     const V v_rho = rho - same(z, center_rho_);
     const V q_rho = rho - same(z, start_rho_), q_z = z - same(z, start_z_);
     const V distance_squared = hn::MulAdd(v_rho, v_rho, v_z * v_z);
-    const V inverse = inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
+    const V inverse = inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
     const V curvature = same(z, curvature_), turned = turn * inverse;
     const V inward = hn::MulAdd(m_rho, q_rho, m_z * q_z);
     const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
@@ -190,7 +190,7 @@ struct PlainProfileVectors : ProfileBounds {
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const hn::DFromV<V> d;
     const V squared = hn::MulAdd(x, x, y * y);
-    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kMinSquare)));
     const V rho = squared * inverse_rho;
     SpringVectors<V> spring = first.at(squared, inverse_rho, rho, z);
     auto smooth = hn::FirstN(d, first.is_smooth() ? hn::Lanes(d) : 0);
@@ -256,7 +256,7 @@ struct MeridianVectors {
     twice = depth_below(hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward), scale);
     g_rho = hn::MulSub(c.curvature, q_rho, c.normal_rho), g_z = hn::MulSub(c.curvature, q_z, c.normal_z);
     const V squared = hn::MulAdd(g_rho, g_rho, g_z * g_z);
-    inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kLeastSquare)));
+    inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kMinSquare)));
     root = squared * inverse_root;
   }
   /// Positive where the other depth is larger, negative where it is smaller.
@@ -285,7 +285,7 @@ struct ProfileVectors : ProfileBounds {
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V squared = hn::MulAdd(x, x, y * y);
-    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kMinSquare)));
     const V rho = squared * inverse_rho;
     const auto bounds = hn::And(rho < same(rho, radius), hn::And(z > same(z, bottom), z < same(z, top)));
     return decide(cell_at(table.cells, rho, z, bounds), rho, inverse_rho, z);
@@ -293,7 +293,7 @@ struct ProfileVectors : ProfileBounds {
   template <class V>
   HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
     const V squared = hn::MulAdd(x, x, y * y);
-    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kMinSquare)));
     const V rho = squared * inverse_rho;
     const V cell_rho = hn::Min(rho, same(x, radius)), cell_z = hn::Max(z, same(x, bottom));
     const auto cell =
@@ -324,7 +324,7 @@ struct ProfileVectors : ProfileBounds {
     const hn::DFromV<V> d;
     const hn::RebindToSigned<hn::DFromV<V>> ints;
     const auto zero = hn::Zero(ints);
-    const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMostCurves - 1));
+    const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMaxCurves - 1));
     const auto rule = hn::ShiftRight<28>(cell);
 
     CurveVectors<V> curve = of_curves(hn::And(cell, curve_bits), d);

@@ -10,13 +10,13 @@ namespace hapticut::kernels {
 namespace {
 
 /// Leaves out what has no turn.
-BlockView with_turn(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
+BlockView with_phase(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
   BlockView view = block;
   solid = block.solid_voxels();
   for (int slab = 0; slab < kBlockEdge; ++slab) {
     std::uint64_t& word = solid.words[std::size_t(slab)];
     for (int strip = 0; strip < kBlockVoxels / kBlockEdge / BlockChange::kStrip; ++strip)
-      if (!job.has_turn(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
+      if (!job.has_phase(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
   }
   view.solid = solid.words.data();
   return view;
@@ -33,7 +33,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   ContactBlock& contact = scratch();
   task.change = {};
   BlockMask solid;
-  const BlockView block = job.level_of_detail > 1 ? with_turn(job, task.block, solid) : task.block;
+  const BlockView block = job.level_of_detail > 1 ? with_phase(job, task.block, solid) : task.block;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, contact);
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;

@@ -54,8 +54,8 @@ HWY_INLINE V depth_below_both(V one, V other) {
   return hn::IfThenElse(outside, hn::Neg(hn::Sqrt(hn::MulAdd(one, one, other * other))), least);
 }
 
-constexpr float kFarOutside = -1;       // [m] where there is no surface near
-constexpr float kLeastSquare = 1e-24F;  // [m^2] keeps the direction on the axis, or in the centre, finite
+constexpr float kFarOutside = -1;     // [m] where there is no surface near
+constexpr float kMinSquare = 1e-24F;  // [m^2] keeps the direction on the axis, or in the centre, finite
 
 /// 1/sqrt(v) for v > 0, within two roundings.
 template <class V>

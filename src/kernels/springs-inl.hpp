@@ -34,7 +34,7 @@ struct SphereVectors {
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, z * z));
-    const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V inverse = inverse_root(hn::Max(squared, same(x, kMinSquare)));
     return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, z * inverse, same(x, 0.0F)};
   }
   template <class V>
@@ -60,7 +60,7 @@ struct ConeVectors {
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
-    const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare))), rho = squared * inverse;
+    const V inverse = inverse_root(hn::Max(squared, same(x, kMinSquare))), rho = squared * inverse;
     const V side = hn::MulSub(z, same(x, sine), rho * same(x, cosine));
     const V above = same(x, height) - z, base = depth_below(above, same(x, kBeta));
     const auto on_base = base < side;
@@ -89,7 +89,7 @@ struct FlatVectors {
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V zero = same(x, 0.0F);
     const V squared = hn::MulAdd(x, x, y * y);
-    const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V inverse = inverse_root(hn::Max(squared, same(x, kMinSquare)));
     const V side = hn::NegMulAdd(squared, inverse, same(x, radius)), above = same(x, height) - z;
     const auto inside = hn::Min(hn::Min(z, above), side) > zero;
     if constexpr (kRule == FlatRule::bottom_only) {
@@ -98,7 +98,7 @@ struct FlatVectors {
       return {hn::IfThenElseZero(inside, side), inverse, zero, zero};
     } else if constexpr (kRule == FlatRule::both) {
       const V depth_squared = hn::MulAdd(side, side, z * z);
-      const V share = inverse_root(hn::Max(depth_squared, same(x, kLeastSquare)));
+      const V share = inverse_root(hn::Max(depth_squared, same(x, kMinSquare)));
       return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share), zero};
     } else {
       const V cutting = hn::Min(side, z), top = depth_below(above, same(x, kBeta));
@@ -113,7 +113,7 @@ struct FlatVectors {
     SpringVectors<V> spring = at(x, y, z);
     if constexpr (kRule == FlatRule::nearest) return spring;
     const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
-    const V side = hn::NegMulAdd(squared, inverse_root(hn::Max(squared, same(x, kLeastSquare))), same(x, radius));
+    const V side = hn::NegMulAdd(squared, inverse_root(hn::Max(squared, same(x, kMinSquare))), same(x, radius));
     V depth = spring.depth;
     auto has_surface = z < same(x, height);
     if constexpr (kRule == FlatRule::bottom_only) {

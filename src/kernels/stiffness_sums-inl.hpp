@@ -71,9 +71,9 @@ HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kapp
   constexpr float kRegular = FoundationLaw::kSlipRegularization, kSlow = StiffnessSums::kSlowSlip;
   const auto slow = square <= broadcast(kSlow * kSlow);
   if (hn::AllFalse(Floats(), slow)) return;
-  const Vec least_slip = broadcast(kRegular * kRegular), into = hn::Neg(dot(n, v));
+  const Vec min_slip = broadcast(kRegular * kRegular), into = hn::Neg(dot(n, v));
   const Vectors t = {hn::MulAdd(into, n.x, v.x), hn::MulAdd(into, n.y, v.y), hn::MulAdd(into, n.z, v.z)};
-  sums.add(hn::IfThenElseZero(slow, damper * least_slip / (square + least_slip)), r, t, t);
+  sums.add(hn::IfThenElseZero(slow, damper * min_slip / (square + min_slip)), r, t, t);
 }
 
 }  // namespace strips

@@ -11,7 +11,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostBlocks = 64e6;  // 8 bits of mark and 4 bytes of order each: 264 MB
+constexpr double kMaxBlocks = 64e6;  // 8 bits of mark and 4 bytes of order each: 264 MB
 
 }  // namespace
 
@@ -29,9 +29,9 @@ BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_
   require_within(double(capacity), range_of(&ChangeFeedOptions::block_capacity),
                  "the capacity of a BlockOutbox [blocks]");
   const double blocks = blocks_.count();
-  if (blocks > kMostBlocks)
+  if (blocks > kMaxBlocks)
     throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at most " +
-                format_number(kMostBlocks) + " are possible. Give it only the voxels that may be cut.");
+                format_number(kMaxBlocks) + " are possible. Give it only the voxels that may be cut.");
   is_marked_.resize(std::size_t(blocks), false);
   order_.resize(std::size_t(blocks));
   queue_ = std::make_unique<Queue>(capacity);

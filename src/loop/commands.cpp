@@ -64,7 +64,7 @@ bool SimulationModel::begin(Travel way, std::size_t marks) noexcept {
   travel_ = way;
   tool_.force_held = false;
   feel_nothing(StepStatus::ok);
-  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
+  if (coupling_) coupling_->park(VirtualCoupling::Rejoin::free);
   return true;
 }
 
@@ -73,7 +73,7 @@ void SimulationModel::feel_nothing(StepStatus status) noexcept {
   tool_.force = tool_.torque = Vec3::Zero();
   tool_.contact_depth = tool_.spindle_speed = 0;
   tool_.contact_voxels = 0;
-  tool_.contact_point.setZero();
+  tool_.contact_point_W.setZero();
   tool_.effort = {};
   tool_.status = status;
   touches_ = true;
@@ -85,7 +85,7 @@ void SimulationModel::after_exchange() noexcept {
   interlock_.interrupt();
   unfelt_ = true;
   feel_nothing(StepStatus::ok);
-  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
+  if (coupling_) coupling_->park(VirtualCoupling::Rejoin::free);
   if (spindle_needs_force_) simulation_->hold_spindle(true);  // or it would cut while it runs down
   device_->interrupt(SafetyEvent::model_swapped);
 }
@@ -106,7 +106,7 @@ struct SimulationModel::Commands {
   void check(const commands::SetSpindleSpeed& command) const { validate(Spindle{command.speed}); }
 
   bool apply(const commands::SetSpindleSpeed& command) noexcept {
-    if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
+    if (!(std::abs(command.speed) <= kMaxSpindleSpeed)) return false;
     m.simulation_->set_spindle_speed(command.speed);
     return true;
   }
@@ -150,7 +150,7 @@ struct SimulationModel::Commands {
 
   void check(const commands::SetTool& command) const {
     require_unsent(!command.tool.empty());
-    m.require_renderable(largest_contact_stiffness(command.tool.tool().head()), m.config_, m.relative_stiffness_,
+    m.require_renderable(max_contact_stiffness(command.tool.tool().head()), m.config_, m.relative_stiffness_,
                          m.first_map_.scale);
   }
 
@@ -163,7 +163,7 @@ struct SimulationModel::Commands {
 
   void check(const commands::SetMaterials& command) const {
     require_unsent(!command.materials.empty());
-    m.require_renderable(m.contact_stiffness_, m.config_, largest_relative_stiffness(command.materials.materials()),
+    m.require_renderable(m.contact_stiffness_, m.config_, max_relative_stiffness(command.materials.materials()),
                          m.first_map_.scale);
   }
 
@@ -222,8 +222,8 @@ struct SimulationModel::Commands {
       throw Error(
           "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
           "Make it with SimulationConfig::contact_time = ContactTime::end.");
-    m.require_renderable(largest_contact_stiffness(other.tool().head()), other.config(),
-                         largest_relative_stiffness(other.workpiece().materials()), m.first_map_.scale);
+    m.require_renderable(max_contact_stiffness(other.tool().head()), other.config(),
+                         max_relative_stiffness(other.workpiece().materials()), m.first_map_.scale);
   }
 
   bool apply(commands::ExchangeWorkpiece& command) noexcept {

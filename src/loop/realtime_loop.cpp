@@ -42,7 +42,7 @@ struct RealtimeLoop::State {
 
   std::uint64_t ticks = 0;
   double last_time = 0;
-  double largest_commanded = 0, largest_applied = 0;
+  double max_commanded = 0, max_applied = 0;
 
   std::thread thread;
   std::atomic<bool> running{false};
@@ -84,8 +84,8 @@ DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   snapshot.tick = ++ticks;
   snapshot.device = reading;
   snapshot.output = device.last_output();
-  snapshot.largest_commanded = largest_commanded = std::max(largest_commanded, snapshot.output.commanded.force.norm());
-  snapshot.largest_applied = largest_applied = std::max(largest_applied, snapshot.output.applied.force.norm());
+  snapshot.max_commanded = max_commanded = std::max(max_commanded, snapshot.output.commanded.force.norm());
+  snapshot.max_applied = max_applied = std::max(max_applied, snapshot.output.applied.force.norm());
   snapshot.arming = device.last_arming();
   snapshot.commands_dropped = dropped.load(std::memory_order_relaxed);
   snapshot.commands_refused = refused;

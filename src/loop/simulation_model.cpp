@@ -18,8 +18,8 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       first_map_(options.map),
       gains_(options.coupling),
       renders_(gains_ ? 0 : device.capabilities().stiffness),
-      relative_stiffness_(largest_relative_stiffness(simulation.workpiece().materials())),
-      contact_stiffness_(largest_contact_stiffness(simulation.tool().head())),
+      relative_stiffness_(max_relative_stiffness(simulation.workpiece().materials())),
+      contact_stiffness_(max_contact_stiffness(simulation.tool().head())),
       simulation_(&simulation),
       device_(&device),
       map_(options.map),
@@ -57,7 +57,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   if (state.valid) {
     X_BS_ = state.X_BS;
     // Poses before and after a calibration do not compare.
-    if (std::exchange(epoch_, state.epoch) != state.epoch && coupling_) coupling_->release();
+    if (std::exchange(epoch_, state.epoch) != state.epoch && coupling_) coupling_->reset();
   }
   if (travel_ != Travel::none) {
     travel(state);
@@ -89,7 +89,7 @@ SimulationModel::~SimulationModel() { simulation_->hold_spindle(false); }
 void SimulationModel::rest() noexcept {
   feel_nothing(StepStatus::ok);
   interlock_.interrupt();
-  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::near);
+  if (coupling_) coupling_->park(VirtualCoupling::Rejoin::near);
   if (spindle_needs_force_) simulation_->hold_spindle(true);
 }
 
@@ -129,9 +129,9 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   const double motor_before = simulation_->last_result().energy.motor_work;
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   tool_.seen |= tool_.status;
-  tool_.most_effort = {std::max(tool_.most_effort.parts, tool_.effort.parts),
-                       std::max(tool_.most_effort.newton_steps, tool_.effort.newton_steps),
-                       std::max(tool_.most_effort.level_of_detail, tool_.effort.level_of_detail)};
+  tool_.max_effort = {std::max(tool_.max_effort.parts, tool_.effort.parts),
+                      std::max(tool_.max_effort.newton_steps, tool_.effort.newton_steps),
+                      std::max(tool_.max_effort.level_of_detail, tool_.effort.level_of_detail)};
   if (simulation_->steps() == steps) {  // the tool waits for its hand
     feel_nothing(tool_.status);
     return {};
@@ -146,7 +146,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   }
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
-  tool_.contact_point = result.contact.point;
+  tool_.contact_point_W = result.contact.point_W;
   tool_.spindle_speed = result.spindle.speed;
   contact_ = describe_contact(state, felt, result.energy.motor_work - motor_before);
   return map_.to_device(state.X_BS, felt);

@@ -11,11 +11,11 @@ CouplingGains gains_in_world(const CouplingGains& felt, const WorkspaceMapOption
   gains.stiffness /= scale;
   gains.damping /= scale;
   gains.mass /= scale;
-  gains.largest_force /= map.force_scale;
+  gains.max_force /= map.force_scale;
   gains.angular_stiffness /= map.torque_scale;
   gains.angular_damping /= map.torque_scale;
   gains.inertia /= map.torque_scale;
-  gains.largest_torque /= map.torque_scale;
+  gains.max_torque /= map.torque_scale;
   return gains;
 }
 

@@ -10,8 +10,8 @@
 namespace hapticut {
 namespace {
 
-constexpr double kShortestStep = 0.2;  // [ticks] bounds of dt in derivatives
-constexpr double kLongestLate = 5e-3;  // [s]
+constexpr double kMinStep = 0.2;       // [ticks] bounds of dt in derivatives
+constexpr double kMaxLateness = 5e-3;  // [s]
 constexpr double kRampDampingShare = 0.2;
 constexpr double kUnitsWatched = 1;         // [s]
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
@@ -20,22 +20,22 @@ constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second
 /// The options with the stiffness and the damping that a device can render, where the options name none.
 PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
   if (options.stiffness == 0) options.stiffness = stiffness;
-  if (options.greatest_damping == 0) options.greatest_damping = damping;
+  if (options.max_damping == 0) options.max_damping = damping;
   return options;
 }
 
 /// [N/s] by which the force of a device may grow where the options do not say it: no slower than its stiffest wall
 /// needs. One of unknown stiffness may reach its peak within 10 ms.
-double default_growth(double stiffness, double fastest_contact, double greatest_force) {
-  const double needed = least_force_growth(stiffness, fastest_contact);
-  return needed > 0 ? needed : greatest_force / 10e-3;
+double default_growth(double stiffness, double max_contact_speed, double max_force) {
+  const double needed = min_force_growth(stiffness, max_contact_speed);
+  return needed > 0 ? needed : max_force / 10e-3;
 }
 
 /// [m] by which torques and turns are compared with forces and ways; 0: only forces are watched.
-double lever_of(double stiffness, const DeviceCapabilities& device, double greatest_force, double greatest_torque) {
-  if (device.output_degrees_of_freedom < 6 || greatest_torque <= 0 || greatest_force <= 0) return 0;
+double lever_of(double stiffness, const DeviceCapabilities& device, double max_force, double max_torque) {
+  if (device.output_degrees_of_freedom < 6 || max_torque <= 0 || max_force <= 0) return 0;
   const bool known = stiffness > 0 && device.rotational_stiffness > 0;
-  return known ? std::sqrt(device.rotational_stiffness / stiffness) : greatest_torque / greatest_force;
+  return known ? std::sqrt(device.rotational_stiffness / stiffness) : max_torque / max_force;
 }
 
 double or_default(double value, double fallback) { return value > 0 ? value : fallback; }
@@ -44,17 +44,17 @@ bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFini
 
 }  // namespace
 
-OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact) {
-  require_positive(fastest_contact, "fastest contact [m/s]");
+OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed) {
+  require_positive(max_contact_speed, "fastest contact [m/s]");
   if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
     throw Error("the device '" + device.model +
                 "' says that it renders no force, so it has no limits to take over; "
                 "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or the OutputLimits yourself.");
   OutputLimits limits;
-  limits.largest_force = device.peak_force;
-  limits.force_growth = default_growth(device.stiffness, fastest_contact, device.peak_force);
+  limits.max_force = device.peak_force;
+  limits.force_growth = default_growth(device.stiffness, max_contact_speed, device.peak_force);
   if (device.output_degrees_of_freedom < 6 || !(device.peak_torque > 0)) return limits;
-  limits.largest_torque = device.peak_torque;
+  limits.max_torque = device.peak_torque;
   limits.torque_growth = limits.force_growth * device.peak_torque / device.peak_force;
   return limits;
 }
@@ -62,9 +62,8 @@ OutputLimits output_limits(const DeviceCapabilities& device, double fastest_cont
 SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options, Requests* requests)
     : capabilities_(capabilities),
       options_(options),
-      greatest_force_(std::min(or_default(options.greatest_force, capabilities.peak_force), capabilities.peak_force)),
-      greatest_torque_(
-          std::min(or_default(options.greatest_torque, capabilities.peak_torque), capabilities.peak_torque)),
+      max_force_(std::min(or_default(options.max_force, capabilities.peak_force), capabilities.peak_force)),
+      max_torque_(std::min(or_default(options.max_torque, capabilities.peak_torque), capabilities.peak_torque)),
       slew_(0),
       torque_slew_(0),
       ramp_damping_(options.ramp_damping < 0 ? kRampDampingShare * capabilities.damping : options.ramp_damping),
@@ -72,27 +71,26 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       arming_(options.arming),
       passivity_(
           rendered_by(options.passivity, or_default(options.stiffness, capabilities.stiffness), capabilities.damping),
-          greatest_force_,
-          lever_of(or_default(options.stiffness, capabilities.stiffness), capabilities, greatest_force_,
-                   greatest_torque_),
-          greatest_torque_),
-      thermal_(greatest_force_, capabilities.continuous_force, options.thermal),
+          max_force_,
+          lever_of(or_default(options.stiffness, capabilities.stiffness), capabilities, max_force_, max_torque_),
+          max_torque_),
+      thermal_(max_force_, capabilities.continuous_force, options.thermal),
       requests_(requests != nullptr ? requests : &own_requests_) {
   require_fields_within(options, "GuardOptions::");
   require_between(options.pause, options.late, 10, "GuardOptions::pause [s]");
   (void)Watchdog(options.watchdog, options.period);
-  if (capabilities.output_degrees_of_freedom < 3) greatest_force_ = 0;
-  if (capabilities.output_degrees_of_freedom < 6) greatest_torque_ = 0;
+  if (capabilities.output_degrees_of_freedom < 3) max_force_ = 0;
+  if (capabilities.output_degrees_of_freedom < 6) max_torque_ = 0;
 
   const double stiffness = or_default(options.stiffness, capabilities.stiffness);
-  const double needed = least_force_growth(stiffness, options.fastest_contact);
-  slew_ = or_default(options.slew, default_growth(stiffness, options.fastest_contact, greatest_force_));
+  const double needed = min_force_growth(stiffness, options.max_contact_speed);
+  slew_ = or_default(options.slew, default_growth(stiffness, options.max_contact_speed, max_force_));
   if (slew_ < needed)
     throw Error("GuardOptions::slew [N/s] = " + format_number(options.slew) + "; must be >= " + format_number(needed) +
-                " = 1.25 x stiffness x fastest_contact, or a wall of that stiffness gains energy; raise it or lower "
+                " = 1.25 x stiffness x max_contact_speed, or a wall of that stiffness gains energy; raise it or lower "
                 "GuardOptions::stiffness.");
-  torque_slew_ = or_default(
-      options.torque_slew, greatest_force_ > 0 ? slew_ * greatest_torque_ / greatest_force_ : greatest_torque_ / 10e-3);
+  torque_slew_ =
+      or_default(options.torque_slew, max_force_ > 0 ? slew_ * max_torque_ / max_force_ : max_torque_ / 10e-3);
 }
 
 void SafetyGuard::start() noexcept {
@@ -135,7 +133,7 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   const double elapsed = started_ ? reading.time - last_time_ : options_.period;
   last_time_ = reading.time;
   const bool known = std::isfinite(elapsed);
-  const double shortest = kShortestStep * options_.period, longest = options_.period + kLongestLate;
+  const double shortest = kMinStep * options_.period, longest = options_.period + kMaxLateness;
   dt_ = known ? std::clamp(elapsed, shortest, longest) : options_.period;
   gate_time_ = known ? std::clamp(elapsed, dt_, std::max(dt_, options_.pause + options_.period)) : options_.period;
   if (!started_ || !known) return;
@@ -241,7 +239,7 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
 Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& contact) noexcept {
   const Wrench effects = is_finite(contact.effects) ? contact.effects : Wrench{};
   // Where torque is rendered, the force may give back what a turn has given: then nothing is shortened.
-  const bool shortens = greatest_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
+  const bool shortens = max_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
   const std::optional<double> motor = shortens ? contact.motor : std::nullopt;
   Wrench damped = passivity_.control(
       {wrench, effects, output_.applied, motion_, turn_, dt_, contact.stored, motor, !contact.touching.value_or(true)});
@@ -255,18 +253,18 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& conta
 // Saturation, thermal budget, growth.
 Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
-  if (force > greatest_force_ || torque > greatest_torque_) {
-    const bool no_motors = (force > 0 && greatest_force_ == 0) || (torque > 0 && greatest_torque_ == 0);
+  if (force > max_force_ || torque > max_torque_) {
+    const bool no_motors = (force > 0 && max_force_ == 0) || (torque > 0 && max_torque_ == 0);
     if (no_motors) output_.changes |= OutputChange::no_actuator;
-    if (force > greatest_force_ && greatest_force_ > 0) {
+    if (force > max_force_ && max_force_ > 0) {
       output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, force);
-    } else if (torque > greatest_torque_ && greatest_torque_ > 0) {
+    } else if (torque > max_torque_ && max_torque_ > 0) {
       output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, torque);
     }
   }
-  Wrench w{saturated(wrench.force, greatest_force_), saturated(wrench.torque, greatest_torque_)};
+  Wrench w{saturated(wrench.force, max_force_), saturated(wrench.torque, max_torque_)};
   if (w.force.norm() > thermal_.limit()) {
     w.force = saturated(w.force, thermal_.limit());
     output_.changes |= OutputChange::cooled;
@@ -283,7 +281,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   return grown;
 }
 
-Wrench SafetyGuard::release(const Wrench& commanded, const ModelContact& contact) noexcept {
+Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) noexcept {
   output_.commanded = commanded;
   output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
@@ -298,7 +296,7 @@ Wrench SafetyGuard::release(const Wrench& commanded, const ModelContact& contact
       output_.changes |= OutputChange::ramped;
       const Vec3 speed = motion_ / dt_;
       const double growth_time = std::min(dt_, options_.period);
-      wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, greatest_force_);
+      wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, max_force_);
       wrench.force = growth_limited(output_.applied.force, wrench.force, slew_ * growth_time);
     }
     if (!is_finite(wrench)) wrench = {};

@@ -11,19 +11,19 @@ namespace hapticut {
 namespace {
 
 constexpr double kFaster = 1.25;        // [1] times as fast as now the hand may go on
-constexpr double kLongestStill = 0.02;  // [s] over which a step of the encoders may have been made
+constexpr double kMaxStillTime = 0.02;  // [s] over which a step of the encoders may have been made
 
 }  // namespace
 
 PassivityController::PassivityController(const PassivityOptions& options, double greatest, double lever,
-                                         double greatest_torque)
+                                         double max_torque)
     : options_(options),
-      greatest_(options.greatest > 0 ? options.greatest : greatest),
+      max_(options.greatest > 0 ? options.greatest : greatest),
       lever_(lever),
-      greatest_torque_(greatest_torque) {
+      max_torque_(max_torque) {
   require_fields_within(options, "PassivityOptions::");
   if (options_.credit == 0) options_.credit = std::numeric_limits<double>::infinity();
-  if (options_.greatest_damping == 0) options_.greatest_damping = std::numeric_limits<double>::infinity();
+  if (options_.max_damping == 0) options_.max_damping = std::numeric_limits<double>::infinity();
   restart();
 }
 
@@ -45,7 +45,7 @@ PassivityController::Vector6 PassivityController::compared(const Wrench& wrench)
 
 /// [J] what acted gives the hand
 double PassivityController::work_of(const Vector6& acted, const Vector6& motion, double dt) noexcept {
-  const double longest = std::max(1.0, kLongestStill / dt);
+  const double longest = std::max(1.0, kMaxStillTime / dt);
   double work = 0;
   for (int axis = 0; axis < 6; ++axis) {
     still_[axis] = std::min(still_[axis] + 1, longest);
@@ -84,13 +84,13 @@ Wrench PassivityController::control(const Tick& tick) noexcept {
 
   if (speed < options_.slowest) return tick.asked;
   const double left = stored_ + options_.allowance;
-  if (left < 0) taken_ = std::min({-left / moved, greatest_, options_.greatest_damping * speed});
+  if (left < 0) taken_ = std::min({-left / moved, max_, options_.max_damping * speed});
   if (tick.motor) {
     const double pushes = kFaster * of_contact.dot(motion);  // [J] in the next tick
     taken_ += std::max(0.0, (pushes - std::max(0.0, left) - held) / (kFaster * moved));
   }
   const double along = taken_ / moved, turning = lever_ * lever_ * along * tick.turn.norm();
-  const double share = turning > greatest_torque_ ? greatest_torque_ / turning : 1.0;
+  const double share = turning > max_torque_ ? max_torque_ / turning : 1.0;
   return {tick.asked.force - along * tick.motion, tick.asked.torque - share * lever_ * lever_ * along * tick.turn};
 }
 

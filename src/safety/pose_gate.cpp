@@ -40,7 +40,7 @@ std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, doubl
   value = (X.translation - state_.X_BS.translation).norm();
   if (value > options_.fastest * elapsed_) return SafetyEvent::pose_jump;
   value = vector_from_rotation(X.rotation * state_.X_BS.rotation.transpose()).norm();
-  if (value > options_.fastest_turn * elapsed_) return SafetyEvent::pose_turn_jump;
+  if (value > options_.max_angular_speed * elapsed_) return SafetyEvent::pose_rotation_jump;
   return {};
 }
 
@@ -52,7 +52,7 @@ bool PoseGate::is_frozen(const DeviceState& reading, double dt) noexcept {
     return false;
   }
   const bool turned =
-      vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_turn;
+      vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_rotation;
   const bool moves = reading.velocity.linear.norm() > options_.frozen_speed;
   if (turned || moves) return (contradicted_ += dt) >= options_.frozen - kSumRounding;
   contradicted_ = 0;
@@ -83,7 +83,7 @@ PoseGate::Verdict PoseGate::check(const DeviceState& reading, double dt, SafetyL
   if (bad) {
     log.report(*bad, value);
     // A jump does not become believable by waiting; a reading that is missing does give the hand time to move.
-    if (*bad == SafetyEvent::pose_jump || *bad == SafetyEvent::pose_turn_jump) elapsed_ -= dt;
+    if (*bad == SafetyEvent::pose_jump || *bad == SafetyEvent::pose_rotation_jump) elapsed_ -= dt;
     state_.velocity = {};
     const bool lost = !started_ || (bad_ += dt) > options_.hold + kSumRounding;
     state_.valid = !lost;

@@ -11,14 +11,14 @@ namespace hapticut::settings {
 namespace {
 
 constexpr double kAngleStep = 0.5 * units::deg;
-constexpr double kMostPoints = 1e7;  // of a curve; a drill of more steps is refused as well
+constexpr double kMaxPoints = 1e7;  // of a curve; a drill of more steps is refused as well
 
 /// @param turns  [1] of the curve
 /// @param cause  the settings that make it so long
 void require_points(double turns, const char* cause) {
   const double points = turns * 2 * units::kPi / kAngleStep;
-  if (!(points <= kMostPoints))
-    throw Error("the path would have " + format_number(points) + " points; at most " + format_number(kMostPoints) +
+  if (!(points <= kMaxPoints))
+    throw Error("the path would have " + format_number(points) + " points; at most " + format_number(kMaxPoints) +
                 " are possible. Change " + cause + ".");
 }
 

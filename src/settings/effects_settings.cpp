@@ -44,7 +44,7 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
   if (!s.vibration_Hz) {
     for (const auto& [key, value] :
          {std::pair("effects.vibration_N", s.vibration_N), std::pair("effects.vibration_N_per_W", s.vibration_N_per_W),
-          std::pair("effects.vibration_largest_N", s.vibration_largest_N)})
+          std::pair("effects.vibration_max_N", s.vibration_max_N)})
       refuse(value, key, "a tool without effects.vibration_Hz", "set --vibration_Hz");
     return std::nullopt;
   }
@@ -52,16 +52,14 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
   vibration.frequency = *s.vibration_Hz;
   vibration.amplitude = s.vibration_N.value_or(vibration.amplitude);
   vibration.amplitude_per_watt = s.vibration_N_per_W.value_or(vibration.amplitude_per_watt);
-  vibration.largest_amplitude =
-      s.vibration_largest_N.value_or(std::max(vibration.largest_amplitude, vibration.amplitude));
-  if (vibration.frequency >= kFastestVibration * update_rate)
+  vibration.max_amplitude = s.vibration_max_N.value_or(std::max(vibration.max_amplitude, vibration.amplitude));
+  if (vibration.frequency >= kMaxVibration * update_rate)
     throw Error("effects.vibration_Hz = " + format_number(vibration.frequency) + "; must be a number > 0 and below " +
-                format_number(kFastestVibration * update_rate) +
+                format_number(kMaxVibration * update_rate) +
                 ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
                 ": sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower it, "
                 "or raise simulation.rate_Hz.");
-  require_at_most(vibration.amplitude, "effects.vibration_N", vibration.largest_amplitude,
-                  "effects.vibration_largest_N");
+  require_at_most(vibration.amplitude, "effects.vibration_N", vibration.max_amplitude, "effects.vibration_max_N");
   return vibration;
 }
 
@@ -95,8 +93,8 @@ std::vector<Setting> settings_of(EffectsSettings& s) {
              "its amplitude [0.3]"),
       number("effects.vibration_N_per_W", "--vibration_N_per_W", s.vibration_N_per_W,
              range_of(&Vibration::amplitude_per_watt), "what its amplitude grows by with the power of the spindle [0]"),
-      number("effects.vibration_largest_N", "--vibration_largest_N", s.vibration_largest_N,
-             range_of(&Vibration::largest_amplitude), "its largest amplitude [0.5, or vibration_N where that is more]"),
+      number("effects.vibration_max_N", "--vibration_max_N", s.vibration_max_N, range_of(&Vibration::max_amplitude),
+             "its largest amplitude [0.5, or vibration_N where that is more]"),
       boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
               "the force filter of the thesis, Table 6.1 [false]"),
       number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, range_of(&DeltaFilter::delta),

@@ -15,7 +15,7 @@ struct EffectsSettings {
   std::optional<double> mass_kg;  ///< turns gravity on
   std::optional<Vec3> center_of_mass_mm, gravity_m_per_s2;
   std::optional<double> vibration_Hz;  ///< turns the vibration on
-  std::optional<double> vibration_N, vibration_N_per_W, vibration_largest_N;
+  std::optional<double> vibration_N, vibration_N_per_W, vibration_max_N;
   bool thesis_filter = false;
   std::optional<double> filter_delta_N, filter_epsilon_N;
   std::vector<double> force_axes, torque_axes;  ///< 0 or 1 for x, y, z; empty: all on

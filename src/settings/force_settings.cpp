@@ -95,13 +95,13 @@ const std::vector<LawKind>& law_kinds() {
        "the law of the twist drill",
        {{"chip_energy_J_per_m3", &S::chip_energy_J_per_m3, Range::positive(),
          "K_s, energy of the chips" + or_else(drill.specific_energy)},
-        {"largest_feed_per_turn_mm", &S::largest_feed_per_turn_mm, Range::positive(),
+        {"max_feed_per_revolution_mm", &S::max_feed_per_revolution_mm, Range::positive(),
          "feed per turn beyond which thrust and torque grow no more" +
-             or_else(drill.largest_feed_per_turn / units::mm)}},
+             or_else(drill.max_feed_per_revolution / units::mm)}},
        [](const S& s) -> Pointer {
          TwistDrillLaw::Constants c;
          c.specific_energy = s.chip_energy_J_per_m3.value_or(c.specific_energy);
-         if (s.largest_feed_per_turn_mm) c.largest_feed_per_turn = *s.largest_feed_per_turn_mm * units::mm;
+         if (s.max_feed_per_revolution_mm) c.max_feed_per_revolution = *s.max_feed_per_revolution_mm * units::mm;
          return std::make_shared<TwistDrillLaw>(c);
        }}};
   return kinds;

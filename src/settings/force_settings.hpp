@@ -21,7 +21,7 @@ struct ForceSettings {
       thesis_required_power;
   std::optional<double> effective_modulus_Pa, burr_stiffness_Pa;
   std::optional<double> resistance_Ns_per_m3, matrix_friction;
-  std::optional<double> chip_energy_J_per_m3, largest_feed_per_turn_mm;
+  std::optional<double> chip_energy_J_per_m3, max_feed_per_revolution_mm;
   // Terms beside the law.
   std::optional<double> static_friction, dynamic_friction, tangential_stiffness_N_per_m;
   bool deep_contact = true;

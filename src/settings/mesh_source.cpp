@@ -53,7 +53,7 @@ void require_plausible_size(const WorkpieceSettings& s, const std::vector<NamedM
     for (const Vec3& v : object.mesh.vertices) box = {box.min.cwiseMin(v), box.max.cwiseMax(v)};
   const double length_mm = (box.max - box.min).maxCoeff() / units::mm, voxel_mm = s.voxel_mm.value_or(kVoxel_mm);
   const bool small = length_mm < kFew * voxel_mm;
-  const bool large = !s.large && length_mm > std::max(kMany * voxel_mm, kLongestPlausible);
+  const bool large = !s.large && length_mm > std::max(kMany * voxel_mm, kMaxPlausibleLength);
   const std::string units = plausible_units(length_mm / unit_mm, 2 * kFew * voxel_mm);
   if ((!small && !large) || units.empty()) return;
   throw Error("with a unit of " + format_number(unit_mm) + " mm it is " + format_number(length_mm) + " mm long, " +

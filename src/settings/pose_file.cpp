@@ -12,8 +12,8 @@
 namespace hapticut::settings {
 namespace {
 
-constexpr std::size_t kMostPoses = 10'000'000;  // as of a path; each takes ten times the room of its line
-constexpr double kRotationTolerance = 1e-3;     // [1] what six printed digits are off by is well below this
+constexpr std::size_t kMaxPoses = 10'000'000;  // as of a path; each takes ten times the room of its line
+constexpr double kRotationTolerance = 1e-3;    // [1] what six printed digits are off by is well below this
 
 /// The places of some columns, or nothing when none of them is there.
 template <std::size_t kCount>
@@ -29,8 +29,8 @@ class PoseFile {
     (void)lines_.read_names("name the columns t_s, x_mm, y_mm, z_mm ...");
     find_columns();
     while (lines_.next(cells)) {
-      if (poses.size() == kMostPoses)
-        fail("there are more than " + format_number(double(kMostPoses)) + " poses; leave some out, or cut the path.");
+      if (poses.size() == kMaxPoses)
+        fail("there are more than " + format_number(double(kMaxPoses)) + " poses; leave some out, or cut the path.");
       poses.push_back(read_pose(cells));
       if (poses.size() > 1 && !(poses.back().t > poses[poses.size() - 2].t))
         fail("t_s = " + format_number(poses.back().t) + "; times must increase from line to line.");

@@ -31,7 +31,7 @@ void fill_in_thesis_mode(SimulationSettings& s) {
 std::vector<Setting> settings_of(SimulationSettings& s) {
   const SimulationConfig limits;
   std::vector<Setting> all = {
-      number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.longest_dt, 1 / limits.shortest_dt),
+      number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.max_dt, 1 / limits.min_dt),
              "steps per second [1000]"),
       boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
               "the whole model of the thesis: its law, friction, handle torque and filter, and from 1112 Hz on its "

@@ -91,7 +91,7 @@ std::string meaning_of(const Named<HeadDimension>& dimension) {
 Setting setting_of(const Named<HeadDimension>& dimension, ToolSettings& t) {
   using enum HeadDimension;
   const std::string key = key_of(dimension.value), flag = "--" + key.substr(key.find('.') + 1);
-  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, kMostTiers, dimension.words);
+  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, kMaxTiers, dimension.words);
   const Range range = dimension.value == half_angle    ? Range{0, 90, true}
                       : dimension.value == point_angle ? Range{0, 180, true}
                                                        : Range::positive();
@@ -169,7 +169,7 @@ namespace {
 Spindle make_spindle(const ToolSettings& s) {
   const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
   const MotorKind motor = s.motor.value_or(common_motor(rpm * units::rpm));
-  const double fastest = fastest_speed(motor);
+  const double fastest = max_speed(motor);
   if (std::abs(rpm) * units::rpm > fastest)
     throw Error("tool.spindle_rpm = " + format_number(rpm) + "; must be at most " +
                 format_number(fastest / units::rpm) + " with the motor " + std::string(name_or_null(motor)) +

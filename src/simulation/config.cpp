@@ -16,7 +16,7 @@ void validate(const SimulationConfig& config) {
   validate(config.effects, config.update_rate);
   if (config.voxel_budget != 0)
     require_between(double(config.voxel_budget), 4096, 1e9, "SimulationConfig::voxel_budget");
-  require_between(config.longest_dt, config.shortest_dt, 1.0, "SimulationConfig::longest_dt [s]");
+  require_between(config.max_dt, config.min_dt, 1.0, "SimulationConfig::max_dt [s]");
 }
 
 SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials) {
@@ -24,7 +24,7 @@ SimulationConfig complete(SimulationConfig config, const ToolHead& head, const M
     config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
   if (config.reference_stiffness == 0)
     config.reference_stiffness = config.quadrature == Quadrature::sub_voxel
-                                     ? stiffness_for_head(head, largest_relative_stiffness(materials))
+                                     ? stiffness_for_head(head, max_relative_stiffness(materials))
                                      : kStiffnessOfPoints;
   if (!config.contact_damping) config.contact_damping = config.contact_time == ContactTime::end ? kCalmingDamping : 0.0;
   return config;

@@ -55,7 +55,7 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with another law than FoundationLaw, which alone has a level of detail. Leave it at 0.");
   Room room(head, workpiece.voxel_size(), config);
-  exchange_room(room);
+  exchange_buffers(room);
 }
 
 void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
@@ -70,10 +70,9 @@ void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
                            [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
   frictional_ =
       int(std::count_if(materials_.begin(), materials_.end(), [](const auto& m) { return m.static_friction > 0; }));
-  least_crushing_depth_ = ContactMaterial::kNeverCrushed;
+  min_crushing_depth_ = ContactMaterial::kNeverCrushed;
   if (law_->is_foundation())
-    for (const ContactMaterial& m : materials_)
-      least_crushing_depth_ = std::min(least_crushing_depth_, m.crushing_depth);
+    for (const ContactMaterial& m : materials_) min_crushing_depth_ = std::min(min_crushing_depth_, m.crushing_depth);
   set_cutting_share(share);
 }
 
@@ -81,7 +80,7 @@ void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
 /// where the blocks have more.
 int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks,
                                    const kernels::ContactJob& job) const noexcept {
-  if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
+  if (voxel_budget_ == 0 || max_voxels_ <= voxel_budget_) return 1;
   std::size_t solid = 0, inside = 0;
   for (const CuttableBlock& block : blocks) solid += std::size_t(block.view.solid_voxels().count());
   if (solid <= voxel_budget_) return 1;
@@ -95,13 +94,13 @@ void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noe
   material.static_friction = float(friction.static_friction);
   material.dynamic_friction = float(friction.dynamic_friction);
   spinning_ratios_[id].sliding = material.dynamic_friction;
-  share_ratios(id);
+  scale_ratios(id);
   material.tangential_stiffness = float(friction.tangential_stiffness);
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
   if (std::exchange(cutting_share_, share) == share) return;
-  for (std::size_t id = 1; id < materials_.size(); ++id) share_ratios(id);
+  for (std::size_t id = 1; id < materials_.size(); ++id) scale_ratios(id);
 }
 
 std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
@@ -160,7 +159,7 @@ bool ContactStages::crushes(const Encounter& pressed, const HeadMotion& motion) 
   const double fastest = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
   const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
   const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * fastest));
-  return scale * pressed.resultant.depth > double(damping.crushing_depth(least_crushing_depth_));
+  return scale * pressed.resultant.depth > double(damping.crushing_depth(min_crushing_depth_));
 }
 
 /// FoundationLaw, block by block in one pass of vector instructions.

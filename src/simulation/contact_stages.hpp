@@ -82,7 +82,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   struct Room {
     Room(const ToolHead& head, double voxel_size, const SimulationConfig& config);
     [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
-    std::size_t most_voxels, most_blocks;
+    std::size_t max_voxels, max_blocks;
     double thin_up_to;
     std::vector<VoxelIndex> changed;
     std::vector<CuttableBlock> blocks;
@@ -115,7 +115,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   /// Goes on with the lists of another head; `room` has the old ones then. Nothing is listed.
   /// @realtime no allocation, no lock; O(1)
-  void exchange_room(Room& room) noexcept;
+  void exchange_buffers(Room& room) noexcept;
 
   /// Goes on with other constants.
   void set_materials(const ContactMaterials& materials) noexcept;
@@ -141,7 +141,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
 
   /// Whether some material can be crushed, as the default law does it.
-  [[nodiscard]] bool any_crushing() const noexcept { return least_crushing_depth_ < ContactMaterial::kNeverCrushed; }
+  [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
 
   /// [m] Height along the spindle's axis, in T, up to which a point of the head is thinner than the voxels.
   [[nodiscard]] double thin_up_to() const noexcept { return thin_up_to_; }
@@ -185,17 +185,17 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     float cutting, sliding;  // [1] of a material at full spin
   };
   ByMaterial<SpinningRatios> spinning_ratios_ = {};
-  void share_ratios(std::size_t id) noexcept {
+  void scale_ratios(std::size_t id) noexcept {
     materials_[id].cutting_ratio = float(cutting_share_) * spinning_ratios_[id].cutting;
     materials_[id].sliding_ratio = float(cutting_share_) * spinning_ratios_[id].sliding;
   }
-  double cutting_share_ = 1;                                     // [1] of them that holds now
-  float damping_ = 0;                                            // [s/m] the most that a material has
-  int frictional_ = 0;                                           // how many materials have friction
-  bool any_chips_ = false;                                       // the energy of some material depends on the chip
-  float least_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] of the materials
-  double voxel_volume_;                                          // [m^3]
-  std::size_t most_voxels_ = 0, most_blocks_ = 0;
+  double cutting_share_ = 1;                                   // [1] of them that holds now
+  float damping_ = 0;                                          // [s/m] the most that a material has
+  int frictional_ = 0;                                         // how many materials have friction
+  bool any_chips_ = false;                                     // the energy of some material depends on the chip
+  float min_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] of the materials
+  double voxel_volume_;                                        // [m^3]
+  std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;
   std::size_t voxel_budget_;  // 0: no limit
   unsigned turn_ = 0;         // of the level of detail

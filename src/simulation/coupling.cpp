@@ -15,8 +15,8 @@ namespace {
 // What brakes a tool that the spindle throws about.
 constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
 
-constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
-constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
+constexpr double kMinDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
+constexpr double kLightest = 1e-3;                             // [kg] of a tool that a hand could hold
 
 /// [J] of a spring whose force a limit holds from some stretch on.
 double energy_of(double stretch, double stiffness, double largest) {
@@ -41,17 +41,17 @@ CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<dou
     throw Error(
         "a stiffness of " + format_number(device.stiffness) + " N/m with a damping of " +
         format_number(device.damping) + " N s/m, which the device " + device.model +
-        " promises, would ring with any tool of more than " + format_number(heaviest(kLeastDampingRatio)) +
+        " promises, would ring with any tool of more than " + format_number(heaviest(kMinDampingRatio)) +
         " kg. Give the stiffness that it renders in DeviceCapabilities::stiffness, or set CouplingGains yourself.");
   gains.inertia *= gains.mass / common;
-  if (device.damping > 0 && gains.mass > heaviest(kLeastDampingRatio))
+  if (device.damping > 0 && gains.mass > heaviest(kMinDampingRatio))
     throw Error("CouplingGains::mass [kg] = " + format_number(gains.mass) + " would ring on the device " +
                 device.model + ", whose damping is " + format_number(device.damping) + " N s/m. Choose at most " +
-                format_number(heaviest(kLeastDampingRatio)) + " kg.");
+                format_number(heaviest(kMinDampingRatio)) + " kg.");
   gains.damping = 2 * std::sqrt(gains.stiffness * gains.mass);
   if (device.damping > 0) gains.damping = std::min(gains.damping, device.damping);
-  if (device.peak_force > 0) gains.largest_force = device.peak_force;
-  if (device.peak_torque > 0) gains.largest_torque = device.peak_torque;
+  if (device.peak_force > 0) gains.max_force = device.peak_force;
+  if (device.peak_torque > 0) gains.max_torque = device.peak_torque;
   if (device.output_degrees_of_freedom == 6 && device.rotational_stiffness > 0) {
     gains.angular_stiffness = device.rotational_stiffness;
     gains.angular_damping = 2 * std::sqrt(gains.angular_stiffness * gains.inertia);
@@ -72,13 +72,13 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
       !simulation.starts_afresh() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
   if (!is_somewhere) return;
   held_ = is_somewhere_ = true;
-  result_.X_WH = X_WD_ = simulation.last_input().pose;
+  result_.X_WH = X_WD_ = simulation.last_input().X_WH;
 }
 
 VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfig& config) {
   const std::size_t capacity = config.removed_voxel_capacity;
   reserve_touched(removed, capacity > 0 ? capacity : worst_case.voxels * 2);
-  reserve_touched(changed, worst_case.blocks * kMostParts);
+  reserve_touched(changed, worst_case.blocks * kMaxParts);
 }
 
 void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
@@ -117,8 +117,8 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   if (!velocity_fits(pose, velocity, dt)) return wait(StepStatus::velocity_rejected);
   part_after_exchange();
   if (held_ && !waits_ && is_jump(pose, dt)) return wait(StepStatus::jump_rejected);
-  if (held_ && !waits_ && is_turned_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
-  if (waits_ && !may_go_on_from_here(pose)) {
+  if (held_ && !waits_ && is_rotated_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
+  if (waits_ && !may_continue_from_here(pose)) {
     if (simulation_->touches(pose) || simulation_->touches(advance(pose, velocity, -dt))) {
       if (!is_somewhere_) result_.X_WH = pose;
       return wait(StepStatus::tool_waits);
@@ -128,7 +128,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   if (!std::exchange(held_, true)) {
     is_somewhere_ = true;
     result_.X_WH = advance(pose, velocity, -dt);
-    result_.velocity = velocity;
+    result_.V_WH = velocity;
     begin_grip(pose, velocity, dt);
   } else if (waits_) {
     begin_grip(pose, velocity, dt);
@@ -165,20 +165,20 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
   const Tool& tool = simulation_->tool();
   const Vec3 p_HoTo_W = result_.X_WH.rotation * tool.X_HT().translation;
   const double speed =
-      transport(result_.velocity, p_HoTo_W).linear.norm() + result_.velocity.angular.norm() * tool.head().reach();
+      transport(result_.V_WH, p_HoTo_W).linear.norm() + result_.V_WH.angular.norm() * tool.head().reach();
   const double parts = std::ceil(kMargin * speed * dt / (0.5 * simulation_->workpiece().voxel_size()));
-  return int(std::clamp(parts, 1.0, double(kMostParts)));
+  return int(std::clamp(parts, 1.0, double(kMaxParts)));
 }
 
 WorstCase VirtualCoupling::worst_case() const {
   WorstCase worst = simulation_->worst_case();
-  worst.contacts = gains_.newton_steps + kMostParts;
+  worst.contacts = gains_.newton_steps + kMaxParts;
   return worst;
 }
 
 /// The hand moves on, the tool after it.
 StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
-  const Twist tool_before = result_.velocity;
+  const Twist tool_before = result_.V_WH;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
   const Twist tool = NewtonSearch(*this, part, hand).find();
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
@@ -191,7 +191,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   result_.level_of_detail = std::max(result_.level_of_detail, stepped.contact.level_of_detail);
 
   result_.X_WH = X_WH;
-  result_.velocity = tool;
+  result_.V_WH = tool;
   book(before, answer.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
   // A tool at rest is found to a small way.
   const double way = std::max((tool.linear.norm() + (turns() ? tool.angular.norm() * reach() : 0)) * part.dt,
@@ -238,9 +238,9 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
   Pull p;
   p.stretch = X_WD.translation - X_WH.translation;
   p.turn = turns() ? vector_from_rotation(X_WD.rotation * X_WH.rotation.transpose()) : Vec3(Vec3::Zero());
-  p.linear = limited(gains_.stiffness * p.stretch, gains_.damping * (hand.linear - tool.linear), gains_.largest_force);
+  p.linear = limited(gains_.stiffness * p.stretch, gains_.damping * (hand.linear - tool.linear), gains_.max_force);
   p.angular = limited(gains_.angular_stiffness * p.turn, gains_.angular_damping * (hand.angular - tool.angular),
-                      gains_.largest_torque);
+                      gains_.max_torque);
   p.wrench = {p.linear.force, p.angular.force};
   brake(p, tool.linear, hand.linear);
   return p;
@@ -262,8 +262,8 @@ void VirtualCoupling::set_gains(const CouplingGains& gains) noexcept {
   if (!held_ || waits_) return;
   CouplingEnergy& energy = result_.energy;
   const double before = energy.kinetic + energy.spring;
-  energy.kinetic = kinetic_energy(result_.velocity);
-  energy.spring = spring_energy(pull(result_.X_WH, result_.velocity, X_WD_, {}));
+  energy.kinetic = kinetic_energy(result_.V_WH);
+  energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, {}));
   const double brought = energy.kinetic + energy.spring - before;
   energy.hand_work += brought;
   energy.turnover += std::abs(brought);
@@ -275,14 +275,14 @@ double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
 }
 
 double VirtualCoupling::spring_energy(const Pull& p) const noexcept {
-  const double linear = energy_of(p.stretch.norm(), gains_.stiffness, gains_.largest_force);
-  return turns() ? linear + energy_of(p.turn.norm(), gains_.angular_stiffness, gains_.largest_torque) : linear;
+  const double linear = energy_of(p.stretch.norm(), gains_.stiffness, gains_.max_force);
+  return turns() ? linear + energy_of(p.turn.norm(), gains_.angular_stiffness, gains_.max_torque) : linear;
 }
 
 void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path,
                            double tool_work, double dt) noexcept {
   CouplingEnergy& energy = result_.energy;
-  const Twist& tool = result_.velocity;
+  const Twist& tool = result_.V_WH;
   const Vec3 torque = turns() ? after.wrench.torque : Vec3(-result_.coupling.torque);
   const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
   const Vec3 way = (hand_path.linear - tool.linear) * dt;

@@ -8,7 +8,7 @@
 namespace hapticut {
 namespace {
 
-constexpr int kMostTrials = 6;
+constexpr int kMaxTrials = 6;
 constexpr double kSettled = 2e-3;                         // [1] of a speed
 constexpr double kSteadyLoad = 0.1;                       // [1] of a torque
 constexpr double kFasterHand = 1.25, kSlowHand = 0.5e-3;  // [1], [m/s] what a hand may hurry without a trial
@@ -33,9 +33,9 @@ void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, Sub
   if (known || blocks.empty()) return;
   // Secants on what a torque asks for too much; the first, and those that point elsewhere, are plain repetition.
   double lack = 0, before = 0;  // [N·m] of the trial before, and its torque
-  for (int trial = 0; trial < kMostTrials; ++trial) {
+  for (int trial = 0; trial < kMaxTrials; ++trial) {
     const double torque = load.torque, speed = motor.speed();
-    const double taken = torque_to_turn(contact_stages.press(blocks, sub_step.head));
+    const double taken = torque_to_spin(contact_stages.press(blocks, sub_step.head));
     load_spindle(taken, sub_step);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (taken - torque - lack) / (torque - before);
@@ -49,12 +49,12 @@ void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, Sub
 void Simulation::State::load_spindle(double torque, SubStep& sub_step) noexcept {
   load.torque = torque;
   motor.drive(torque, sub_step.duration);
-  share_cutting();
-  turn_head(sub_step.head.motion);
+  update_cutting_share();
+  set_spin(sub_step.head.motion);
 }
 
 /// A stalled head presses as if it were about to turn.
-void Simulation::State::turn_head(HeadMotion& motion) const noexcept {
+void Simulation::State::set_spin(HeadMotion& motion) const noexcept {
   motion.spin = float(motor.stalled() ? turning_spin() : motor.speed());
   motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.any_crushing();
   motion.removal = motor.stalled() ? RemovalLaw::none : config.removal;
@@ -68,14 +68,14 @@ double Simulation::State::turning_spin() const noexcept {
 }
 
 /// How much of the cutting ratio acts: all but what dry friction has of a slow head, or what the motor can hold.
-void Simulation::State::share_cutting() noexcept {
+void Simulation::State::update_cutting_share() noexcept {
   cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
                                   : 1 - standing_share(motor.speed(), tool.head().cutting_radius());
   contact_stages.set_cutting_share(cutting_share);
 }
 
 /// [N·m] about +z
-double Simulation::State::torque_to_turn(const Encounter& encounter) const noexcept {
+double Simulation::State::torque_to_spin(const Encounter& encounter) const noexcept {
   const double torque = -encounter.resultant.wrench_T.torque.z();
   return motor.stalled() ? torque / cutting_share : torque;
 }
@@ -83,7 +83,7 @@ double Simulation::State::torque_to_turn(const Encounter& encounter) const noexc
 /// Nothing turns against the material of a stalled head: what its hand does against the motor's torque, the motor
 /// takes.
 void Simulation::State::book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept {
-  load.torque = torque_to_turn(encounter);
+  load.torque = torque_to_spin(encounter);
   const double turning = -encounter.resultant.wrench_T.torque.z() * turning_spin() * sub_step.duration;
   const double by_motor = turning - encounter.energies.rubbing;
   result.energy.motor_work += by_motor;
@@ -100,7 +100,7 @@ void Simulation::State::advance_spindle(const SubStep& sub_step, const Encounter
   load.settled = encounter.resultant.voxels > 0 &&
                  std::abs(load.torque - load.first_torque) <= kSteadyLoad * std::abs(load.torque) &&
                  std::abs(motor.speed() - load.first_speed) <= kSettled * std::abs(motor.setting());
-  share_cutting();
+  update_cutting_share();
 }
 
 }  // namespace hapticut

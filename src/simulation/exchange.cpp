@@ -16,8 +16,8 @@ namespace hapticut {
 namespace {
 
 /// How many voxels a step may list.
-std::size_t listed_voxels(const SimulationConfig& config, std::size_t most_voxels) {
-  return config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity : most_voxels;
+std::size_t listed_voxels(const SimulationConfig& config, std::size_t max_voxels) {
+  return config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity : max_voxels;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   ContactStages::Room room(tool.head(), voxel_size, config);
   const WorstCase worst = room.worst_case(config);
   std::vector<RemovedVoxel> removed;
-  reserve_touched(removed, listed_voxels(config, room.most_voxels));
+  reserve_touched(removed, listed_voxels(config, room.max_voxels));
   const double stiffness = stiffness_for_head(tool.head());
   state_ = std::make_unique<State>(
       State{std::move(tool), voxel_size, std::move(room), worst, std::move(removed), stiffness});
@@ -74,8 +74,7 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 /// What the contact reads of the materials, with the stiffness that suits them and the head where it was left to the
 /// simulation.
 void Simulation::State::set_contact_materials() noexcept {
-  if (chooses_stiffness)
-    config.reference_stiffness = head_stiffness / largest_relative_stiffness(workpiece.materials());
+  if (chooses_stiffness) config.reference_stiffness = head_stiffness / max_relative_stiffness(workpiece.materials());
   contact_stages.set_materials(
       contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
   set_material_friction();
@@ -111,7 +110,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   if (p.voxel_size != s.workpiece.voxel_size()) return false;
   const WorstCase worst = s.contact_stages.worst_case(s.config);
   std::swap(s.tool, p.tool);
-  s.contact_stages.exchange_room(p.room);
+  s.contact_stages.exchange_buffers(p.room);
   s.removal.exchange_list(p.removed);
   std::swap(s.head_stiffness, p.stiffness);
   p.worst_case = worst;
@@ -121,7 +120,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.held_setting = s.motor.setting();
   if (s.held) s.halt();
   s.load = {};
-  s.share_cutting();
+  s.update_cutting_share();
   s.compare_cutters();
   s.start_afresh();
   return true;
@@ -159,7 +158,7 @@ void Simulation::State::halt() noexcept {
   motor.halt();
   halted_since = true;
   load = {};
-  share_cutting();
+  update_cutting_share();
 }
 
 void Simulation::halt_spindle() noexcept {
@@ -176,7 +175,7 @@ void Simulation::hold_spindle(bool hold) noexcept {
     s.halt();
   } else {
     s.motor.set(s.held_setting);
-    s.share_cutting();
+    s.update_cutting_share();
   }
 }
 

@@ -11,27 +11,27 @@
 /// What a hand with a stylus can do: what is more is an error of the device, or another place.
 namespace hapticut {
 
-inline constexpr double kNear = 2e-3;           // [m] from where it was left, or refused
-inline constexpr double kFastestHand = 6;       // [m/s] three times what hands do
-inline constexpr double kLargestSlip = 0.1;     // [rad] that a reading may be off by
-inline constexpr double kFastestHandTurn = 40;  // [rad/s]
+inline constexpr double kNear = 2e-3;               // [m] from where it was left, or refused
+inline constexpr double kMaxHandSpeed = 6;          // [m/s] three times what hands do
+inline constexpr double kMaxSlip = 0.1;             // [rad] that a reading may be off by
+inline constexpr double kMaxHandAngularSpeed = 40;  // [rad/s]
 
 /// [rad]
-inline double turn_between(const Pose& from, const Pose& to) {
+inline double rotation_between(const Pose& from, const Pose& to) {
   return vector_from_rotation(to.rotation * from.rotation.transpose()).norm();
 }
 
 /// Whether a turn is larger than an angle [rad], from its trace: cheaper than the turn, for every step asks.
-inline bool turns_beyond(const Pose& from, const Pose& to, double angle) {
+inline bool rotated_beyond(const Pose& from, const Pose& to, double angle) {
   return angle < std::numbers::pi && from.rotation.cwiseProduct(to.rotation).sum() < 1 + 2 * std::cos(angle);
 }
 
-inline bool is_turn_of_a_hand(const Pose& from, const Pose& to, double dt) {
-  return !turns_beyond(from, to, std::max(kLargestSlip, kFastestHandTurn * dt));
+inline bool is_rotation_of_a_hand(const Pose& from, const Pose& to, double dt) {
+  return !rotated_beyond(from, to, std::max(kMaxSlip, kMaxHandAngularSpeed * dt));
 }
 
-inline bool is_way_of_a_hand(const Pose& from, const Pose& to, double dt) {
-  return (to.translation - from.translation).norm() <= std::max(kNear, kFastestHand * dt);
+inline bool is_path_of_a_hand(const Pose& from, const Pose& to, double dt) {
+  return (to.translation - from.translation).norm() <= std::max(kNear, kMaxHandSpeed * dt);
 }
 
 }  // namespace hapticut

@@ -17,9 +17,9 @@ constexpr double kNearBalance = 2e-4;  // [N] by itself,
 constexpr double kNearShare = 2e-4;    // [1] and of the largest force
 constexpr int kPatient = 6;
 // A share of a correction must gain so much of it, or a smaller one is tried.
-constexpr double kLeastDescent = 1e-4;           // [1]
+constexpr double kMinDescent = 1e-4;             // [1]
 constexpr double kShortest = 0.01, kHalf = 0.5;  // [1] of the share before
-constexpr int kMostTries = 6;
+constexpr int kMaxTries = 6;
 constexpr double kSmallMotion = 1e-4;  // [voxels] by which a slope is measured
 
 }  // namespace
@@ -29,10 +29,10 @@ VirtualCoupling::NewtonSearch::NewtonSearch(VirtualCoupling& coupling, const Par
       part_(part),
       hand_(hand),
       lever_(coupling.reach()),
-      left_(coupling.gains_.newton_steps - coupling.result_.newton_steps - kLeastSteps * part.left) {}
+      left_(coupling.gains_.newton_steps - coupling.result_.newton_steps - kMinSteps * part.left) {}
 
 Twist VirtualCoupling::NewtonSearch::find() noexcept {
-  const Twist before = coupling_.result_.velocity;
+  const Twist before = coupling_.result_.V_WH;
   Twist tool = before, from = before, nearest = before;
   if (!coupling_.turns()) tool.angular = twist_between(coupling_.result_.X_WH, part_.X_WD, part_.dt).angular;
   const double solved = kSolved * coupling_.simulation_->workpiece().voxel_size() / part_.dt;  // [m/s]
@@ -46,8 +46,8 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
   for (int n = 0; left_ > 0; ++n) {
     Lack lack = lack_at(tool);
     if (lack.size < least.size) least = lack, nearest = tool;
-    const bool gains = lack.size <= (1 - kLeastDescent * share) * lacked;
-    if (!gains && ++tries <= kMostTries) {
+    const bool gains = lack.size <= (1 - kMinDescent * share) * lacked;
+    if (!gains && ++tries <= kMaxTries) {
       const double onward = lack.of.dot(correction), slope = correction.dot(lack.slope * correction);
       const double of_it = onward < 0 && slope > 0 ? 1 + onward / (slope * share) : 0;
       share *= of_it > kShortest ? std::min(of_it, kHalf) : kHalf;
@@ -94,7 +94,7 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
 
 VirtualCoupling::NewtonSearch::Lack VirtualCoupling::NewtonSearch::lack_at(const Twist& tool) noexcept {
   const CouplingGains& gains = coupling_.gains_;
-  const Twist& before = coupling_.result_.velocity;
+  const Twist& before = coupling_.result_.V_WH;
   const double dt = part_.dt;
   --left_;
   ++coupling_.result_.newton_steps;

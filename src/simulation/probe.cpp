@@ -10,29 +10,29 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
                                ProbedMotions motions) const noexcept {
   State& s = *state_;  // whose room the contact is worked out in; nothing that a step depends on changes
   if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
-  const bool goes_on = s.has_pose && !(s.let_go_since && s.is_put_elsewhere(pose, velocity, dt));
+  const bool goes_on = s.has_pose && !(s.hand_released_since && s.is_put_elsewhere(pose, velocity, dt));
   const Pose from = goes_on ? s.X_WH : advance(pose, velocity, -dt);
   const int sub_steps = s.plan_sweep(from, pose);
-  if (sub_steps > s.config.longest_sweep) return {};
-  ContactProbe probed = s.probe_way(from, pose, sub_steps, velocity, dt);
+  if (sub_steps > s.config.max_sweep) return {};
+  ContactProbe probed = s.probe_path(from, pose, sub_steps, velocity, dt);
   if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
     probed.stiffness = s.measure_stiffness(from, pose, sub_steps, velocity, dt, motions, probed.wrench);
   return probed;
 }
 
 bool Simulation::touches(const Pose& pose) const noexcept {
-  return check_input(state_->config, pose, {}, state_->config.shortest_dt) == StepStatus::ok && state_->touches(pose);
+  return check_input(state_->config, pose, {}, state_->config.min_dt) == StepStatus::ok && state_->touches(pose);
 }
 
 /// Whether the head at a pose would touch material.
 bool Simulation::State::touches(const Pose& pose) noexcept {
-  const HeadPlacement at = plan_sub_step(pose, 0, config.shortest_dt, {}, {}).head;
+  const HeadPlacement at = plan_sub_step(pose, 0, config.min_dt, {}, {}).head;
   return contact_stages.press(contact_stages.find_blocks(at), at).resultant.voxels > 0;
 }
 
 /// What is felt from one pose to another.
-ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
-                                          double dt) noexcept {
+ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+                                           double dt) noexcept {
   ContactProbe probed;
   const Twist path = twist_between(from, pose, dt);
   DeepContact deep = deep_contact;
@@ -69,7 +69,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
       moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * pose.rotation;
       faster.angular += shift / reach / dt * along;
     }
-    const Wrench there = probe_way(from, moved, sub_steps, faster, dt).wrench;
+    const Wrench there = probe_path(from, moved, sub_steps, faster, dt).wrench;
     scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
   }
   if (axes == 3) scaled.bottomRows<3>().setZero();

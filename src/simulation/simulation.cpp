@@ -13,8 +13,8 @@ namespace hapticut {
 namespace {
 
 // Memory for all voxels that a head may reach is taken at set-up; more than this is a mistake in the unit.
-constexpr double kMostVoxels = 1e9, kLongestDiagonal = 4000;  // [voxels]
-constexpr double kThinnest = 1.5;                             // [voxels] of a head: its forces are off by a fifth then
+constexpr double kMaxVoxels = 1e9, kMaxDiagonal = 4000;  // [voxels]
+constexpr double kThinnest = 1.5;                        // [voxels] of a head: its forces are off by a fifth then
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
@@ -32,10 +32,10 @@ void validate_head(const ToolHead& head, double voxel_size) {
                 " voxels of " + format_number(voxel_size * 1e3) +
                 " mm; it would slip between voxels. Choose smaller voxels.");
   const Vec3 spans = (box.max - box.min) / voxel_size;
-  if (!(spans.prod() <= kMostVoxels && spans.norm() <= kLongestDiagonal))
+  if (!(spans.prod() <= kMaxVoxels && spans.norm() <= kMaxDiagonal))
     throw Error("the head spans " + format_number(spans.x()) + " x " + format_number(spans.y()) + " x " +
-                format_number(spans.z()) + " voxels; must be at most " + format_number(kMostVoxels) + " in all and " +
-                format_number(kLongestDiagonal) +
+                format_number(spans.z()) + " voxels; must be at most " + format_number(kMaxVoxels) + " in all and " +
+                format_number(kMaxDiagonal) +
                 " along its diagonal. Give its dimensions in metres, or choose larger voxels.");
 }
 
@@ -47,7 +47,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
-                                                : most_voxels(tool.head(), workpiece.voxel_size())) {
+                                                : max_voxels(tool.head(), workpiece.voxel_size())) {
   prepare_workpiece();
 }
 
@@ -58,7 +58,7 @@ void Simulation::State::prepare_workpiece() {
   head_stiffness = stiffness_for_head(tool.head());
   set_material_friction();
   compare_cutters();
-  share_cutting();
+  update_cutting_share();
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -92,8 +92,8 @@ void Simulation::add_observer(StepObserver& observer) {
   Observers& present = state_->observers;
   if (std::ranges::find(present.all(), &observer) != present.all().end())
     throw Error("the simulation has this observer already; add it once.");
-  if (present.count == kMostObservers)
-    throw Error("the simulation has " + std::to_string(kMostObservers) +
+  if (present.count == kMaxObservers)
+    throw Error("the simulation has " + std::to_string(kMaxObservers) +
                 " observers, which is all it can have; remove one first.");
   present.places[present.count++] = &observer;
 }
@@ -116,7 +116,7 @@ void Simulation::set_spindle_speed(AngularSpeed speed) {
   state_->held_setting = speed;
   if (state_->held) return;
   state_->motor.set(speed);
-  state_->share_cutting();
+  state_->update_cutting_share();
 }
 
 void Simulation::set_effects(const Effects& effects) {

@@ -36,7 +36,7 @@ struct SpindleLoad {
 
 /// Who is told of steps.
 struct Observers {
-  std::array<StepObserver*, Simulation::kMostObservers> places = {};
+  std::array<StepObserver*, Simulation::kMaxObservers> places = {};
   std::size_t count = 0;
   [[nodiscard]] std::span<StepObserver* const> all() const noexcept { return {places.data(), count}; }
 };
@@ -61,7 +61,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void take_step(HandCoupling* coupling) noexcept;
   [[nodiscard]] StepStatus check_step_input() const noexcept {
     const StageTimer timer = timed(&StageTimes::check_input);
-    return check_input(config, input.pose, input.velocity, input.dt);
+    return check_input(config, input.X_WH, input.V_WH, input.dt);
   }
   [[nodiscard]] bool take_up(bool coupled) noexcept;
   [[nodiscard]] bool is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept;
@@ -74,13 +74,13 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
                                       const Twist& felt) const noexcept;
   [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
   void drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept;
-  void turn_head(HeadMotion& motion) const noexcept;
+  void set_spin(HeadMotion& motion) const noexcept;
   [[nodiscard]] double turning_spin() const noexcept;
   void load_spindle(double torque, SubStep& sub_step) noexcept;
-  [[nodiscard]] double torque_to_turn(const Encounter& encounter) const noexcept;
+  [[nodiscard]] double torque_to_spin(const Encounter& encounter) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
   void advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept;
-  void share_cutting() noexcept;
+  void update_cutting_share() noexcept;
   [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
   void remove_emptied() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
@@ -98,7 +98,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void reject(StepStatus status) noexcept;
   void tell_of_step(const Simulation& simulation) const noexcept {
     for (StepObserver* observer : observers.all())
-      observer->on_step({simulation, steps - 1, input, free_blocks, after_letting_go, after_halt, motor.setting(),
+      observer->on_step({simulation, steps - 1, input, free_blocks, after_release, after_halt, motor.setting(),
                          output_path, hand, result});
   }
   void tell_of_exchange() noexcept {
@@ -108,8 +108,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // The same without a change: `Simulation::probe`.
   [[nodiscard]] bool touches(const Pose& pose) noexcept;
-  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
-                                       double dt) noexcept;
+  [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+                                        double dt) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
@@ -143,13 +143,13 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   StepInput input;  // of the last step
   std::uint64_t steps = 0;
-  std::size_t free_blocks = 0;    // when the last step began
-  bool let_go_since = false;      // the last step
-  bool after_letting_go = false;  // the last step was
-  bool held = false;              // the spindle, which then stands
-  double held_setting = 0;        // [rad/s] that was asked of it
-  bool halted_since = false;      // the spindle, since the last step
-  bool after_halt = false;        // the last step was
+  std::size_t free_blocks = 0;       // when the last step began
+  bool hand_released_since = false;  // the last step
+  bool after_release = false;        // the last step was
+  bool held = false;                 // the spindle, which then stands
+  double held_setting = 0;           // [rad/s] that was asked of it
+  bool halted_since = false;         // the spindle, since the last step
+  bool after_halt = false;           // the last step was
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
   std::uint64_t exchanges = 0;

@@ -11,8 +11,8 @@ namespace hapticut {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
-constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
-constexpr double kLongestTurn = 1;           // [rad] of a step; a script may turn faster than a hand
+constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] no estimate of a hand's velocity
+constexpr double kMaxRotation = 1;           // [rad] of a step; a script may turn faster than a hand
 constexpr double kCancelled = 1e-4;          // [1] of the forces along the normals: what single precision leaves
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
@@ -38,7 +38,7 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
     return reject(refused);
   }
   if (!has_pose && !take_up(coupling != nullptr)) return reject(StepStatus::tool_waits);
-  if (after_letting_go && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
+  if (after_release && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
     place_at(advance(pose, velocity, -dt));
   int sub_steps = plan_sweep(X_WH, pose);
   if (is_jump(sub_steps)) {
@@ -69,7 +69,7 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
   input = given;
   ++steps;
   free_blocks = workpiece.reserved_blocks();
-  after_letting_go = std::exchange(let_go_since, false);
+  after_release = std::exchange(hand_released_since, false);
   after_halt = std::exchange(halted_since, false);
   output_path = OutputPath::direct;
   removal.clear();
@@ -87,9 +87,9 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
 StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity, double dt) noexcept {
   StepStatus status = StepStatus::ok;
   if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
-  if (!(velocity.linear.norm() <= kFastestMotion && velocity.angular.norm() <= kFastestMotion))
+  if (!(velocity.linear.norm() <= kMaxSpeed && velocity.angular.norm() <= kMaxSpeed))
     status |= StepStatus::velocity_rejected;
-  if (!(dt >= config.shortest_dt && dt <= config.longest_dt)) status |= StepStatus::dt_rejected;
+  if (!(dt >= config.min_dt && dt <= config.max_dt)) status |= StepStatus::dt_rejected;
   return status;
 }
 
@@ -115,7 +115,7 @@ bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity
 /// refused ones.
 /// @param sub_steps  that the way would take
 bool Simulation::State::is_jump(int sub_steps) const noexcept {
-  return sub_steps > config.longest_sweep || turns_beyond(X_WH, input.pose, kLongestTurn) ||
+  return sub_steps > config.max_sweep || rotated_beyond(X_WH, input.X_WH, kMaxRotation) ||
          (after_refusal && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
 
@@ -123,7 +123,7 @@ bool Simulation::State::is_jump(int sub_steps) const noexcept {
 bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
   if (motor.setting() == 0 && motor.speed() == 0) return false;
   const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || turns_beyond(X_WH, pose, kLongestTurn);
+  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || rotated_beyond(X_WH, pose, kMaxRotation);
   return is_elsewhere && touches(pose);
 }
 
@@ -131,10 +131,10 @@ bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
 /// near it. Two in a row that are near each other are believed, and the tool is put where the second one is.
 /// @return false when the step is not taken
 bool Simulation::State::follow_jump() noexcept {
-  const Pose& pose = input.pose;
+  const Pose& pose = input.X_WH;
   const bool waits = jumps_into_material(pose);
-  const bool is_confirmed = jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep &&
-                            !turns_beyond(*jumped_to, pose, kLongestTurn);
+  const bool is_confirmed =
+      jumped_to && plan_sweep(*jumped_to, pose) <= config.max_sweep && !rotated_beyond(*jumped_to, pose, kMaxRotation);
   if (!waits && is_confirmed) {
     place_at(pose);
     return true;
@@ -146,8 +146,8 @@ bool Simulation::State::follow_jump() noexcept {
 
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
-  anchor.release();
-  deep_contact.release();
+  anchor.reset();
+  deep_contact.reset();
   output.restart();
   X_WH = pose;
 }
@@ -156,10 +156,10 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
 int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
   const Vec3 head_shift = pose * tool.X_HT().translation - from * tool.X_HT().translation;
-  const double turn = turn_between(from, pose);
+  const double turn = rotation_between(from, pose);
   const double farthest = head_shift.norm() + turn * tool.head().reach();
   const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
-  return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));
+  return int(std::clamp(parts, 1.0, config.max_sweep + 1.0));
 }
 
 namespace {
@@ -199,7 +199,7 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           .elapsed = float((index + 0.5 + lead) * duration)};
   const Vec3 ripple = path_W.linear - mean_of(mean_velocity, path_W.linear, (index + 1) * duration);
   sub_step.head.motion.ripple = (sub_step.X_WT.rotation.transpose() * ripple).cast<float>();
-  turn_head(sub_step.head.motion);
+  set_spin(sub_step.head.motion);
   return sub_step;
 }
 
@@ -317,9 +317,9 @@ Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& 
   contact.depth = resultant.depth;
   contact.level_of_detail = encounter.level_of_detail;
   if (!(resultant.normal_force > 0)) return contact;
-  contact.point = sub_step.X_WT * Vec3(resultant.moment_T / resultant.normal_force);
+  contact.point_W = sub_step.X_WT * Vec3(resultant.moment_T / resultant.normal_force);
   if (const double push = resultant.push_T.norm(); push > kCancelled * resultant.normal_force)
-    contact.normal = sub_step.X_WT.rotation * resultant.push_T / push;
+    contact.normal_W = sub_step.X_WT.rotation * resultant.push_T / push;
   contact.area = resultant.area * std::pow(workpiece.voxel_size(), 2);
   if (contact.area > 0) contact.pressure = resultant.normal_force / contact.area;
   return contact;
@@ -328,7 +328,7 @@ Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& 
 /// What the hand is given: the force of the model, or of the coupling, with what is added to it, within its limits.
 void Simulation::State::give_output(HandCoupling* coupling) noexcept {
   const StageTimer timer = timed(&StageTimes::give_output);
-  HandOutput from = {input.pose, result.model, input.dt};
+  HandOutput from = {input.X_WH, result.model, input.dt};
   if (coupling != nullptr) {
     const std::optional<HandOutput> answer = coupling->answer(result);
     output_path = answer ? OutputPath::coupled : OutputPath::kept;
@@ -339,21 +339,21 @@ void Simulation::State::give_output(HandCoupling* coupling) noexcept {
     const EffectsInput at = {from.X_WD, from.X_WD * tool.X_HT(), result.spindle.speed != 0 && result.contact.voxels > 0,
                              result.spindle.torque * result.spindle.speed, from.dt};
     (void)output.give(effects, at, from.wrench);
-    if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kFastestVibration)
+    if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kMaxVibration)
       result.status |= StepStatus::vibration_left_out;
   }
   result.force = output.given().force;
   result.torque = output.given().torque;
 }
 
-void Simulation::let_go() noexcept {
+void Simulation::release_hand() noexcept {
   state_->output.restart();
-  state_->let_go_since = true;
+  state_->hand_released_since = true;
   state_->result.force = state_->result.torque = Vec3::Zero();
 }
 
 void Simulation::State::finish_step(int sub_steps, const Twist& path) noexcept {
-  X_WH = input.pose;
+  X_WH = input.X_WH;
   const Vec3 velocity = transport(path, X_WH.rotation * tool.X_HT().translation).linear;
   mean_velocity = mean_of(mean_velocity, velocity, input.dt);
   result.sub_steps = sub_steps;

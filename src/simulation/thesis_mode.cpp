@@ -17,7 +17,7 @@ SimulationConfig thesis_mode(const ThesisMode& mode) {
   config.handle_torque_scale = mode.handle_torque_scale;
   config.update_rate = mode.update_rate;
   if (mode.tool_mass > 0) config.effects.gravity = Gravity{mode.tool_mass, mode.center_of_mass};
-  if (kFrequency < kFastestVibration * mode.update_rate) {
+  if (kFrequency < kMaxVibration * mode.update_rate) {
     Vibration vibration;
     vibration.frequency = kFrequency;
     vibration.amplitude = kAmplitude;

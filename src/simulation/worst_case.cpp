@@ -8,7 +8,7 @@
 
 namespace hapticut {
 
-std::size_t most_voxels(const ToolHead& head, double voxel_size) {
+std::size_t max_voxels(const ToolHead& head, double voxel_size) {
   // A voxel that meets the head lies wholly within its diagonal of it. The volume of the head grown by so much, from
   // rings of its meridian plane, each counted whole as soon as a part of it may belong.
   const double grown = std::sqrt(3.0) * voxel_size;
@@ -28,7 +28,7 @@ std::size_t most_voxels(const ToolHead& head, double voxel_size) {
   return std::size_t(std::ceil(volume / (voxel_size * voxel_size * voxel_size)));
 }
 
-std::size_t most_blocks(const ToolHead& head, double voxel_size) {
+std::size_t max_blocks(const ToolHead& head, double voxel_size) {
   const HeadBox box = head.bounding_box();
   // Voxels are in contact from a voxel beyond the head on, whatever the quadrature.
   const double diagonal = (box.max - box.min).norm() / voxel_size + 2;

@@ -11,17 +11,17 @@ namespace {
 
 using units::kPi;
 
-constexpr double kSlowestRate = 8000, kFastestRate = 384'000;  // [Hz]
-constexpr double kHighestShare = 0.45;                         // [1] of the sample rate; a tone above would come back
-constexpr double kFadeShare = 0.05;                       // [1] of the sample rate, over which it fades before that
-constexpr double kPitchTime = 0.03, kLevelTime = 0.01;    // [s] by which what is heard follows
-constexpr double kLeastSpeed = 0.05;                      // [Hz] stands
-constexpr double kLeastLevel = 1e-5;                      // [1] silence
-constexpr double kToneSpeed = 300;                        // [Hz] at which a tone has half of its strength
-constexpr double kNoise = 0.24;                           // [1] rms of the loudest
-constexpr double kMiddle = 2500, kQuality = 1.2;          // [Hz], [1] of the band
-constexpr double kPlainEnergy = 1e8;                      // [J/m^3] of the middle
-constexpr double kLowestOctave = -1, kHighestOctave = 2;  // of the middle
+constexpr double kMinRate = 8000, kMaxRate = 384'000;   // [Hz]
+constexpr double kMaxShare = 0.45;                      // [1] of the sample rate; a tone above would come back
+constexpr double kFadeShare = 0.05;                     // [1] of the sample rate, over which it fades before that
+constexpr double kPitchTime = 0.03, kLevelTime = 0.01;  // [s] by which what is heard follows
+constexpr double kMinSpeed = 0.05;                      // [Hz] stands
+constexpr double kMinLevel = 1e-5;                      // [1] silence
+constexpr double kToneSpeed = 300;                      // [Hz] at which a tone has half of its strength
+constexpr double kNoise = 0.24;                         // [1] rms of the loudest
+constexpr double kMiddle = 2500, kQuality = 1.2;        // [Hz], [1] of the band
+constexpr double kPlainEnergy = 1e8;                    // [J/m^3] of the middle
+constexpr double kLowestOctave = -1, kMaxOctave = 2;    // of the middle
 constexpr double kClickTone = 3000, kClickTime = 0.004, kClickRise = 0.0005, kClick = 0.5;  // [Hz], [s], [s], [1]
 constexpr double kClickLasts = 0.06, kFreeBeforeClick = 0.03;                               // [s]
 
@@ -29,7 +29,7 @@ double finite_or_0(double value) { return std::isfinite(value) ? value : 0.0; }
 
 /// Strength of a tone that the sample rate can hold.
 double held(double frequency, double sample_rate) {
-  return std::clamp((kHighestShare * sample_rate - frequency) / (kFadeShare * sample_rate), 0.0, 1.0);
+  return std::clamp((kMaxShare * sample_rate - frequency) / (kFadeShare * sample_rate), 0.0, 1.0);
 }
 
 }  // namespace
@@ -53,8 +53,8 @@ struct DrillSound::Target {
     level = std::sqrt(power / (power + options.half_power));
     // Rubbing takes nothing away: its energy per volume has no end.
     const double of_plain = removed * kPlainEnergy;  // [W]
-    octave = of_plain > 0 && power > 0 ? std::log10(power / of_plain) : kHighestOctave;
-    octave = std::clamp(octave, kLowestOctave, kHighestOctave);
+    octave = of_plain > 0 && power > 0 ? std::log10(power / of_plain) : kMaxOctave;
+    octave = std::clamp(octave, kLowestOctave, kMaxOctave);
   }
 };
 
@@ -63,7 +63,7 @@ DrillSound::DrillSound(const SoundOptions& options) : options_(options) {
 }
 
 void DrillSound::render(std::span<float> samples, double sample_rate, const SoundInput& input) noexcept {
-  if (!(sample_rate >= kSlowestRate && sample_rate <= kFastestRate)) {
+  if (!(sample_rate >= kMinRate && sample_rate <= kMaxRate)) {
     std::fill(samples.begin(), samples.end(), 0.0F);
     return;
   }
@@ -73,9 +73,9 @@ void DrillSound::render(std::span<float> samples, double sample_rate, const Soun
 
 float DrillSound::next(const Target& target) noexcept {
   speed_ += target.follow_pitch * (target.speed - speed_);
-  if (target.speed == 0 && speed_ < kLeastSpeed) speed_ = 0;
+  if (target.speed == 0 && speed_ < kMinSpeed) speed_ = 0;
   noise_level_ += target.follow_level * (target.level - noise_level_);
-  if (target.level == 0 && noise_level_ < kLeastLevel) noise_level_ = 0;
+  if (target.level == 0 && noise_level_ < kMinLevel) noise_level_ = 0;
   if (target.level > 0) pitch_ += target.follow_pitch * (target.octave - pitch_);
   const double sum = tone(target.sample_rate) + noise(target.sample_rate) + click(target);
   return float(options_.volume * std::clamp(sum, -1.0, 1.0));

@@ -18,7 +18,7 @@ namespace hapticut::surface {
 class BlockCodes {
  public:
   static constexpr std::uint32_t kMixed = 256;
-  static constexpr double kMostBlocks = 268'435'456;  // 2^28, 1 GiB
+  static constexpr double kMaxBlocks = 268'435'456;  // 2^28, 1 GiB
 
   /// The region around these voxels and the samples of cells that reach out of it.
   /// @param step  [voxels] a power of two, of which the region's ends are multiples
@@ -33,9 +33,9 @@ class BlockCodes {
       }
       blocks_ = BlockGrid(region);
     }
-    if (blocks_.count() > kMostBlocks)
+    if (blocks_.count() > kMaxBlocks)
       throw Error("the workpiece spans " + format_number(blocks_.count()) +
-                  " blocks of 8 x 8 x 8 voxels; a surface is found of " + format_number(kMostBlocks) +
+                  " blocks of 8 x 8 x 8 voxels; a surface is found of " + format_number(kMaxBlocks) +
                   " at most. Cut it to what is needed, or use larger voxels.");
     codes_.resize(std::size_t(blocks_.count()), kEmpty);
   }

@@ -122,7 +122,7 @@ ToolHead wheel_head(double diameter, double thickness, double shank_diameter) {
 
 ToolHead christmas_tree_head(double diameter, double length, int tiers) {
   require_dimensions("christmas_tree_head", {{"diameter", diameter}, {"length", length}});
-  require_between(tiers, 1, kMostTiers, "christmas_tree_head tiers");
+  require_between(tiers, 1, kMaxTiers, "christmas_tree_head tiers");
   std::vector<ProfileEdge> edges;
   for (int n = 1; n <= tiers; ++n) {
     const double rim = diameter / 2 * n / tiers, z = length * n / tiers;

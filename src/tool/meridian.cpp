@@ -13,7 +13,7 @@ namespace {
 using units::kPi;
 
 constexpr double kRounding = 1e-9;  // [1] of the size: what is not told apart
-constexpr std::size_t kMostEdges = 1000;
+constexpr std::size_t kMaxEdges = 1000;
 
 std::string in_mm(const Vec2& p) {
   return "(" + format_number(p.x() / units::mm) + ", " + format_number(p.y() / units::mm) + ") mm";
@@ -117,9 +117,9 @@ Meridian::Meridian(const Profile& profile) {
 }
 
 void Meridian::make_edges(const Profile& profile) {
-  if (profile.edges.empty() || profile.edges.size() > kMostEdges)
+  if (profile.edges.empty() || profile.edges.size() > kMaxEdges)
     throw Error("the profile has " + std::to_string(profile.edges.size()) + " edges; must be between 1 and " +
-                std::to_string(kMostEdges) + ". List the edges from the tip to the shank.");
+                std::to_string(kMaxEdges) + ". List the edges from the tip to the shank.");
   if (!std::isfinite(profile.tip)) throw Error("Profile::tip = " + format_number(profile.tip) + " m; must be finite.");
   bottom_ = top_ = profile.tip;
   for (std::size_t i = 0; i < profile.edges.size(); ++i) {

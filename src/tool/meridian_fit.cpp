@@ -12,8 +12,8 @@ namespace {
 using units::deg;
 using units::kPi;
 
-constexpr std::size_t kLeastArc = 4;       // segments
-constexpr double kLargestTurn = 35 * deg;  // from one segment of an arc to the next
+constexpr std::size_t kMinArc = 4;         // segments
+constexpr double kMaxRotation = 35 * deg;  // from one segment of an arc to the next
 
 double turn_at(const Vec2& a, const Vec2& b, const Vec2& c) {
   return std::atan2(cross(b - a, c - b), (b - a).dot(c - b));
@@ -32,11 +32,11 @@ bool line_fits(const std::vector<Vec2>& points, std::size_t from, std::size_t to
 
 /// Signed radius of the arc from one point to another that passes the others best, or nothing.
 std::optional<double> fit_arc(const std::vector<Vec2>& points, std::size_t from, std::size_t to, double tolerance) {
-  if (to - from < kLeastArc) return {};
+  if (to - from < kMinArc) return {};
   double total = 0;
   for (std::size_t n = from + 1; n < to; ++n) {
     const double turn = turn_at(points[n - 1], points[n], points[n + 1]);
-    if (std::abs(turn) > kLargestTurn) return {};
+    if (std::abs(turn) > kMaxRotation) return {};
     total += turn;
   }
   if (std::abs(total) > kPi) return {};
@@ -70,9 +70,9 @@ std::vector<ProfileEdge> fit_lines_and_arcs(const std::vector<Vec2>& points, dou
     while (line + 1 < points.size() && line_fits(points, from, line + 1, tolerance)) ++line;
     std::size_t arc = from;
     double radius = 0;
-    for (std::size_t to = from + kLeastArc; to < points.size(); ++to) {
+    for (std::size_t to = from + kMinArc; to < points.size(); ++to) {
       const std::optional<double> fitted = fit_arc(points, from, to, tolerance);
-      if (!fitted && to > arc + kLeastArc && to > from + 2 * kLeastArc) break;
+      if (!fitted && to > arc + kMinArc && to > from + 2 * kMinArc) break;
       if (!fitted) continue;
       arc = to;
       radius = *fitted;

@@ -12,7 +12,7 @@ namespace {
 using detail::Vec2;
 using units::kPi;
 
-constexpr double kLargestChordTurn = kPi / 8;  // from one chord of an arc to the next
+constexpr double kMaxChordAngle = kPi / 8;  // from one chord of an arc to the next
 
 /// Arcs are divided so that their chords are no farther from them than the facets from the largest circle.
 std::vector<Vec2> points_of(const detail::Meridian& meridian, int sides) {
@@ -21,7 +21,7 @@ std::vector<Vec2> points_of(const detail::Meridian& meridian, int sides) {
   for (const detail::MeridianEdge& e : meridian.edges()) {
     int parts = 1;
     if (!e.straight()) {
-      const double angle = std::min(2 * std::acos(std::max(0.0, 1 - sagitta / e.radius())), kLargestChordTurn);
+      const double angle = std::min(2 * std::acos(std::max(0.0, 1 - sagitta / e.radius())), kMaxChordAngle);
       parts = int(std::ceil(std::abs(e.sweep) / angle));
     }
     for (int n = 1; n < parts; ++n) points.push_back(e.at_angle(std::abs(e.sweep) * n / parts));

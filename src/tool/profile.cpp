@@ -11,7 +11,7 @@ ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move
   auto meridian = std::make_shared<const detail::Meridian>(profile_);
   volume_ = meridian->volume();
   reach_ = meridian->reach();
-  require_metres(reach_, kLargestHead, "reach of the head [m]");  // before the table, which takes a while
+  require_metres(reach_, kMaxHeadReach, "reach of the head [m]");  // before the table, which takes a while
   cutting_radius_ = meridian->cutting_radius();
   table_ = std::make_shared<const ProfileTable>(detail::make_profile_table(*meridian, tolerance));
   meridian_ = std::move(meridian);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that stands for a hollow corner
 constexpr double kExact = 4e-7;         // [1] of the size: what counts as no error
 constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single precision loses in the height of a slab
-constexpr std::size_t kMostCells = 1U << 20U;
+constexpr std::size_t kMaxCells = 1U << 20U;
 constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
 constexpr int kSamples = 5;         // along the edge of a cell, to choose
 constexpr int kFineSamples = 33;    // along the edge of a cell, to bound the error
@@ -389,8 +389,8 @@ ProfileTable make_profile_table(const Meridian& meridian, double tolerance) {
   TableBuilder builder(meridian);
   for (double cell_size = smaller / 16;; cell_size /= 2) {
     const double cells = (meridian.radius() / cell_size + 1) * (height / cell_size + 1);
-    if (cells > double(kMostCells))
-      throw Error("a tolerance of " + format_number(tolerance) + " needs more than " + std::to_string(kMostCells) +
+    if (cells > double(kMaxCells))
+      throw Error("a tolerance of " + format_number(tolerance) + " needs more than " + std::to_string(kMaxCells) +
                   " cells for this profile. Give ProfileHead a larger tolerance, or the profile fewer small edges.");
     builder.divide(cell_size);
     if (builder.error() <= tolerance * smaller) return builder.take();

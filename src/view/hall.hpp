@@ -35,8 +35,8 @@ inline bool is_same(std::string_view a, std::string_view b) {
 }
 
 /// What all connections share; only the server's thread touches it, but for the counts.
-struct Hall {
-  Hall(Scene scene, const ViewServerOptions& given)
+struct ServerState {
+  ServerState(Scene scene, const ViewServerOptions& given)
       : options(given), mailbox(std::move(scene), given.commands_waiting), files(read_page_files(given.page)) {}
 
   [[nodiscard]] bool is_our_host(std::string_view host) const {

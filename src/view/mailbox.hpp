@@ -40,7 +40,7 @@ inline constexpr std::size_t kSlots = std::size_t(Slot::count);
 
 class Mailbox {
  public:
-  Mailbox(Scene scene, std::size_t commands) : scene_(std::move(scene)), most_commands_(commands) {}
+  Mailbox(Scene scene, std::size_t commands) : scene_(std::move(scene)), max_commands_(commands) {}
 
   // --- from the program; each returns whether the server must be woken ----------------------------------------------
   bool put(const SurfacePage& page) {
@@ -133,7 +133,7 @@ class Mailbox {
       return;
     }
     commands_.push_back(std::move(command));
-    if (commands_.size() <= most_commands_) return;
+    if (commands_.size() <= max_commands_) return;
     const auto may_go = [](const ViewCommand& one) {
       return !std::holds_alternative<Stop>(one) && !std::holds_alternative<WriterLeft>(one);
     };
@@ -153,7 +153,7 @@ class Mailbox {
   std::array<Newest, kSlots> slots_;
   std::deque<Piece> pieces_;
   double waiting_ = 0;  // [s]
-  std::size_t most_commands_;
+  std::size_t max_commands_;
   std::deque<ViewCommand> commands_;
   bool woken_ = false;
 };

@@ -24,7 +24,7 @@ struct PageFile {
   [[nodiscard]] bool is_data() const { return type == kData; }
 };
 
-inline constexpr std::uintmax_t kMostPageBytes = 64U << 20U;
+inline constexpr std::uintmax_t kMaxPageBytes = 64U << 20U;
 
 inline const char* type_of_file(const std::filesystem::path& path) {
   static constexpr std::pair<const char*, const char*> kTypes[] = {{".html", "text/html; charset=utf-8"},
@@ -57,7 +57,7 @@ inline std::map<std::string, PageFile, std::less<>> read_page_files(const std::f
     if (error) refuse(error.message() + ".");
     if (entry->is_symlink() || !entry->is_regular_file()) continue;
     bytes += entry->file_size();
-    if (bytes > kMostPageBytes) refuse("it has more than 64 MB. Give the folder of the page alone.");
+    if (bytes > kMaxPageBytes) refuse("it has more than 64 MB. Give the folder of the page alone.");
     std::ifstream stream(entry->path(), std::ios::binary);
     PageFile file{type_of_file(entry->path()), std::string(std::istreambuf_iterator<char>(stream), {})};
     if (!stream) refuse("'" + entry->path().string() + "' cannot be read.");

@@ -102,7 +102,7 @@ class Reader {
     const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
     at_ = bytes_.size();
     const auto is_control = [](std::uint8_t byte) { return byte < 0x20 || byte == 0x7f; };
-    refuse_if(rest.empty() || rest.size() > kLongestName || std::ranges::any_of(rest, is_control));
+    refuse_if(rest.empty() || rest.size() > kMaxName || std::ranges::any_of(rest, is_control));
     text.assign(rest.begin(), rest.end());
   }
   template <Described Command>
@@ -153,7 +153,7 @@ Message encode(const LoopSnapshot& snapshot) {
   message.add(tool.removed_volume).add(tool.dissipated).add(tool.contact_depth).add(tool.spindle_speed);
   message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.seen));
   message.add(std::uint32_t(tool.undo_marks)).add(std::uint32_t(tool.redo_marks)).add(flags);
-  message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting)).add(tool.contact_point);
+  message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting)).add(tool.contact_point_W);
   return message.take();
 }
 

@@ -31,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 using Request = http::request<http::empty_body>;
 
 constexpr auto kPatience = std::chrono::seconds(10);  // for a request, and for whoever does not answer a ping
-constexpr unsigned kLongestHead = 8192;               // bytes of a request
+constexpr unsigned kMaxHead = 8192;                   // bytes of a request
 constexpr const char* kWrongToken = "the token is wrong; open the address that the program has printed.";
 
 std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }
@@ -39,8 +39,8 @@ std::string_view view_of_text(beast::string_view text) { return {text.data(), te
 /// A page that is connected.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Hall& hall, beast::tcp_stream&& stream, std::list<std::weak_ptr<Connection>>& all)
-      : hall_(hall), all_(all), socket_(std::move(stream)), tokens_(most_at_once()) {}
+  Connection(ServerState& hall, beast::tcp_stream&& stream, std::list<std::weak_ptr<Connection>>& all)
+      : hall_(hall), all_(all), socket_(std::move(stream)), tokens_(max_at_once()) {}
   ~Connection() {
     --hall_.open;
     if (!accepted_) return;
@@ -59,7 +59,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     patience.idle_timeout = kPatience;
     patience.keep_alive_pings = true;
     socket_.set_option(patience);
-    socket_.read_message_max(kLongestCommand);
+    socket_.read_message_max(kMaxCommand);
     socket_.binary(true);
     socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
       if (!error) self->begin();
@@ -97,7 +97,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     buffer_.consume(buffer_.size());
     const auto now = Clock::now();
     const double more = hall_.options.commands_per_second * std::chrono::duration<double>(now - last_).count();
-    tokens_ = std::min(most_at_once(), tokens_ + more) - 1;
+    tokens_ = std::min(max_at_once(), tokens_ + more) - 1;
     last_ = now;
     if (!command || !writer_ || tokens_ < 0 || !socket_.got_binary()) {
       ++hall_.refused;
@@ -107,7 +107,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     read();
   }
 
-  [[nodiscard]] double most_at_once() const { return std::max(1.0, hall_.options.commands_per_second); }
+  [[nodiscard]] double max_at_once() const { return std::max(1.0, hall_.options.commands_per_second); }
 
   void close() {
     closing_ = true;
@@ -175,7 +175,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     });
   }
 
-  Hall& hall_;
+  ServerState& hall_;
   std::list<std::weak_ptr<Connection>>& all_;
   websocket::stream<beast::tcp_stream> socket_;
   beast::flat_buffer buffer_;
@@ -193,7 +193,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 /// One request: a file, or the beginning of a connection.
 class Visit : public std::enable_shared_from_this<Visit> {
  public:
-  Visit(Hall& hall, Tcp::socket&& socket, std::list<std::weak_ptr<Connection>>& all)
+  Visit(ServerState& hall, Tcp::socket&& socket, std::list<std::weak_ptr<Connection>>& all)
       : hall_(hall), all_(all), stream_(std::move(socket)) {
     ++hall_.open;
   }
@@ -204,7 +204,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   Visit& operator=(const Visit&) = delete;
 
   void begin() {
-    parser_.header_limit(kLongestHead);
+    parser_.header_limit(kMaxHead);
     parser_.body_limit(0);
     stream_.expires_after(kPatience);
     http::async_read(stream_, buffer_, parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
@@ -271,7 +271,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     });
   }
 
-  Hall& hall_;
+  ServerState& hall_;
   std::list<std::weak_ptr<Connection>>& all_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
@@ -314,7 +314,7 @@ struct ViewServer::State {
     acceptor.async_accept([this](ErrorCode error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (error) return listen_later();
-      if (hall.open < hall.options.most_connections)
+      if (hall.open < hall.options.max_connections)
         std::make_shared<Visit>(hall, std::move(socket), all)->begin();
       else
         ++hall.refused;
@@ -341,7 +341,7 @@ struct ViewServer::State {
     });
   }
 
-  Hall hall;  // outlives the connections, which the context keeps
+  ServerState hall;  // outlives the connections, which the context keeps
   std::list<std::weak_ptr<Connection>> all;
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};

@@ -12,7 +12,7 @@ namespace {
 
 void validate(const Box& box, double voxel_size) {
   require_positive(voxel_size, "voxel size [m]");
-  require_metres(voxel_size, kLargestVoxel, "voxel size [m]");
+  require_metres(voxel_size, kMaxVoxelSize, "voxel size [m]");
   if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
     throw Error("the box of a workpiece must be finite and have max > min along every axis.");
   if (!((box.max - box.min).maxCoeff() / voxel_size < 1e9))

@@ -10,7 +10,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kAgreement = 0.01;  // [voxel edges] by which the 15 values may miss the polynomial
-constexpr double kMostBend = 0.05;   // [voxel edges] of the parabola's height: radii of curvature below 2.5 voxels
+constexpr double kMaxBend = 0.05;    // [voxel edges] of the parabola's height: radii of curvature below 2.5 voxels
 
 /// A function in one voxel, coordinates -0.5 ... 0.5 along each axis: trilinear through the corners plus, along each
 /// axis, bend * (1 - 4 x^2), which vanishes at the corners.
@@ -184,7 +184,7 @@ Coverage BlockCoverage::coverage(int x, int y, int z) {
     faces += both;
     f.bend[axis] = centre - both;
     smooth &= std::abs(face[axis][0] - face[axis][1]) <= agreement;
-    smooth &= std::abs(f.bend[axis]) <= kMostBend * frame_.voxel_size;
+    smooth &= std::abs(f.bend[axis]) <= kMaxBend * frame_.voxel_size;
   }
   smooth &= std::abs(2 * centre - faces) <= agreement;
   if (smooth) return integrate(f, subsamples_);

@@ -10,7 +10,7 @@
 /// How much of a voxel a body fills: antialiasing of a surface that is given as a function of the position.
 namespace hapticut {
 
-inline constexpr double kLargestVoxel = 0.02;  // [m]
+inline constexpr double kMaxVoxelSize = 0.02;  // [m]
 
 /// The filled fraction of a voxel and the centroid of that part.
 struct Coverage {

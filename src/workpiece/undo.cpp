@@ -13,7 +13,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostBlocks = 1 << 27;  // of the table
+constexpr double kMaxBlocks = 1 << 27;  // of the table
 
 void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
   entry.has_voxels = block.material != nullptr;
@@ -29,15 +29,15 @@ void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
 }  // namespace
 
 UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) : blocks_(bounds) {
-  if (blocks_.count() > kMostBlocks)
+  if (blocks_.count() > kMaxBlocks)
     throw Error("the workpiece spans " + format_number(blocks_.count()) + " blocks, more than " +
-                format_number(kMostBlocks) + " that can be watched for undo; crop it.");
+                format_number(kMaxBlocks) + " that can be watched for undo; crop it.");
   const auto refuse = [&](const char* why) {
     throw Error("undo memory of " + std::to_string(capacity) + " blocks, " +
                 format_number(double(capacity) * sizeof(SavedBlock) * 1e-9) + " GB, was asked for; " + why +
                 ". Reserve as many blocks as are cut between the marks, some thousands.");
   };
-  if (capacity > kMostCapacity) refuse(("at most " + std::to_string(kMostCapacity) + " blocks are allowed").c_str());
+  if (capacity > kMaxCapacity) refuse(("at most " + std::to_string(kMaxCapacity) + " blocks are allowed").c_str());
   try {
     saved_.assign(std::size_t(blocks_.count()), 0);
     ring_.resize(capacity);
@@ -55,7 +55,7 @@ void UndoJournal::drop_oldest_mark() noexcept {
 }
 
 void UndoJournal::forget_redo() noexcept {
-  going_forth_ = false;
+  redoing_ = false;
   undone_.clear();
   if (!marks_.empty()) marks_.back().undone = 0;
 }
@@ -87,7 +87,7 @@ void UndoJournal::save(const BlockView& block) noexcept {
 }
 
 SavedBlock* UndoJournal::take_back() noexcept {
-  going_forth_ = false;
+  redoing_ = false;
   if (marks_.empty()) return nullptr;
   Mark& mark = marks_.back();
   if (mark.blocks == 0) {
@@ -102,14 +102,14 @@ SavedBlock* UndoJournal::take_back() noexcept {
   return &entry;
 }
 
-SavedBlock* UndoJournal::take_forth() noexcept {
-  if (!going_forth_ && !half_way()) {
+SavedBlock* UndoJournal::redo_into() noexcept {
+  if (!redoing_ && !half_way()) {
     if (undone_.empty()) return nullptr;
     marks_.push_back(undone_.back());
     undone_.pop_back();
   }
-  going_forth_ = half_way();
-  if (!going_forth_) return nullptr;
+  redoing_ = half_way();
+  if (!redoing_) return nullptr;
   Mark& mark = marks_.back();
   SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
   ++mark.blocks;
@@ -151,7 +151,7 @@ std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
 }
 
 std::optional<VoxelIndex> Workpiece::redo_block() noexcept {
-  SavedBlock* saved = state_->journal ? state_->journal->take_forth() : nullptr;
+  SavedBlock* saved = state_->journal ? state_->journal->redo_into() : nullptr;
   if (saved == nullptr) return std::nullopt;
   exchange_block(*saved);
   return saved->origin;

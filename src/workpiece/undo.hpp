@@ -36,11 +36,11 @@ struct SavedBlock {
 class UndoJournal {
  public:
   static constexpr std::size_t kMarks = 64;
-  static constexpr std::size_t kMostCapacity = std::size_t(1) << 22;  ///< [blocks], 11 GB
+  static constexpr std::size_t kMaxCapacity = std::size_t(1) << 22;  ///< [blocks], 11 GB
 
   /// @param bounds    voxels that may be cut
   /// @param capacity  [blocks] > 0
-  /// @throws Error when the bounds are too large for a table of their blocks, the capacity is above kMostCapacity, or
+  /// @throws Error when the bounds are too large for a table of their blocks, the capacity is above kMaxCapacity, or
   ///         there is no such memory
   UndoJournal(const IndexBox& bounds, std::size_t capacity);
 
@@ -61,7 +61,7 @@ class UndoJournal {
 
   /// The block that was put back last since the mark that is to be there again; null when it is done.
   /// @return as of `take_back`
-  [[nodiscard]] SavedBlock* take_forth() noexcept;
+  [[nodiscard]] SavedBlock* redo_into() noexcept;
 
  private:
   struct Mark {
@@ -77,7 +77,7 @@ class UndoJournal {
   std::vector<SavedBlock> ring_;        // of all marks, oldest first
   std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the place where we are
   std::vector<Mark> marks_, undone_;    // the latter: the one to come next is the last
-  bool going_forth_ = false;            // to the end of the last mark
+  bool redoing_ = false;                // to the end of the last mark
   std::uint32_t last_number_ = 0;
 };
 

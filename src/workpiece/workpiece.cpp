@@ -12,7 +12,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostReservedBlocks = 1e8;  // as of SimulationConfig::reserved_blocks
+constexpr double kMaxReservedBlocks = 1e8;  // as of SimulationConfig::reserved_blocks
 
 using openvdb::Coord;
 
@@ -204,7 +204,7 @@ void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
 }
 
 void Workpiece::reserve_blocks(std::size_t count) {
-  require_between(double(count), 0, kMostReservedBlocks, "Workpiece::reserve_blocks: count");
+  require_between(double(count), 0, kMaxReservedBlocks, "Workpiece::reserve_blocks: count");
   State& state = *state_;
   BlockPool& pool = state.pool;
   pool.target = count;

@@ -71,7 +71,7 @@ Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, doubl
   motion.duration = 1e-3F;
   motion.voxel_size = float(kVoxel);
   motion.removal = RemovalLaw::constant_energy;
-  motion.head_radius = float(head.largest_radius());
+  motion.head_radius = float(head.max_radius());
   Contact contact;
   ContactBlock samples;
   wall.for_each_block([&](const BlockView& block) {
@@ -128,13 +128,13 @@ void require_friction(double normal) {
 void require_words(const Tool& tool) {
   for (const ToolHead& head : {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{30 * deg, 2 * mm}),
                                ToolHead(FlatHead{kRadius, 2 * mm, FlatRule::both})}) {
-    require(head.volume() > 0 && head.reach() >= head.largest_radius() && !head.profile().edges.empty() &&
+    require(head.volume() > 0 && head.reach() >= head.max_radius() && !head.profile().edges.empty() &&
                 !head.description().empty() && head.spring_at(Vec3(0, 0, 0.1 * mm)).depth > 0,
             "a head has no measures");
   }
   require(is_near(tool.X_HT().translation.z(), -20 * mm, 1e-12), "the head is not at the end of its handle");
   require(thesis_handle_torque(LHandle{0.1, 0.02}, Vec3::UnitZ(), 1, 1).allFinite(), "no torque at the handle");
-  require(is_near(largest_contact_stiffness(tool.head()), closed_forms::largest_cap_stiffness(1, kRadius), 0.01) &&
+  require(is_near(max_contact_stiffness(tool.head()), closed_forms::max_cap_stiffness(1, kRadius), 0.01) &&
               stiffness_for_device(tool.head(), 1000) > 0 &&
               stiffness_for_accuracy(tool.head(), bone(), 4000 * units::rad_per_s, 1e-3) > 0,
           "C2 does not hold");

@@ -33,8 +33,8 @@ struct Outcome {
   std::vector<Wrench> wrenches;  // about To
   double removed = 0;
   EnergyLedger energy;
-  double turnover = 0;    // [J] of both works, to and fro
-  double least_loss = 0;  // [J] the most negative change of a dissipation in a step
+  double turnover = 0;  // [J] of both works, to and fro
+  double min_loss = 0;  // [J] the most negative change of a dissipation in a step
 };
 
 Vec3 head_at(const Cut& cut, int tick) {
@@ -74,8 +74,7 @@ Outcome run(const NamedLaw& named, const Cut& cut) {
     outcome.turnover += std::abs(result.energy.hand_work - hand) + std::abs(result.energy.motor_work - motor);
     hand = result.energy.hand_work, motor = result.energy.motor_work;
     const auto after = test::losses(result.energy);
-    for (std::size_t i = 0; i < after.size(); ++i)
-      outcome.least_loss = std::min(outcome.least_loss, after[i] - before[i]);
+    for (std::size_t i = 0; i < after.size(); ++i) outcome.min_loss = std::min(outcome.min_loss, after[i] - before[i]);
     before = after;
   }
   outcome.energy = simulation.last_result().energy;
@@ -201,7 +200,7 @@ TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
           << " cutting " << e.cutting << " released " << e.released << " damping " << e.damping << " rubbing "
           << e.rubbing << " credited " << e.credited;
       if (named().always_loses || spin == 0) {
-        EXPECT_GE(outcome.least_loss, -1e-9 * outcome.turnover);
+        EXPECT_GE(outcome.min_loss, -1e-9 * outcome.turnover);
       }
     }
 }

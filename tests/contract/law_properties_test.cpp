@@ -143,7 +143,7 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill that stands has no force
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
     RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
-             << outcome.least_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index() << ", removal "
+             << outcome.min_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index() << ", removal "
              << int(scene.removal);
     RC_ASSERT(std::abs(outcome.energy.imbalance() + outcome.energy.entered) <=
               5e-3 * outcome.turnover + GetParam().light_touch);
@@ -151,7 +151,7 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     // Law G takes what the depth in the middle of a sub-step stores for what helps to cut; the rest, `released`, is
     // then known to the second order of the way in a sub-step only.
     const double slack = scene.removal == RemovalLaw::elastic_release ? 5e-4 : 1e-6;
-    if (GetParam().always_loses) RC_ASSERT(outcome.least_loss >= -slack * outcome.turnover);
+    if (GetParam().always_loses) RC_ASSERT(outcome.min_loss >= -slack * outcome.turnover);
   }));
 }
 
@@ -171,7 +171,7 @@ struct PathWork {
 /// @param turns  the head tilts on the way
 PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool turns) {
   SimulationConfig config = static_config();
-  config.longest_sweep = 64;
+  config.max_sweep = 64;
   config.law = law;
   config.deep_contact = false;
   const double reach = 2.2 * mm;

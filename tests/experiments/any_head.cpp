@@ -49,7 +49,7 @@ std::vector<Check> section() {
   cases.push_back(bottom_only());
   for (const HeadCase& c : cases)
     for (const double depth : {0.3 * mm, 0.6 * mm}) {
-      const double reach = c.head.largest_radius();
+      const double reach = c.head.max_radius();
       const double expected = forms::section_force(
           kStiffness, [&](double rho) { return c.depth(rho, depth); }, reach);
       const Convergence errors = converge(0.08 * mm, [&](double l, const Vec3& phase) {
@@ -66,7 +66,7 @@ std::vector<Check> section() {
 
 SimulationConfig swept() {
   SimulationConfig config = static_config();
-  config.longest_sweep = 64;
+  config.max_sweep = 64;
   return config;
 }
 

@@ -128,8 +128,8 @@ std::vector<Check> stiffness() {
     if (stiffness > stiffest) stiffest = stiffness, at = depth;
   }
   return joined({error.checks(),
-                 {{"C2 greatest", "its greatest stiffness", "N/m", forms::largest_cap_stiffness(kStiffness, kR),
-                   stiffest, kCutVoxels},
+                 {{"C2 greatest", "its greatest stiffness", "N/m", forms::max_cap_stiffness(kStiffness, kR), stiffest,
+                   kCutVoxels},
                   {"C2 place", "where it is, over R", "1", 2.0 / 3, at / kR, {0.05, "a flat maximum"}, 1}}});
 }
 

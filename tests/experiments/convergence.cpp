@@ -32,11 +32,11 @@ Refined::Refined(std::string id, std::string what, double order, const char* rea
 
 void Refined::add(const Convergence& c, const std::function<double(double)>& bound) {
   for (std::size_t level = 0; level < 3; ++level) worst_.add(c.error[level], bound(c.size[level]));
-  if (!(c.order() >= least_order_)) least_order_ = c.order();
+  if (!(c.order() >= min_order_)) min_order_ = c.order();
 }
 
 std::vector<Check> Refined::checks() const {
-  return {worst_.check(id_, what_ + "; error", reason_), order_of(id_, order_, least_order_, of_order_)};
+  return {worst_.check(id_, what_ + "; error", reason_), order_of(id_, order_, min_order_, of_order_)};
 }
 
 void Largest::add(double value, double bound) {

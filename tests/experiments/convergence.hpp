@@ -67,7 +67,7 @@ class Refined {
   const char* reason_;
   Tolerance of_order_;
   Largest worst_;
-  double least_order_ = 1e9;
+  double min_order_ = 1e9;
 };
 
 }  // namespace hapticut::experiments

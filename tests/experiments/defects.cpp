@@ -261,7 +261,7 @@ std::vector<Check> binary_voxels() {
 std::vector<Check> pop_through() {
   const auto pushed = [](Model model) {
     SimulationConfig config = static_config();
-    config.longest_sweep = 64;
+    config.max_sweep = 64;
     config.deep_contact = model == Model::cured;
     if (model == Model::thesis) config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
     Simulation simulation(

@@ -35,7 +35,7 @@ Simulation cube(const ToolHead& head, const SimulationConfig& config, double spi
 /// Thesis mode: the tool jumps a step, rests for a tick, and whatever it touches goes.
 Stepping step_down(const ToolHead& head) {
   SimulationConfig config;
-  config.longest_sweep = 1;
+  config.max_sweep = 1;
   config.reference_stiffness = 1e13;
   ThesisLaw::Constants constants;
   constants.required_power = 0;

@@ -20,7 +20,7 @@ StepResult pressed(const std::shared_ptr<const ForceLaw>& law, const ToolHead& h
   constexpr double kVoxel = 0.05 * mm;
   SimulationConfig config = static_config();
   config.law = law;
-  const Box box = half_space(head.largest_radius(), depth, kVoxel);
+  const Box box = half_space(head.max_radius(), depth, kVoxel);
   Simulation simulation(box_at_phase(box, kVoxel, Vec3(0.3, 0.6, 0.2)), Tool(head), config);
   return hold_well(simulation, Vec3(0, 0, -depth - head.bounding_box().min.z()));
 }

@@ -37,11 +37,11 @@ struct OracleHead {
   double constant;
   double behind;            // the same where To is in the material
   double root_mean_square;  // [1] over all poses, at l = 0.05 mm; coarser with second order, finer with the least
-  double least_order;
+  double min_order;
 
   /// [m] radius of a ball about the middle of the head that contains it.
   [[nodiscard]] double reach() const {
-    return closed_end > 0 ? std::hypot(closed_end / 2, head.largest_radius()) : head.largest_radius();
+    return closed_end > 0 ? std::hypot(closed_end / 2, head.max_radius()) : head.max_radius();
   }
 };
 
@@ -254,9 +254,9 @@ std::vector<Check> checks_of(const OracleHead& oracle) {
   Largest single;
   measure(oracle, c, single);
   Refined error(id, std::string(oracle.name) + ", force and torque in 200 poses, root mean square of the error", 2,
-                "measured; lattice points at ridges", {1 - oracle.least_order / 2, "of 200 poses"});
+                "measured; lattice points at ridges", {1 - oracle.min_order / 2, "of 200 poses"});
   error.add(c, [&](double l) {
-    return oracle.root_mean_square * std::pow(l / kVoxelSizes[1], l > kVoxelSizes[1] ? 2 : oracle.least_order);
+    return oracle.root_mean_square * std::pow(l / kVoxelSizes[1], l > kVoxelSizes[1] ? 2 : oracle.min_order);
   });
   return joined(
       {error.checks(),

@@ -57,7 +57,7 @@ std::vector<Check> stick_slip() {
 
 std::vector<Check> friction_in_the_step() {
   SimulationConfig config = static_config();
-  config.longest_sweep = 64;
+  config.max_sweep = 64;
   config.friction = DryFriction{0.45, 0.3, 2000};
   // On a grid whose lines match neither the surface nor the head.
   Simulation simulation(

@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned kLongest = 20;                 // [s] of a mutant
-constexpr rlim_t kMostMemory = rlim_t(4) << 30U;  // [bytes]
+constexpr unsigned kLongest = 20;                // [s] of a mutant
+constexpr rlim_t kMaxMemory = rlim_t(4) << 30U;  // [bytes]
 
 struct MutantSeed {
   std::string format;
@@ -208,7 +208,7 @@ int run_again(std::vector<std::string> arguments) {
 
 /// Bounds the memory of this process, and keeps what it prints on stderr.
 void begin_reading(const fs::path& folder) {
-  const rlimit memory = {kMostMemory, kMostMemory};
+  const rlimit memory = {kMaxMemory, kMaxMemory};
   ::setrlimit(RLIMIT_AS, &memory);
   const int errors = ::open((folder / "stderr").c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
   ::dup2(errors, STDERR_FILENO);

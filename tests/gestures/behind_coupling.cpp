@@ -58,8 +58,8 @@ void circles_at_any_rate(Report& report) {
   const double period = report.period;
   for (const Pressed& of : turning_burs()) {
     report.scene(of.name + ", circles of 0.3 mm at 0.5 ... 16 kHz, coupled");
-    double least_volume = std::numeric_limits<double>::infinity(), most_volume = 0, stray = 0;
-    double least_force = least_volume, most_force = 0, unbalanced = 0, ticks = 0;
+    double min_volume = std::numeric_limits<double>::infinity(), max_volume = 0, stray = 0;
+    double min_force = min_volume, max_force = 0, unbalanced = 0, ticks = 0;
     for (const double faster : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
       report.period = period / faster;
       Rig rig(report, slab_for(report, of), of.tool, Held::by_coupling);
@@ -74,8 +74,8 @@ void circles_at_any_rate(Report& report) {
       }
       const Span steady = rig.play(hand).tail(0.5);
       const double volume = rig.story.sum(rig.story.all(), removed_of), force = rig.story.mean(steady, force_of);
-      least_volume = std::min(least_volume, volume), most_volume = std::max(most_volume, volume);
-      least_force = std::min(least_force, force), most_force = std::max(most_force, force);
+      min_volume = std::min(min_volume, volume), max_volume = std::max(max_volume, volume);
+      min_force = std::min(min_force, force), max_force = std::max(max_force, force);
       stray = std::max(stray, stray_speed(rig.story, steady));
       unbalanced += rig.story.sum(rig.story.all(), is_unbalanced);
       ticks += double(rig.story.ticks.size());
@@ -85,8 +85,8 @@ void circles_at_any_rate(Report& report) {
       }
     }
     report.period = period;
-    report.at_most("volume", 100 * (most_volume / least_volume - 1), 2, "%", "from one rate to another");
-    report.at_most("mean force", 100 * (most_force / least_force - 1), 2, "%", "from one rate to another");
+    report.at_most("volume", 100 * (max_volume / min_volume - 1), 2, "%", "from one rate to another");
+    report.at_most("mean force", 100 * (max_force / min_force - 1), 2, "%", "from one rate to another");
     report.at_most("tool's speed beyond the hand's", 1e3 * stray, 10, "mm/s");
     report.at_most("not in balance", 100 * unbalanced / ticks, 0.2, "%", "of all ticks");
   }
@@ -224,7 +224,7 @@ void exchange_in_contact(Report& report) {
        }},
       {"other materials",
        [](Rig& rig, const auto&) { rig.simulation.set_materials(MaterialTable({presets::trabecular_bone()})); }},
-      {"release", [](Rig& rig, const auto&) { rig.coupling().release(); }}};
+      {"release", [](Rig& rig, const auto&) { rig.coupling().reset(); }}};
   for (const Exchange& exchange : all) {
     report.scene(of.name + ", then " + exchange.name + ", coupled");
     Rig rig(report, slab_for(report, of), of.tool, Held::by_coupling);
@@ -262,7 +262,7 @@ void refused_readings(Report& report) {
       Vec3 at = rig.coupling().last_result().X_WH.translation;
       return at;
     };
-    double whole = 0, most_moved = 0, most_removed = 0;
+    double whole = 0, max_moved = 0, max_removed = 0;
     const Vec3 rest = end_of({}, whole);
     for (const int every : {2, 10, 100})
       for (const int kind : {0, 1, 2}) {
@@ -276,11 +276,11 @@ void refused_readings(Report& report) {
               if (kind == 2) dt = 0.15;
             },
             removed);
-        most_moved = std::max(most_moved, (at - rest).norm());
-        most_removed = std::max(most_removed, removed);
+        max_moved = std::max(max_moved, (at - rest).norm());
+        max_removed = std::max(max_removed, removed);
       }
-    report.at_most("elsewhere than without", 1e3 * most_moved, turning ? 0.1 : 0.02, "mm");
-    report.at_most("removed", 1e9 * most_removed, 1e9 * 1.1 * whole + 1e-6, "mm^3", "a tenth more than without");
+    report.at_most("elsewhere than without", 1e3 * max_moved, turning ? 0.1 : 0.02, "mm");
+    report.at_most("removed", 1e9 * max_removed, 1e9 * 1.1 * whole + 1e-6, "mm^3", "a tenth more than without");
   }
 }
 

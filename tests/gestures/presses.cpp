@@ -41,7 +41,7 @@ void corner(Report& report) {
     }
     report.that("converges", "less than 1 % of the work unexplained, or a bit that says so", unexplained, worst < 1e-2,
                 worst / 1e-2);
-    report.that("force", "at most 3.3 N, largest_force of the coupling", force, bounded);
+    report.that("force", "at most 3.3 N, max_force of the coupling", force, bounded);
   }
 }
 
@@ -148,7 +148,7 @@ void press_by_default(Report& report) {
   for (const NamedHead& named : catalogue()) {
     report.scene(named.name + ", standing, coupled");
     const Tool tool = tool_of(named.head);
-    const double radius = named.head.largest_radius();
+    const double radius = named.head.max_radius();
     std::string indents;
     double worst = 0;
     for (const Material& material : {presets::enamel(), presets::dentin(), presets::cortical_bone()}) {

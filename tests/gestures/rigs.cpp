@@ -64,7 +64,7 @@ Rig::~Rig() { simulation.remove_observer(story); }
 
 void Rig::couple(const CouplingGains& gains) {
   coupling_.emplace(simulation, gains);
-  story.limits = {gains.largest_force, 0, gains.stiffness, false};
+  story.limits = {gains.max_force, 0, gains.stiffness, false};
 }
 
 Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil) {

@@ -41,9 +41,9 @@ void Story::begin(const Simulation& simulation) {
   has_begun_ = true;
   start_ = simulation.last_result().energy;
   stored_at_start_ = start_.stored();
-  turnover_ = least_given_ = most_entered_ = step_error_ = 0;
-  hand_given_ = least_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
-  most_felt_ = most_applied_ = most_torque_ = most_power_ = excess_power_ = lent_ = 0;
+  turnover_ = min_given_ = max_entered_ = step_error_ = 0;
+  hand_given_ = min_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
+  max_felt_ = max_applied_ = max_torque_ = max_power_ = excess_power_ = lent_ = 0;
   allowed_depth_ = test::allowed_depth(simulation);
   rotor_speed_ = std::abs(simulation.last_result().spindle.speed);
   motor_work_ = simulation.last_result().energy.motor_work;
@@ -54,9 +54,9 @@ void Story::look_at_energy(const Tick& tick, double voxel) {
   const double hand = tick.energy.hand_work - last.energy.hand_work;
   const double motor = tick.energy.motor_work - last.energy.motor_work;
   turnover_ += std::abs(hand) + std::abs(motor);
-  least_given_ =
-      std::min(least_given_, tick.energy.hand_work - start_.hand_work + tick.energy.motor_work - start_.motor_work);
-  most_entered_ = std::max(most_entered_, std::abs(tick.energy.entered - start_.entered));
+  min_given_ =
+      std::min(min_given_, tick.energy.hand_work - start_.hand_work + tick.energy.motor_work - start_.motor_work);
+  max_entered_ = std::max(max_entered_, std::abs(tick.energy.entered - start_.entered));
   // The change of force along the motion, which no sub-step makes longer than half a voxel.
   const Twist motion = twist_between(last.X_WH, tick.X_WH, 1);
   const double error = std::abs((tick.model.force - last.model.force).dot(motion.linear) +
@@ -73,7 +73,7 @@ void Story::look_at_energy(const Tick& tick, double voxel) {
   if (!std::isfinite(work)) return;
   hand_given_ += work + std::max(0.0, motor) + 0.5 * limits.spring * path.linear.squaredNorm();
   hand_turnover_ += std::abs(work) + std::abs(motor);
-  least_hand_given_ = std::min(least_hand_given_, hand_given_);
+  min_hand_given_ = std::min(min_hand_given_, hand_given_);
 }
 
 void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCoupling* coupling) {
@@ -95,10 +95,10 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
         deepest_, test::solid_depth(simulation, Pose{turn_, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
   if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
   if (limits.force > 0) {  // else it is driven directly so far
-    most_felt_ = std::max(most_felt_, tick.felt.force.norm());
-    most_applied_ = std::max(most_applied_, tick.applied.force.norm());
+    max_felt_ = std::max(max_felt_, tick.felt.force.norm());
+    max_applied_ = std::max(max_applied_, tick.applied.force.norm());
   }
-  most_torque_ = std::max({most_torque_, tick.felt.torque.norm(), tick.applied.torque.norm()});
+  max_torque_ = std::max({max_torque_, tick.felt.torque.norm(), tick.applied.torque.norm()});
   if (coupling == nullptr) return;
   const CouplingEnergy& e = coupling->last_result().energy;
   if (e.turnover > kLittle) unexplained_ = std::max(unexplained_, std::abs(e.closure()));
@@ -118,7 +118,7 @@ void Story::on_step(const ObservedStep& step) noexcept {
   const double strongest = std::clamp(0.5 * free, slowest, fastest);
   rotor_speed_ = w;
   const double power = (worked - motor.rotor_inertia * slowed / 2) / step.input.dt;
-  most_power_ = std::max(most_power_, power);
+  max_power_ = std::max(max_power_, power);
   double most = motor.power_limit;
   if (motor.droop > 0) most = std::min(most, strongest * std::max(0.0, free - strongest) / motor.droop);
   if (std::isfinite(most)) {  // the rotor lends what a load takes before the motor has slowed down
@@ -128,9 +128,9 @@ void Story::on_step(const ObservedStep& step) noexcept {
   }
   if (!probing_ || has_any(step.result.status, kRejected)) return;
   for (const double aside : {1e-4, -1e-4}) {
-    Pose elsewhere = step.input.pose;
+    Pose elsewhere = step.input.X_WH;
     elsewhere.translation += Vec3(aside, -0.5 * aside, aside);
-    (void)step.simulation.probe(elsewhere, step.input.velocity, step.input.dt);
+    (void)step.simulation.probe(elsewhere, step.input.V_WH, step.input.dt);
   }
 }
 
@@ -154,20 +154,20 @@ const Tick& Story::at(double time) const {
 }
 
 void Story::judge_energy(Report& report) const {
-  const double given = least_given_ + stored_at_start_;
+  const double given = min_given_ + stored_at_start_;
   const double gain = std::max(0.0, -given), allowed = kShare * turnover_ + kNothing;
-  const double hand_gain = std::max(0.0, -least_hand_given_ - stored_at_start_);
+  const double hand_gain = std::max(0.0, -min_hand_given_ - stored_at_start_);
   const double hand_allowed = kShare * hand_turnover_ + kNothing;
   const auto share = [&](double energy, double of) { return shown(of > 0 ? 100 * energy / of : 0, "%"); };
-  std::string seen = "gained " + share(gain, turnover_) + ", entered " + share(most_entered_, turnover_);
-  const bool vanishes = most_entered_ <= allowed + step_error_;
-  if (most_entered_ > allowed) seen += " (steps explain " + share(step_error_, turnover_) + ")";
+  std::string seen = "gained " + share(gain, turnover_) + ", entered " + share(max_entered_, turnover_);
+  const bool vanishes = max_entered_ <= allowed + step_error_;
+  if (max_entered_ > allowed) seen += " (steps explain " + share(step_error_, turnover_) + ")";
   if (hand_gain > hand_allowed)
     seen += ", at the device gained " + shown(1e3 * hand_gain, "mJ") + " of " + shown(1e3 * hand_turnover_, "mJ");
   if (unexplained_ > kUnexplained) seen += ", unexplained by the coupling " + shown(100 * unexplained_, "%");
   report.that("invariant 1", "gained, entered at most 0.1 % of the turnover; unexplained at most 1 %", seen,
               gain <= allowed && vanishes && hand_gain <= hand_allowed && unexplained_ <= kUnexplained,
-              std::max({gain / allowed, most_entered_ / (allowed + step_error_), hand_gain / hand_allowed,
+              std::max({gain / allowed, max_entered_ / (allowed + step_error_), hand_gain / hand_allowed,
                         unexplained_ / kUnexplained}));
 }
 
@@ -178,20 +178,20 @@ void Story::judge(Report& report, const Simulation& simulation) const {
   report.at_most("invariant 3", 1e3 * deepest_, 1e3 * allowed_depth_, "mm",
                  "solid material in the head: as deep as crushing presses it, or as the engaged layer");
   if (limits.force > 0) {
-    std::string seen = shown(most_felt_, "N") + " asked, " + shown(most_applied_, "N") + " given";
+    std::string seen = shown(max_felt_, "N") + " asked, " + shown(max_applied_, "N") + " given";
     std::string expected = "at most " + shown(limits.force, "N") + " of spring and damper together";
     if (limits.torque > 0) {
-      seen += ", " + shown(1e3 * most_torque_, "N mm") + " asked";
+      seen += ", " + shown(1e3 * max_torque_, "N mm") + " asked";
       expected += ", " + shown(1e3 * limits.torque, "N mm");
     }
     report.that("invariant 4", expected, seen,
-                most_felt_ <= kRounding * limits.force && most_applied_ <= kRounding * limits.force &&
-                    (limits.torque == 0 || most_torque_ <= kRounding * limits.torque));
+                max_felt_ <= kRounding * limits.force && max_applied_ <= kRounding * limits.force &&
+                    (limits.torque == 0 || max_torque_ <= kRounding * limits.torque));
   }
   const Spindle& motor = simulation.tool().spindle();
   if (motor.droop > 0 || std::isfinite(motor.power_limit))
     report.that("invariant 5", "within the motor's characteristic",
-                shown(most_power_, "W") + ", beyond it " + shown(excess_power_, "W"), excess_power_ <= kNoPower);
+                shown(max_power_, "W") + ", beyond it " + shown(excess_power_, "W"), excess_power_ <= kNoPower);
   for (const Tick& tick : ticks)
     for (const double value : {tick.felt.force.x(), tick.felt.force.y(), tick.felt.force.z(), tick.X_WH.translation.x(),
                                tick.X_WH.translation.z(), tick.energy.hand_work})

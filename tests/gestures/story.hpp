@@ -114,19 +114,19 @@ class Story final : public StepObserver {
   void look_at_energy(const Tick& tick, double voxel);
 
   EnergyLedger start_;
-  double stored_at_start_ = 0;  // [J]
-  double turnover_ = 0;         // [J] of hand and motor, to and fro
-  double least_given_ = 0;      // [J] lowest that hand and motor had given, of all
-  double most_entered_ = 0;     // [J]
-  double step_error_ = 0;       // [J] of `entered`, that vanishes with the step
-  double hand_given_ = 0, least_hand_given_ = 0, hand_turnover_ = 0;  // [J] at the device, motor included
-  double unexplained_ = 0;                                            // [1] of the coupling's turnover
-  double allowed_depth_ = 0, deepest_ = 0;                            // [m] of solid material in the head
-  double unfelt_ = 0;                                                 // [m^3] cut while nothing was felt
-  double most_felt_ = 0, most_applied_ = 0, most_torque_ = 0;         // [N], [N·m]
-  double most_power_ = 0, excess_power_ = 0;                          // [W] and beyond the motor's characteristic
-  double rotor_speed_ = 0, motor_work_ = 0;                           // [rad/s], [J] after the last step
-  double lent_ = 0;                                                   // [J] by the rotor
+  double stored_at_start_ = 0;                                      // [J]
+  double turnover_ = 0;                                             // [J] of hand and motor, to and fro
+  double min_given_ = 0;                                            // [J] lowest that hand and motor had given, of all
+  double max_entered_ = 0;                                          // [J]
+  double step_error_ = 0;                                           // [J] of `entered`, that vanishes with the step
+  double hand_given_ = 0, min_hand_given_ = 0, hand_turnover_ = 0;  // [J] at the device, motor included
+  double unexplained_ = 0;                                          // [1] of the coupling's turnover
+  double allowed_depth_ = 0, deepest_ = 0;                          // [m] of solid material in the head
+  double unfelt_ = 0;                                               // [m^3] cut while nothing was felt
+  double max_felt_ = 0, max_applied_ = 0, max_torque_ = 0;          // [N], [N·m]
+  double max_power_ = 0, excess_power_ = 0;                         // [W] and beyond the motor's characteristic
+  double rotor_speed_ = 0, motor_work_ = 0;                         // [rad/s], [J] after the last step
+  double lent_ = 0;                                                 // [J] by the rotor
   bool has_begun_ = false;
   bool probing_;
   Mat3 turn_;  // of the scene: ticks are told as if it were not turned

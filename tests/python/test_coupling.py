@@ -35,7 +35,7 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
     assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
     contact = there.contact
-    assert np.allclose(contact.normal, [0, 0, 1], atol=0.02) and np.allclose(contact.point[:2], place[:2], atol=0.05 * mm)
+    assert np.allclose(contact.normal_W, [0, 0, 1], atol=0.02) and np.allclose(contact.point_W[:2], place[:2], atol=0.05 * mm)
     assert contact.pressure == pytest.approx(there.wrench.force[2] / contact.area, rel=0.3)  # the normals spread
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
@@ -65,19 +65,19 @@ def test_a_tool_that_was_left_waits_for_its_hand(coupled, plunge):
     near, far, free = (plunge[0][-1].copy() for _ in range(3))
     far[2, 3] -= 3e-3
     free[2, 3] += 30e-3
-    coupling.leave(h.VirtualCoupling.Rejoin.near)
+    coupling.park(h.VirtualCoupling.Rejoin.near)
     for pose, waits in ((far, True), (near, False), (far, False)):
         result = coupling.step(pose, still, 1e-3)
         assert bool(result.status & h.StepStatus.tool_waits) == waits
         assert (np.abs(result.X_WH - place).max() == 0) == waits
-    coupling.leave(h.VirtualCoupling.Rejoin.free)
+    coupling.park(h.VirtualCoupling.Rejoin.free)
     assert coupling.step(near, still, 1e-3).status & h.StepStatus.tool_waits
     assert not coupling.step(free, still, 1e-3).status & h.StepStatus.tool_waits
 
     world = h.loop.gains_in_world(gains, h.loop.WorkspaceMapOptions(scale=2.0, force_scale=0.5))
-    assert world.stiffness == gains.stiffness and world.largest_force == 2 * gains.largest_force
+    assert world.stiffness == gains.stiffness and world.max_force == 2 * gains.max_force
     coupling.set_gains(world)
-    assert coupling.gains.largest_force == world.largest_force
+    assert coupling.gains.max_force == world.max_force
     with pytest.raises(h.Error):
         coupling.set_gains(h.CouplingGains(mass=-1.0))
 
@@ -114,14 +114,14 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     origins, complete = result.changed_blocks
     assert origins.shape[1] == 3 and complete and result.parts >= 1 and result.newton_steps >= 1
     assert result.level_of_detail == 1 and result.newton_steps + result.parts <= coupling.worst_case().contacts
-    assert not result.status & h.kRejected and result.removed_volume > 0 and result.velocity.shape == (6,)
+    assert not result.status & h.kRejected and result.removed_volume > 0 and result.V_WH.shape == (6,)
     energy = coupling.last_result.energy
     assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # Newton's rest
     assert energy.turnover >= energy.hand_work
     parts = energy.tool_work + energy.spring + energy.damper + energy.kinetic + energy.implicit
     assert energy.imbalance() == pytest.approx(energy.hand_work - parts, abs=1e-12)
     assert result.coupling.force.shape == (3,)
-    other.release()
+    other.reset()
     assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # afresh
     with pytest.raises(h.Error, match="contact_time"):
         h.VirtualCoupling(h.Simulation(block, tool), gains)
@@ -144,7 +144,7 @@ def test_the_pressed_ball_runs_without_the_interpreter():
     search.window, search.windows = 0.1, 2
     assert h.analysis.is_stable(config, models, 1e12, search)
     pressed = h.analysis.PressTest(height=ball.radius, seconds=0.3, measured=0.1)
-    assert h.analysis.measure_buzz(config, models, 1e12, pressed).greatest_force > 0
+    assert h.analysis.measure_buzz(config, models, 1e12, pressed).max_force > 0
     dropped = h.analysis.BounceTest(height=ball.radius, phases=1, time_limit=0.1)
     bounced = h.analysis.measure_bounce(config, models, 1e12, dropped)
     assert bounced.peak_force > 0
@@ -167,7 +167,7 @@ def test_a_guard_counts_its_ticks_and_notes_what_happened():
     guard.start()
     guard.admit(h.device.DeviceState(sequence=7))
     before = guard.heartbeat
-    guard.release(h.Wrench())
+    guard.limit(h.Wrench())
     guard.report_exception()
     assert guard.period == h.safety.GuardOptions().period == 1e-3
     exception = h.safety.SafetyEvent.exception

@@ -213,19 +213,19 @@ def test_models_maps_and_the_guard():
     mapped.engage(X)
     assert mapped.set_scale(3.0, X) and not mapped.set_scale(-1.0, X)
 
-    limits = h.safety.output_limits(h.device.capabilities(h.device.device_model("touch")), fastest_contact=0.5)
-    assert limits.largest_force == 3.3 and limits.force_growth == 437.5 and np.isinf(limits.largest_torque)
+    limits = h.safety.output_limits(h.device.capabilities(h.device.device_model("touch")), max_contact_speed=0.5)
+    assert limits.max_force == 3.3 and limits.force_growth == 437.5 and np.isinf(limits.max_torque)
     guard = h.safety.SafetyGuard(h.device.capabilities(h.device.device_model("touch")))
     guard.start()
     for n in range(40):
         admitted = guard.admit(h.device.DeviceState(time=1e-3 * n, sequence=n))
-        applied = guard.release(h.Wrench())
+        applied = guard.limit(h.Wrench())
     assert admitted.valid and not applied.force.any()
     assert guard.state in (h.safety.ArmingState.ramp, h.safety.ArmingState.on)
     guard.applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
     guard.requests.interrupt(h.safety.SafetyEvent.reclutched)
     assert guard.count(h.safety.SafetyEvent.armed) >= 1 and guard.drain_log()
-    assert guard.slew > 0 and guard.greatest_force > 0
+    assert guard.slew > 0 and guard.max_force > 0
     assert guard.output.changes >= 0
     guard.stop()
     histogram = h.loop.LatencyHistogram()
@@ -240,7 +240,7 @@ def test_the_closed_loop_finds_the_limit_of_colgate_and_schenkel():
     def wall(stiffness):
         return h.analysis.LinearWall(stiffness=stiffness, one_sided=False)
 
-    found = h.analysis.largest_stable_stiffness(config, wall, h.analysis.StabilitySearch(low=50, high=200))
+    found = h.analysis.max_stable_stiffness(config, wall, h.analysis.StabilitySearch(low=50, high=200))
     # 2 %: the windows of the search are finite.
     assert found == pytest.approx(2 * config.device.damping / config.period, rel=0.02)
     assert h.analysis.is_stable(config, wall, 0.5 * found) and not h.analysis.is_stable(config, wall, 1.2 * found)
@@ -255,8 +255,8 @@ def test_the_closed_loop_finds_the_limit_of_colgate_and_schenkel():
     options = h.safety.GuardOptions(stiffness=300.0)
     assert len(h.analysis.injected_faults()) == len(h.analysis.InjectedFault.__members__)
     response = h.analysis.measure_fault_response(held, one_sided, 300.0, options, h.analysis.InjectedFault.unplugged)
-    assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.greatest_growth >= 0
-    assert response.greatest_force <= held.device.peak_force
+    assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.max_growth >= 0
+    assert response.max_force <= held.device.peak_force
     guard = h.safety.SafetyGuard(h.device.capabilities(held.device), options)
     assert h.analysis.obeys_the_rules(response, guard, 1e-3)
     assert response.end in list(h.safety.ArmingState.__members__.values())

@@ -73,7 +73,7 @@ def test_effects_are_added_and_limited():
     effects = h.effects.Effects(vibration=h.effects.Vibration(frequency=100.0, amplitude=0.4))
     moved = output.give(effects, h.effects.EffectsInput(touching=True, dt=1e-3), h.Wrench())
     assert np.linalg.norm(moved.force) == pytest.approx(0.4 * math.sin(2 * math.pi * 0.1))
-    limits = h.effects.Effects(limits=h.effects.OutputLimits(largest_force=1.0))
+    limits = h.effects.Effects(limits=h.effects.OutputLimits(max_force=1.0))
     limited = output.give(limits, h.effects.EffectsInput(dt=1e-3), wrench)
     assert np.array_equal(output.given.force, limited.force)
     assert np.allclose(limited.force, np.array([1, 2, 3]) / 14**0.5)

@@ -78,7 +78,7 @@ def test_a_piece_that_was_cut_loose_is_found_and_leaves():
     simulation, finder = bar_cut_through()
     [island] = finder.find()
     [same] = h.islands.find_islands(simulation.workpiece)
-    assert island.voxels == same.voxels == len(island.indices) and island.least_fill == 0.05
+    assert island.voxels == same.voxels == len(island.indices) and island.min_fill == 0.05
     assert island.indices.dtype == np.int32 and island.indices[:, 2].min() > 40
     removal = h.islands.IslandRemoval(island)
     while not h.islands.remove_island(simulation, removal, 4):

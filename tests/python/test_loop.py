@@ -69,14 +69,14 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert snapshot.commands_dropped == 0 and snapshot.X_WT.shape == (4, 4) and snapshot.commands_refused == 0
     assert tool.steps == coupled.steps > 0 and tool.contact_voxels > 0 and tool.contact_depth > 0
     assert tool.removed_volume == pytest.approx(coupled.removed_volume_by_material.sum()) and tool.removed_volume > 0
-    most, now = tool.most_effort, tool.effort
-    assert tool.contact_point.shape == (3,) and tool.contact_point.any()
+    most, now = tool.max_effort, tool.effort
+    assert tool.contact_point_W.shape == (3,) and tool.contact_point_W.any()
     assert most.parts >= now.parts >= 1 and most.newton_steps >= now.newton_steps >= 1 == most.level_of_detail
     assert tool.force[2] > 0 and tool.torque.shape == (3,) and tool.spindle_speed > 0
     assert tool.status & h.kRejected == 0 == tool.seen & h.kRejected
     assert snapshot.output.applied.force.any() and snapshot.blocks_waiting >= 0
-    assert 0 < np.linalg.norm(snapshot.output.applied.force) <= snapshot.largest_applied
-    assert 0 < snapshot.largest_applied <= snapshot.largest_commanded
+    assert 0 < np.linalg.norm(snapshot.output.applied.force) <= snapshot.max_applied
+    assert 0 < snapshot.max_applied <= snapshot.max_commanded
     assert coupled.last_input.dt > 0  # ours again
     assert blocks
     for block in blocks.values():
@@ -172,12 +172,12 @@ def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
     assert snapshot.commands_refused == 2 and snapshot.tool.workpiece == 2 and not snapshot.tool.force_held
     assert snapshot.blocks_outside == 0
     assert loop.stop().events["model_swapped"] >= 1
-    assert coupled.tool.head.largest_radius() == 2 * mm
+    assert coupled.tool.head.max_radius() == 2 * mm
 
 
 def test_a_simulation_is_given_another_tool_and_other_materials(coupled):
     coupled.set_tool(h.Tool(h.SphereHead(2 * mm), spindle=h.Spindle(200.0)))
-    assert coupled.tool.head.largest_radius() == 2 * mm and coupled.spindle_setting == 200.0
+    assert coupled.tool.head.max_radius() == 2 * mm and coupled.spindle_setting == 200.0
     with pytest.raises(h.Error):
         coupled.set_tool(h.Tool(h.SphereHead(1e-6)))
     coupled.set_materials(h.MaterialTable(coupled.workpiece.materials.all()))
@@ -237,14 +237,14 @@ def test_a_recorded_loop_is_replayed_and_played_back(coupled, tmp_path):
     assert info.version == h.build_info().version and info.commit == h.build_info().commit
     assert info.compiler and info.cpu and info.begun.endswith("Z") and not recording.effects[0].effects.vibration
     replayed = h.io.replay(recording)
-    assert replayed.identical and replayed.largest_force_difference == 0
+    assert replayed.identical and replayed.max_force_difference == 0
     again = h.device.open_device(f"replay:{tmp_path / 'loop.h5'}")
     assert isinstance(again, h.device.PlaybackDevice) and len(again) == len(recording) <= report.ticks
     assert again.run(lambda s: h.device.DeviceCommand(), h.device.RunOptions(simulated_time=True)).ticks == len(again)
     assert h.io.open_playback(tmp_path / "loop.h5").size() == len(again)
     assert len(h.io.open_playback(tmp_path / "loop.h5", h.io.PlaybackRange(100, 50))) == 50
     assert h.io.PlaybackRange().first == 0
-    assert h.io.PlaybackRange().count >= h.io.kMostPlayedSteps >= 3_600_000  # an hour
+    assert h.io.PlaybackRange().count >= h.io.kMaxPlayedSteps >= 3_600_000  # an hour
     with pytest.raises(h.Error, match="none to play back"):
         h.io.open_playback(tmp_path / "loop.h5", h.io.PlaybackRange(first=len(recording)))
     with pytest.raises(h.Error, match="gone.h5"):
@@ -287,6 +287,6 @@ def test_a_replay_by_another_law_says_where_it_leaves_the_recording(simulation, 
         recorder.run(*plunge, 1e-3)
     report = h.io.replay(h.io.read_recording(tmp_path / "a.h5"), h.ThesisLaw(h.ThesisLaw.Constants(damping=2.0)))
     difference = report.first_difference
-    assert not report.identical and report.largest_force_difference > 0 and math.isfinite(difference.replayed)
+    assert not report.identical and report.max_force_difference > 0 and math.isfinite(difference.replayed)
     assert 0 <= difference.step < 600 and difference.column and difference.element >= 0
     assert difference.recorded != difference.replayed

@@ -15,7 +15,7 @@ def test_a_bur_on_a_shank_keeps_what_cuts():
         shank = h.catalogue.standard_shank(kind, 0.6 * mm)
         bur = h.catalogue.on_shank(ball, shank)
         assert bur.bounding_box().max[2] == pytest.approx(length * mm - 0.5 * mm)
-        assert bur.largest_radius() == pytest.approx(shank.diameter / 2)
+        assert bur.max_radius() == pytest.approx(shank.diameter / 2)
         assert bur.cutting_radius() == bur.shape.cutting_radius == pytest.approx(0.5 * mm)
     with pytest.raises(h.Error, match="neck_diameter"):
         h.catalogue.on_shank(ball, h.catalogue.Shank(neck_diameter=2 * mm, diameter=2 * mm, length=10 * mm))
@@ -40,7 +40,7 @@ def test_the_nose_of_a_handpiece_is_a_body():
     edge = h.ProfileEdge
     nose = h.Profile(tip=9 * mm, edges=[edge(rho=3 * mm, z=9 * mm), edge(rho=3 * mm, z=25 * mm), edge(z=25 * mm)])
     held = h.catalogue.with_body(bur, nose)
-    assert held.largest_radius() == pytest.approx(3 * mm)
+    assert held.max_radius() == pytest.approx(3 * mm)
     assert held.cutting_radius() == pytest.approx(0.5 * mm)
 
 
@@ -55,7 +55,7 @@ def test_a_handle_must_say_how_long_it_is():
 
 
 def test_a_spindle_that_no_motor_turns_is_refused(block):
-    assert h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(-h.kFastestSpindle)).spindle.speed == -h.kFastestSpindle
+    assert h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(-h.kMaxSpindleSpeed)).spindle.speed == -h.kMaxSpindleSpeed
     assert h.common_spindle(40000 * rpm).speed == h.Spindle(40000 * rpm).speed == pytest.approx(40000 * math.pi / 30)
     for turns_a_minute in ((40000,), (h.MotorKind.electric, 40000), (h.MotorKind.electric, 40000.0)):
         with pytest.raises(h.Error, match="units.?.?rpm"):
@@ -69,9 +69,9 @@ def test_a_spindle_that_no_motor_turns_is_refused(block):
         give(0)
         give(100.0)
     assert simulation.spindle_setting == 100.0 and h.Spindle(speed=0).speed == 0
-    assert h.catalogue.fastest_speed(h.MotorKind.electric) == 250e3 * rpm
+    assert h.catalogue.max_speed(h.MotorKind.electric) == 250e3 * rpm
     assert h.describe_status(h.StepStatus.blocks_low | h.StepStatus.power_limited) == "blocks_low | power_limited"
     assert h.describe_status(0) == "ok" and h.safety.sentences_of(0) == ""
     assert "bring it out of the material" in h.safety.sentences_of(h.StepStatus.tool_waits)
     with pytest.raises(h.Error, match="turns a minute"):
-        h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(2 * h.kFastestSpindle))
+        h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(2 * h.kMaxSpindleSpeed))

@@ -43,7 +43,7 @@ def test_the_force_of_a_still_ball_is_the_closed_form(block):
 def test_dt_may_change_from_step_to_step(simulation, plunge):
     poses, velocities = plunge
     dt = np.full(len(poses), 1e-3)
-    dt[10] = 0.5  # beyond SimulationConfig.longest_dt
+    dt[10] = 0.5  # beyond SimulationConfig.max_dt
     trace = simulation.run(poses, velocities, dt)
     assert trace["status"][10] & hapticut.StepStatus.dt_rejected
     assert np.flatnonzero(trace["status"] & hapticut.StepStatus.dt_rejected).tolist() == [10]
@@ -237,11 +237,11 @@ def test_effects_and_spindle_speed_change_between_steps(simulation, plunge):
     simulation.run(poses, velocities, 1e-3)
     simulation.set_spindle_speed(0.0)
     assert simulation.step(poses[-1], velocities[-1], 1e-3).removed_volume == 0
-    limits = hapticut.effects.OutputLimits(largest_force=0.01)
+    limits = hapticut.effects.OutputLimits(max_force=0.01)
     simulation.set_effects(hapticut.effects.Effects(limits=limits))
     assert np.linalg.norm(simulation.step(poses[-1], velocities[-1], 1e-3).force) <= 0.01 * (1 + 1e-12)
-    with pytest.raises(hapticut.Error, match="largest_force"):
-        simulation.set_effects(hapticut.effects.Effects(limits=hapticut.effects.OutputLimits(largest_force=-1)))
+    with pytest.raises(hapticut.Error, match="max_force"):
+        simulation.set_effects(hapticut.effects.Effects(limits=hapticut.effects.OutputLimits(max_force=-1)))
     with pytest.raises(hapticut.Error, match="speed"):
         simulation.set_spindle_speed(np.nan)
 

@@ -68,7 +68,7 @@ def test_everything_that_a_simulation_tells_can_be_read(simulation, plunge):
     assert values["steps"] == 600 and values["spindle_setting"] == values["tool"].spindle.speed
     assert values["config"].reference_stiffness == 1e16 and values["removed_volume_by_material"].sum() > 0
     given = values["last_input"]
-    assert np.array_equal(given.pose, plunge[0][-1]) and np.array_equal(given.velocity, plunge[1][-1])
+    assert np.array_equal(given.X_WH, plunge[0][-1]) and np.array_equal(given.V_WH, plunge[1][-1])
     last = simulation.last_result
     assert last.contact.depth > 0 and all(np.isfinite(term) for term in use_attributes(last.energy).values()
                                           if isinstance(term, float))

@@ -55,7 +55,7 @@ def test_a_page_is_arrays_as_a_graphics_card_takes_them(simulation):
     faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     assert np.mean(np.sum(faces * normals[page.indices[:, 0]], axis=1) > 0) > 0.95
     SurfacePage = h.surface.SurfacePage
-    assert len(page.vertices) <= SurfacePage.kMostVertices and page.indices.size <= SurfacePage.kMostIndices
+    assert len(page.vertices) <= SurfacePage.kMaxVertices and page.indices.size <= SurfacePage.kMaxIndices
     assert SurfacePage.kEdge == SurfacePage.kBlocks * h.kBlockEdge
 
 

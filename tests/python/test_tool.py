@@ -41,8 +41,8 @@ def test_every_head_of_the_catalogue_is_bound_and_tested():
 def test_heads_have_an_extent_a_profile_and_a_depth(name):
     head = HEADS[name]
     box = head.bounding_box()
-    assert (box.max > box.min).all() and 0 < head.cutting_radius() <= head.largest_radius() <= head.reach()
-    inside = head.spring_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
+    assert (box.max > box.min).all() and 0 < head.cutting_radius() <= head.max_radius() <= head.reach()
+    inside = head.spring_at([0.1 * head.max_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
     assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
     assert inside.scale == (2 if inside.on_smooth else 1) and head.spring_at(box.max + 1 * mm).depth <= 0
     profile = head.profile()
@@ -50,12 +50,12 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     again = h.ToolHead(h.ProfileHead(profile))
     assert again.volume() == pytest.approx(head.volume(), rel=1e-6)
     if isinstance(again.shape, h.ProfileHead):
-        spring = again.shape.exact_spring(0.1 * head.largest_radius(), 0.45 * box.min[2] + 0.55 * box.max[2])
+        spring = again.shape.exact_spring(0.1 * head.max_radius(), 0.45 * box.min[2] + 0.55 * box.max[2])
         assert math.hypot(spring.n_radial, spring.n_axial) == pytest.approx(1)
         # The table may be off by its tolerance of 1 % of the head.
         assert spring.depth == pytest.approx(inside.depth, abs=0.011 * max(box.max - box.min))
     assert "mm" in head.description() and "Head" in repr(head)
-    assert h.most_voxels(head, 0.1 * mm) > h.most_blocks(head, 0.1 * mm) > 0
+    assert h.max_voxels(head, 0.1 * mm) > h.max_blocks(head, 0.1 * mm) > 0
 
 
 def test_meshes_are_recognized_as_profiles():

@@ -186,8 +186,8 @@ def test_structs_copy_pickle_and_print(block):
     assert repr(pickle.loads(pickle.dumps(material))) == repr(material) == repr(copy.deepcopy(material))
     config = hapticut.SimulationConfig(effects=hapticut.effects.Effects(gravity=hapticut.effects.Gravity(mass=0.1)))
     assert pickle.loads(pickle.dumps(config)).effects.gravity.mass == 0.1
-    config.effects.limits.largest_force = 3.0
-    assert config.effects.limits.largest_force == 3.0
+    config.effects.limits.max_force = 3.0
+    assert config.effects.limits.max_force == 3.0
     assert copy.copy(block).hash() == block.hash()
     with pytest.raises(TypeError, match="stiffnes"):
         hapticut.Material("typo", stiffnes=1.0)

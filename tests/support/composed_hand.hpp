@@ -72,7 +72,7 @@ class ComposedHand {
       if (tip[axis] < low) linear[axis] = std::max(linear[axis], kFast);
       if (tip[axis] > high) linear[axis] = std::min(linear[axis], -kSlow);
     }
-    if (X_WD_.rotation(2, 2) < std::cos(kMostTilt)) angular = -2 * vector_from_rotation(X_WD_.rotation);
+    if (X_WD_.rotation(2, 2) < std::cos(kMaxTilt)) angular = -2 * vector_from_rotation(X_WD_.rotation);
     const double follows = std::min(1.0, dt / kInert);
     speed_.linear += follows * (linear - speed_.linear);
     speed_.angular += follows * (angular - speed_.angular);
@@ -91,7 +91,7 @@ class ComposedHand {
   static constexpr double kFast = 60e-3, kSlow = 8e-3, kStrike = 120e-3;  // [m/s]
   static constexpr double kYield = 10e-3;                                 // [m/s/N] how soon it presses as it means to
   static constexpr double kInert = 8e-3;                                  // [s]
-  static constexpr double kMostTilt = 0.7;                                // [rad]
+  static constexpr double kMaxTilt = 0.7;                                 // [rad]
 
   Pose X_WD_;  // of the handle
   Vec3 tip_H_ = Vec3::Zero();

@@ -92,17 +92,17 @@ class ComposedInvariants final : public StepObserver {
     ++margins.ticks;
     const StepResult& stepped = simulation_->last_result();
     must(is_finite(result.hand) && is_finite(result.coupling) && hapticut::is_finite(result.X_WH) &&
-             result.velocity.linear.allFinite() && result.velocity.angular.allFinite() &&
+             result.V_WH.linear.allFinite() && result.V_WH.angular.allFinite() &&
              std::isfinite(result.removed_volume) && std::isfinite(result.energy.imbalance()),
          "every number of the coupling is finite");
     must(is_finite(stepped.model) && std::isfinite(stepped.energy.imbalance()) &&
              std::isfinite(stepped.spindle.speed) && std::isfinite(stepped.spindle.torque) &&
              !has_any(result.status, StepStatus::force_not_finite),
          "every number of the step is finite");
-    const double force = std::min(gains.largest_force, effects.limits.largest_force);
+    const double force = std::min(gains.max_force, effects.limits.max_force);
     must(result.hand.force.norm() <= kRounding * force, "the force is within its limit", result.hand.force.norm(),
          force);
-    const double torque = gains.angular_stiffness > 0 ? gains.largest_torque : effects.limits.largest_torque;
+    const double torque = gains.angular_stiffness > 0 ? gains.max_torque : effects.limits.max_torque;
     must(result.hand.torque.norm() <= kRounding * torque, "the torque is within its limit", result.hand.torque.norm(),
          torque);
     const bool waits = has_any(result.status, kRejected | StepStatus::tool_waits);
@@ -125,7 +125,7 @@ class ComposedInvariants final : public StepObserver {
     if (margins.ticks % kVolumeEvery == 0) end_volume();
     X_WH_ = result.X_WH;
     removed_in_tick_ = 0;
-    for (const Vec3& v : {result.hand.force, result.hand.torque, result.X_WH.translation, result.velocity.linear})
+    for (const Vec3& v : {result.hand.force, result.hand.torque, result.X_WH.translation, result.V_WH.linear})
       for (const double number : v) mix(number);
     mix(stepped.energy.turnover);
     mix(result.removed_volume);
@@ -134,12 +134,12 @@ class ComposedInvariants final : public StepObserver {
   /// The same of a tick of a loop, whose coupling is its own.
   /// @param removed  [m^3] in this tick, as the loop says
   /// @param applied  to the motors, after the guard
-  void look(double removed, const Wrench& applied, double greatest_force, const Pose& X_WT) {
+  void look(double removed, const Wrench& applied, double max_force, const Pose& X_WT) {
     ++margins.ticks;
     must(is_finite(applied), "what the motors get is finite");
     must(hapticut::is_finite(X_WT), "the pose of the tool is finite");
-    must(applied.force.norm() <= kRounding * greatest_force, "the motors get no more than they may",
-         applied.force.norm(), greatest_force);
+    must(applied.force.norm() <= kRounding * max_force, "the motors get no more than they may", applied.force.norm(),
+         max_force);
     must(std::abs(removed - removed_in_tick_) <= kVolumeShare * removed_in_tick_ + kVolume * kVolumeShare,
          "the tick removes what its steps do", removed, removed_in_tick_);
     if (applied.force.isZero(0) && applied.torque.isZero(0))
@@ -221,11 +221,11 @@ class ComposedInvariants final : public StepObserver {
     must(e.elastic >= 0 && e.anchored >= 0, "nothing stored is negative", std::min(e.elastic, e.anchored));
     // What vanishes with the step: the change of force along the way, of which no sub-step makes more than half a
     // voxel.
-    const Twist way = twist_between(pose_, step.input.pose, 1);
+    const Twist way = twist_between(pose_, step.input.X_WH, 1);
     const double change = std::abs((step.result.model.force - model_.force).dot(way.linear)) +
                           std::abs((step.result.model.torque - model_.torque).dot(way.angular));
     step_error_ += change / std::max(1, step.result.sub_steps);
-    pose_ = step.input.pose;
+    pose_ = step.input.X_WH;
     model_ = step.result.model;
     if (e.turnover < kLittle) return;
     const double unbooked = std::abs(e.imbalance() + e.entered) / e.turnover;

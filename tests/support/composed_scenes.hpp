@@ -103,8 +103,8 @@ inline CouplingGains some_gains(bool turns, RandomPoses& random) {
   CouplingGains gains = coupling_gains(capabilities(device_model(kThree[below(3, random)])));
   gains.angular_stiffness = turns ? random.between(0.5, 3) : 0;
   gains.angular_damping = turns ? 2 * std::sqrt(gains.angular_stiffness * gains.inertia) : 0;
-  if (turns) gains.largest_torque = random.between(0.05, 0.3);
-  if (below(4, random) == 0) gains.largest_force = random.between(0.5, 40);
+  if (turns) gains.max_torque = random.between(0.05, 0.3);
+  if (below(4, random) == 0) gains.max_force = random.between(0.5, 40);
   if (below(4, random) == 0) gains.newton_steps = 32;
   return gains;
 }

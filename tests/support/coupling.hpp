@@ -36,12 +36,12 @@ inline Pose at_height(double z) { return Pose::from_translation(kAside + Vec3(0,
 
 /// A hand that comes down along z and stays where the coupling pulls with a force.
 struct PressedTool {
-  double rest_penetration = 0;      // [m]
-  double greatest_penetration = 0;  // [m]
-  double rebound = 0;               // [m/s] greatest speed upwards
-  double jitter = 0;                // [m] from the lowest to the highest place in the last half second
-  double rest_force = 0;            // [N] on the hand, upwards
-  int newton_steps = 0;             // in all ticks
+  double rest_penetration = 0;  // [m]
+  double max_penetration = 0;   // [m]
+  double rebound = 0;           // [m/s] greatest speed upwards
+  double jitter = 0;            // [m] from the lowest to the highest place in the last half second
+  double rest_force = 0;        // [N] on the hand, upwards
+  int newton_steps = 0;         // in all ticks
 };
 
 inline PressedTool press(VirtualCoupling& coupling, double force = kPress, int ticks = 2000) {
@@ -54,8 +54,8 @@ inline PressedTool press(VirtualCoupling& coupling, double force = kPress, int t
     last = z;
     const double height = result.X_WH.translation.z();
     pressed.newton_steps += result.newton_steps;
-    pressed.rebound = std::max(pressed.rebound, result.velocity.linear.z());
-    pressed.greatest_penetration = std::max(pressed.greatest_penetration, kRadius - height);
+    pressed.rebound = std::max(pressed.rebound, result.V_WH.linear.z());
+    pressed.max_penetration = std::max(pressed.max_penetration, kRadius - height);
     if (n >= ticks - 500) low = std::min(low, height), high = std::max(high, height);
   }
   pressed.rest_penetration = kRadius - coupling.last_result().X_WH.translation.z();

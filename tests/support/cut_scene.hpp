@@ -46,14 +46,14 @@ struct CutScene {
 };
 
 struct CutOutcome {
-  std::vector<Wrench> wrenches_V;   // about To, in the frame of the grid
-  std::vector<double> most_normal;  // [N] which the sum of all normal forces cannot pass
-  double one_voxel = 0;             // [N] which the force of no voxel can pass; of the default law
+  std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
+  std::vector<double> max_normal;  // [N] which the sum of all normal forces cannot pass
+  double one_voxel = 0;            // [N] which the force of no voxel can pass; of the default law
   double removed_volume = 0;
   EnergyLedger energy;
-  double turnover = 0;         // [J] of both works, to and fro
-  double least_loss = 0;       // [J] the most negative change of a dissipation in a step
-  double largest_sliding = 0;  // [J] that dry friction took in a step
+  double turnover = 0;     // [J] of both works, to and fro
+  double min_loss = 0;     // [J] the most negative change of a dissipation in a step
+  double max_sliding = 0;  // [J] that dry friction took in a step
 };
 
 /// The irreversible terms of a ledger.
@@ -108,7 +108,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
     const double stiffest =
         config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
-    outcome.most_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
+    outcome.max_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
     const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
     if (scene.law->is_foundation())
       outcome.one_voxel = std::max(outcome.one_voxel,
@@ -117,8 +117,8 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);
     const auto a = losses(before), b = losses(after);
-    for (std::size_t n = 0; n < a.size(); ++n) outcome.least_loss = std::min(outcome.least_loss, b[n] - a[n]);
-    outcome.largest_sliding = std::max(outcome.largest_sliding, after.sliding - before.sliding);
+    for (std::size_t n = 0; n < a.size(); ++n) outcome.min_loss = std::min(outcome.min_loss, b[n] - a[n]);
+    outcome.max_sliding = std::max(outcome.max_sliding, after.sliding - before.sliding);
     before = after;
   }
   outcome.energy = before;

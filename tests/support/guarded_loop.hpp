@@ -22,7 +22,7 @@ class GuardedLoop {
     reading.time += period;
     ++reading.sequence;
     guard.admit(reading);
-    return guard.release({force, torque}, contact);
+    return guard.limit({force, torque}, contact);
   }
   /// Until the full force is allowed.
   void engage() {

@@ -43,7 +43,7 @@ Scene axial_flat() {
           },
           [](int tick) {
             StepInput input = plunge(tick);
-            input.pose.translation.z() += 20 * mm;
+            input.X_WH.translation.z() += 20 * mm;
             return input;
           }};
 }

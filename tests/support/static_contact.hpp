@@ -20,7 +20,7 @@ inline SimulationConfig static_config() {
   config.removal = RemovalLaw::none;
   config.friction = DryFriction{0, 0, 1};
   config.reserved_blocks = 1;
-  config.longest_sweep = 1;
+  config.max_sweep = 1;
   return config;
 }
 

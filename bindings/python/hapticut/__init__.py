@@ -90,7 +90,7 @@ from ._hapticut import (
     ToolHead as ToolHead,
     common_spindle as common_spindle,
     head_in_handle as head_in_handle,
-    kFastestSpindle as kFastestSpindle,
+    kMaxSpindleSpeed as kMaxSpindleSpeed,
     mesh_of_revolution as mesh_of_revolution,
     profile_from_mesh as profile_from_mesh,
     thesis_handle_torque as thesis_handle_torque,
@@ -152,7 +152,7 @@ from ._hapticut import (
     RemovalLaw as RemovalLaw,
     ThesisLaw as ThesisLaw,
     TwistDrillLaw as TwistDrillLaw,
-    largest_contact_stiffness as largest_contact_stiffness,
+    max_contact_stiffness as max_contact_stiffness,
     stiffness_for_accuracy as stiffness_for_accuracy,
     stiffness_for_device as stiffness_for_device,
 
@@ -174,8 +174,8 @@ from ._hapticut import (
     describe_status as describe_status,
     has_any as has_any,
     kRejected as kRejected,
-    most_blocks as most_blocks,
-    most_voxels as most_voxels,
+    max_blocks as max_blocks,
+    max_voxels as max_voxels,
     thesis_mode as thesis_mode,
     validate as validate,
 

@@ -21,7 +21,7 @@ from ._hapticut import (
     PressTest as PressTest,
     StabilitySearch as StabilitySearch,
     is_stable as is_stable,
-    largest_stable_stiffness as largest_stable_stiffness,
+    max_stable_stiffness as max_stable_stiffness,
     measure_bounce as measure_bounce,
     measure_buzz as measure_buzz,
 

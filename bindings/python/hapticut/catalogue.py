@@ -8,7 +8,7 @@ from ._hapticut import (
     christmas_tree_head as christmas_tree_head,
     common_motor as common_motor,
     cylinder_head as cylinder_head,
-    fastest_speed as fastest_speed,
+    max_speed as max_speed,
     flame_head as flame_head,
     inverted_cone_head as inverted_cone_head,
     lips_of as lips_of,

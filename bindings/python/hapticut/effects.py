@@ -19,7 +19,7 @@ from ._hapticut import (
     # Limits of the output
     OutputLimits as OutputLimits,
     growth_limited as growth_limited,
-    least_force_growth as least_force_growth,
+    min_force_growth as min_force_growth,
     saturated as saturated,
 )
 

@@ -46,7 +46,7 @@ if TYPE_CHECKING or kWithIo:
         RecordingInfo as RecordingInfo,
         ReplayDifference as ReplayDifference,
         ReplayReport as ReplayReport,
-        kMostPlayedSteps as kMostPlayedSteps,
+        kMaxPlayedSteps as kMaxPlayedSteps,
         kRecordingFormat as kRecordingFormat,
         open_playback as open_playback,
         read_recording as read_recording,

@@ -84,8 +84,8 @@ class ClosedLoop {
 
   ClosedLoopConfig config_;
   Plant plant_;
-  static constexpr int kLongestDelay = 8;
-  std::array<Wrench, kLongestDelay> under_way_;
+  static constexpr int kMaxDelay = 8;
+  std::array<Wrench, kMaxDelay> under_way_;
   int next_ = 0;
   Wrench applied_, written_;
   DeviceState state_;

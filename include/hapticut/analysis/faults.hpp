@@ -58,8 +58,8 @@ constexpr auto names_of(Of<InjectedFault>) {
 /// What the hand felt of a fault.
 struct FaultResponse {
   double time_to_zero = -1;            ///< [s] from the fault to the first tick without force; < 0: the force went on
-  double greatest_force = 0;           ///< [N] from the fault on
-  double greatest_growth = 0;          ///< [N] in one tick from the fault on, along any direction but back
+  double max_force = 0;                ///< [N] from the fault on
+  double max_growth = 0;               ///< [N] in one tick from the fault on, along any direction but back
   double oldest_force = 0;             ///< [s] age of the last good reading behind any force that was felt
   ArmingState end = ArmingState::off;  ///< of the guard, 0.5 s after the fault
 };

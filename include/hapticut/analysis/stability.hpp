@@ -35,8 +35,8 @@ struct StabilitySearch {
 ///
 /// For a linear wall and a released device without delay this is K = 2 b / T (Colgate and Schenkel), with a delay t_d
 /// and small K it is b / (T/2 + t_d) (Gil et al.).
-[[nodiscard]] double largest_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
-                                              const StabilitySearch& search = {});
+[[nodiscard]] double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
+                                          const StabilitySearch& search = {});
 
 /// What became of a free flight into the material.
 struct Bounce {
@@ -66,7 +66,7 @@ struct Buzz {
   double frequency = 0;               ///< [Hz] half the rate of its crossings of the mean
   double force_peak_to_peak = 0;      ///< [N] along z
   double generated_power = 0;         ///< [W] mean that the model puts in
-  double greatest_force = 0;          ///< [N] over the whole run
+  double max_force = 0;               ///< [N] over the whole run
   [[nodiscard]] bool buzzes() const;  ///< rms > 50 um, or force > 0.3 N p-p, or > 5 mW
 };
 

@@ -19,14 +19,14 @@ struct WorkEstimate {
   double seconds = 0;       ///< [s]
 };
 
-inline constexpr double kMostMemoryUnasked = 4.0 * (std::uint64_t(1) << 30U);  ///< [bytes]
-inline constexpr double kMostSecondsUnasked = 600;                             ///< [s]
+inline constexpr double kMaxMemoryUnasked = 4.0 * (std::uint64_t(1) << 30U);  ///< [bytes]
+inline constexpr double kMaxSecondsUnasked = 600;                             ///< [s]
 
 /// What is told of the work before it begins.
 using WorkObserver = std::function<void(const WorkEstimate&)>;
 
 /// @param large  the caller has asked for so much
-/// @throws Error when it is more than kMostMemoryUnasked or kMostSecondsUnasked and nobody has asked for it
+/// @throws Error when it is more than kMaxMemoryUnasked or kMaxSecondsUnasked and nobody has asked for it
 void require_allowed(const WorkEstimate& estimate, bool large);
 
 }  // namespace hapticut

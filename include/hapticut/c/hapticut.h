@@ -153,7 +153,7 @@ HAPTICUT_C_API int hapticut_coupling_step(hapticut_coupling coupling, const hapt
                                           hapticut_step_result* result);
 
 /** The next step puts the tool where the hand is, or the first one in which that is in no material. */
-HAPTICUT_C_API int hapticut_coupling_let_go(hapticut_coupling coupling);
+HAPTICUT_C_API int hapticut_coupling_reset(hapticut_coupling coupling);
 
 /* --- device and loop ---------------------------------------------------------------------------------------------- */
 

@@ -102,12 +102,12 @@ typedef struct hapticut_step_result {
   double contact_depth;    /**< [m] */
   double contact_volume;   /**< [m^3] */
   uint32_t contact_voxels;
-  uint32_t sub_steps;       /**< 0: the input was rejected */
-  hapticut_pose X_WH;       /**< of the tool: the input's, or behind a coupling that of the simulated tool */
-  double contact_point[3];  /**< [m] in W, where an arrow of the force begins; zero without a contact */
-  double contact_normal[3]; /**< [1] in W, of the push on the tool without the drag of the spin; zero likewise */
-  double contact_area;      /**< [m^2] of the head's surface that is in material */
-  double contact_pressure;  /**< [Pa] mean over that area */
+  uint32_t sub_steps;         /**< 0: the input was rejected */
+  hapticut_pose X_WH;         /**< of the tool: the input's, or behind a coupling that of the simulated tool */
+  double contact_point_W[3];  /**< [m] in W, where an arrow of the force begins; zero without a contact */
+  double contact_normal_W[3]; /**< [1] in W, of the push on the tool without the drag of the spin; zero likewise */
+  double contact_area;        /**< [m^2] of the head's surface that is in material */
+  double contact_pressure;    /**< [Pa] mean over that area */
 } hapticut_step_result;
 
 typedef struct hapticut_probe_result {
@@ -146,11 +146,11 @@ typedef struct hapticut_coupling_gains {
   double stiffness;         /**< [N/m] that the device renders stably; 0: 700 */
   double damping;           /**< [N s/m] 0: 12 */
   double mass;              /**< [kg] of the simulated tool; 0: 0.05 */
-  double largest_force;     /**< [N] 0: no limit */
+  double max_force;         /**< [N] 0: no limit */
   double angular_stiffness; /**< [N m/rad] 0: the tool turns with the hand */
   double angular_damping;   /**< [N m s/rad] */
   double inertia;           /**< [kg m^2] 0: 2e-5 */
-  double largest_torque;    /**< [N m] 0: no limit */
+  double max_torque;        /**< [N m] 0: no limit */
 } hapticut_coupling_gains;
 
 /* --- device and loop ---------------------------------------------------------------------------------------------- */
@@ -244,7 +244,7 @@ typedef struct hapticut_loop_state {
   uint32_t unused;
   uint64_t commands_dropped; /**< that found the queue full */
   uint64_t commands_refused; /**< that did not suit what was in place when they came to be obeyed */
-  double contact_point[3];   /**< [m] in W, where an arrow of the force begins; zero without a contact */
+  double contact_point_W[3]; /**< [m] in W, where an arrow of the force begins; zero without a contact */
 } hapticut_loop_state;
 
 /** A kind is the place of a command in hapticut::LoopCommand, from 1. Those of 11 to 15 (friction, effects, tool,

@@ -32,9 +32,7 @@ namespace hapticut::closed_forms {
 
 /// C2: the greatest of it, `(4 pi/27) k_v R^3`, at d = 2R/3.
 /// @return [N/m]
-[[nodiscard]] inline double largest_cap_stiffness(double k_v, double R) {
-  return 4 * units::kPi / 27 * k_v * R * R * R;
-}
+[[nodiscard]] inline double max_cap_stiffness(double k_v, double R) { return 4 * units::kPi / 27 * k_v * R * R * R; }
 
 /// C3: energy stored under a ball, `pi k_v (R d^4/12 - d^5/20)`, 0 <= d <= R.
 /// @return [J]

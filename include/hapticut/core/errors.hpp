@@ -45,14 +45,14 @@ inline void require_metres(double value, double largest, const char* name) {
                 ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
-inline constexpr double kLargestHead = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
-inline constexpr double kFastestFeed = 0.5;  ///< [m/s] of what cuts; faster ones were meant in mm/s
+inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
+inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of what cuts; faster ones were meant in mm/s
 
-/// Throws unless a feed is positive and no faster than kFastestFeed.
+/// Throws unless a feed is positive and no faster than kMaxFeed.
 inline void require_feed(double value, const char* name) {
   require_positive(value, name);
-  if (value > kFastestFeed)
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(kFastestFeed) +
+  if (value > kMaxFeed)
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(kMaxFeed) +
                 ". Speeds are in m/s: " + format_number(value) + " mm/s is " + format_number(1e-3 * value) + ".");
 }
 

@@ -14,7 +14,7 @@ namespace hapticut {
 struct DrillingTest {
   double radius;               ///< [m] > 0
   AngularSpeed spindle_speed;  ///< not 0
-  double feed_speed;           ///< [m/s] > 0, at most kFastestFeed
+  double feed_speed;           ///< [m/s] > 0, at most kMaxFeed
   double thrust;               ///< [N] steady; 0: not measured
   double torque;               ///< [N·m] steady; 0: not measured
   double lips = 2;             ///< [1] z > 0

@@ -44,15 +44,15 @@ struct ChipChord {
   Real energy;         ///< [J/m^3] u/sigma
   CutDepth<Real> cut;  ///< [m] from where the pressure reaches the threshold, p_e included
 
-  static constexpr Real kSlowest = Real(1e-9);      ///< [sqrt(m/s)] of y_1 + y_2
-  static constexpr Real kGrazing = Real(0.01);      ///< [1] of the feed towards a surface, from which lips take a chip
-  static constexpr Real kSlowestFeed = Real(1e-6);  ///< [m/s] of a head that only presses
+  static constexpr Real kMinRoots = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
+  static constexpr Real kGrazing = Real(0.01);   ///< [1] of the feed towards a surface, from which lips take a chip
+  static constexpr Real kMinFeed = Real(1e-6);   ///< [m/s] of a head that only presses
 
   /// [1] of h_e and h_s.
   /// @param speed  [m/s] of the head towards the surface, or away from it
   /// @param feed   [m/s] of the head, any way
   static Real share_of_chips(Real speed, Real feed) {
-    return std::min(Real(1), (std::abs(speed) / kGrazing + kSlowestFeed) / std::max(feed, kSlowestFeed));
+    return std::min(Real(1), (std::abs(speed) / kGrazing + kMinFeed) / std::max(feed, kMinFeed));
   }
 
   /// @param tooth_rate  [1/s] f_z
@@ -66,12 +66,12 @@ struct ChipChord {
     const Real b = std::sqrt(square), w0 = material.cutting_depth;
     const auto root_of_speed = [&](Real depth) {
       const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);
-      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kSlowest);
+      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kMinRoots);
     };
     const Real at_top = root_of_speed(top);
     const Real outside = std::min(Real(1), -2 * bottom / (top - bottom));  // [1] of half of the voxel
     const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
-    const Real dearer = 1 + b / std::max(at_top + other, kSlowest);  // 1/sigma
+    const Real dearer = 1 + b / std::max(at_top + other, kMinRoots);  // 1/sigma
     const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);
     return {material.cutting_energy * dearer, {std::sqrt(std::max(Real(0), top * top - excess)), excess}};
   }

@@ -22,7 +22,7 @@ inline constexpr double kPressureOfLand = 1e6;
 inline constexpr double kLayersOfLand = 3;
 
 /// [1] Of the stiffest material.
-[[nodiscard]] inline double largest_relative_stiffness(const MaterialTable& table) {
+[[nodiscard]] inline double max_relative_stiffness(const MaterialTable& table) {
   double largest = 0;
   for (int id = 1; id <= table.size(); ++id)
     largest = std::max(largest, table.find(MaterialId(id))->relative_stiffness);

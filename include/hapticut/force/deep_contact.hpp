@@ -73,7 +73,7 @@ class DeepContact {
   [[nodiscard]] const Vec3& normal() const { return normal_; }  ///< [1] that it is along, into the material, in W
   [[nodiscard]] double stored() const { return stored_; }       ///< [J]
 
-  void release() noexcept { *this = {}; }
+  void reset() noexcept { *this = {}; }
 
  private:
   bool touched_ = false, held_ = false;

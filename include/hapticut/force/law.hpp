@@ -117,7 +117,7 @@ struct LawTotals {
 };
 
 /// A fraction of a voxel below this is taken away at once and its volume credited.
-inline constexpr float kSmallestFill = 1e-3F;
+inline constexpr float kMinFill = 1e-3F;
 
 /// A force law: from the samples of one block to the force on the tool at each, and to what is left of each voxel.
 ///

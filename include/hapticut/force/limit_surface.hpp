@@ -46,7 +46,7 @@ class LimitSurface {
     const double before = stored_;
     const double stiffness = contact.stiffness();
     if (!(share * contact.static_limit > 0 && stiffness > 0)) {
-      release();
+      reset();
       return {{}, before, Stiffness::Zero()};
     }
     anchored_ = true;
@@ -96,7 +96,7 @@ class LimitSurface {
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [N/m] k_t
 
   /// Lets go of the anchor.
-  void release() noexcept { *this = {}; }
+  void reset() noexcept { *this = {}; }
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;

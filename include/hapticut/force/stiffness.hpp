@@ -48,14 +48,14 @@ namespace detail {
 /// would sink through bone before the material at its point is crushed. The size of voxels has no part in it, or what a
 /// constant force removes would depend on them: the rear half of a bur rests on its own groove, and how deep goes with
 /// k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
-/// @param largest_relative_stiffness  [1] > 0, of the stiffest material
+/// @param max_relative_stiffness  [1] > 0, of the stiffest material
 /// @return [N/m^4] for a material of relative stiffness 1
 /// @throws Error when the relative stiffness is not positive
-[[nodiscard]] inline double stiffness_for_head(const ToolHead& head, double largest_relative_stiffness = 1) {
-  require_positive(largest_relative_stiffness, "the largest relative stiffness [1]");
+[[nodiscard]] inline double stiffness_for_head(const ToolHead& head, double max_relative_stiffness = 1) {
+  require_positive(max_relative_stiffness, "the largest relative stiffness [1]");
   const double pointed = std::clamp(kLayerOfPoint * detail::slope_of_tip(head), kThinnestLayer, 1.0);
   const double layer = pointed * kLayerOfRadius * head.cutting_radius();
-  return 2 * kPressureOfCuts / (layer * layer) / largest_relative_stiffness;
+  return 2 * kPressureOfCuts / (layer * layer) / max_relative_stiffness;
 }
 
 namespace detail {
@@ -99,7 +99,7 @@ inline constexpr int kSection = 64;   // points across one of them
 /// stiffness. Below it cutting forces come out low.
 /// @param material       u, h_e, h_s, kappa and the relative stiffness are used; kappa must be > 0
 /// @param spindle_speed  not 0
-/// @param feed_speed     [m/s] > 0, at most kFastestFeed
+/// @param feed_speed     [m/s] > 0, at most kMaxFeed
 /// @param cutter         its lips make the chips
 /// @return [N/m^4] for SimulationConfig::reference_stiffness
 /// @throws Error when one of them is out of range
@@ -119,7 +119,7 @@ inline constexpr int kSection = 64;   // points across one of them
 /// `max dF/dd`, by the pressure identity (C11) on a plane that moves through the head. For a sphere `(4 pi/27) R^3`
 /// (C2).
 /// @return [m^3] to be multiplied by k_v; relative error below 1 %
-[[nodiscard]] inline double largest_contact_stiffness(const ToolHead& head) {
+[[nodiscard]] inline double max_contact_stiffness(const ToolHead& head) {
   const HeadBox box = head.bounding_box();
   double largest = 0;
   for (int i = 0; i < detail::kSections; ++i) {
@@ -131,13 +131,13 @@ inline constexpr int kSection = 64;   // points across one of them
   return largest;
 }
 
-/// The greatest k_v that a directly driven device can render stably: `K_max / largest_contact_stiffness(head)`.
+/// The greatest k_v that a directly driven device can render stably: `K_max / max_contact_stiffness(head)`.
 /// @param device_stiffness  [N/m] K_max > 0, the stiffest wall the device renders
 /// @return [N/m^4] for a material of relative stiffness 1
 /// @throws Error when the device stiffness is not positive
 [[nodiscard]] inline double stiffness_for_device(const ToolHead& head, double device_stiffness) {
   require_positive(device_stiffness, "device stiffness [N/m]");
-  return device_stiffness / largest_contact_stiffness(head);
+  return device_stiffness / max_contact_stiffness(head);
 }
 
 }  // namespace hapticut

@@ -192,7 +192,7 @@ class HeatField {
   void spread(std::size_t cell, double heat);
   void step(double dt);
   void count_dose(double dt);
-  [[nodiscard]] double fastest_rate() const;
+  [[nodiscard]] double max_rate() const;
   struct Around {
     int count = 0;  // 8, or 0 where there are no cells
     std::array<std::size_t, 8> cell;

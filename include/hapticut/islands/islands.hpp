@@ -21,14 +21,14 @@ namespace hapticut {
 
 /// What is an island.
 struct IslandOptions {
-  double least_fill = 0.05;
+  double min_fill = 0.05;
   std::optional<Box> fixed;
 };
 
 constexpr auto fields_of(Of<IslandOptions>) {
   using O = IslandOptions;
   return std::tuple{
-      field("least_fill", &O::least_fill, "1", Range::between(0, 1),
+      field("min_fill", &O::min_fill, "1", Range::between(0, 1),
             "voxels that are filled less join nothing; those that touch an island leave with it"),
       field("fixed", &O::fixed,
             "[m] in W: what is joined to a voxel centred in this box stays; empty: the largest of the pieces stays"),
@@ -39,7 +39,7 @@ constexpr auto fields_of(Of<IslandOptions>) {
 struct Island {
   std::vector<BlockVoxels> blocks;  ///< in the order of their origins; without a voxel where only its skin may be
   std::int64_t voxels = 0;          ///< in all of them
-  double least_fill = 0;            ///< [1] IslandOptions::least_fill that it was found with
+  double min_fill = 0;              ///< [1] IslandOptions::min_fill that it was found with
 
   [[nodiscard]] bool operator==(const Island&) const = default;
 };
@@ -111,7 +111,7 @@ bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t m
 [[nodiscard]] bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept;
 
 /// What leaves with one block of an island: its voxels that are still there, and those that are filled less than
-/// `least_fill` and touch it.
+/// `min_fill` and touch it.
 /// @realtime no allocation, no lock; O(512)
 [[nodiscard]] BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept;
 

@@ -17,12 +17,12 @@
 namespace hapticut {
 
 /// The limits of a device's output, for SimulationConfig::effects in a loop of your own: its peak force and torque, and
-/// the least growth that leaves the stiffest wall it promises passive (least_force_growth). A RealtimeLoop does not
+/// the least growth that leaves the stiffest wall it promises passive (min_force_growth). A RealtimeLoop does not
 /// need them: SafetyGuard holds to the same, and to more. A device without motors for torque renders none, so torque is
 /// not limited there.
-/// @param fastest_contact  [m/s] > 0 at which a surface is met
+/// @param max_contact_speed  [m/s] > 0 at which a surface is met
 /// @throws Error when the device renders no force
-[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact = 0.5);
+[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed = 0.5);
 
 /// The settings of every stage of the safety pipeline. The defaults suit a device of its capabilities.
 struct GuardOptions {
@@ -33,12 +33,12 @@ struct GuardOptions {
   WatchdogOptions watchdog;
 
   double period = 1e-3;
-  double greatest_force = 0;
-  double greatest_torque = 0;
+  double max_force = 0;
+  double max_torque = 0;
   double slew = 0;
   double torque_slew = 0;
   double stiffness = 0;
-  double fastest_contact = 0.5;
+  double max_contact_speed = 0.5;
   double ramp_damping = -1;
   double late = 5e-3;
   double pause = 20e-3;
@@ -55,17 +55,17 @@ constexpr auto fields_of(Of<GuardOptions>) {
       field("watchdog", &O::watchdog, "how long a force may live without a new one"),
       field("period", &O::period, "s", Range::positive(),
             "of a tick: of the loop, the guard, its watchdog, the driver and simulated devices"),
-      field("greatest_force", &O::greatest_force, "N", Range::not_negative(),
+      field("max_force", &O::max_force, "N", Range::not_negative(),
             "of the output; 0: the device's peak; never more than it"),
-      field("greatest_torque", &O::greatest_torque, "N m", Range::not_negative(),
+      field("max_torque", &O::max_torque, "N m", Range::not_negative(),
             "of the output; 0: the device's peak; never more than it"),
       field("slew", &O::slew, "N/s", Range::not_negative(),
-            "by which the force may grow; 0: 1.25 x stiffness x fastest_contact, and no less is allowed"),
+            "by which the force may grow; 0: 1.25 x stiffness x max_contact_speed, and no less is allowed"),
       field("torque_slew", &O::torque_slew, "N m/s", Range::not_negative(),
             "the same of the torque; 0: as long to the peak as for the force"),
       field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
             "that the device feels, scales included; 0: what the device promises"),
-      field("fastest_contact", &O::fastest_contact, "m/s", Range::positive(), "at which a surface is met"),
+      field("max_contact_speed", &O::max_contact_speed, "m/s", Range::positive(), "at which a surface is met"),
       field("ramp_damping", &O::ramp_damping, "N s/m",
             "while the force fades in; < 0: a fifth of what the device promises"),
       field("late", &O::late, "s", Range::between(0, 1), "a tick that comes later than this needs a free tool again"),
@@ -79,11 +79,11 @@ constexpr auto fields_of(Of<GuardOptions>) {
 /// The safety pipeline between a device and the code that computes its force. Always on; every stage can only take
 /// force away (or, damping, oppose the motion).
 ///
-/// Per tick: `admit` the reading, compute with what it returns, `release` the wrench. Its stages, in order: time and
+/// Per tick: `admit` the reading, compute with what it returns, `limit` the wrench. Its stages, in order: time and
 /// missed ticks, pose gate, arming, finite check, passivity, saturation, thermal budget, growth-only slew limit,
 /// fade-in, last finite check.
 ///
-/// `admit`, `release` and `applied` belong to the thread of the loop; the rest may be called from any thread.
+/// `admit`, `limit` and `applied` belong to the thread of the loop; the rest may be called from any thread.
 class SafetyGuard {
  public:
   /// @param requests  of the device; it must outlive the guard. Null: the guard has a mailbox of its own
@@ -106,13 +106,13 @@ class SafetyGuard {
   /// Turns the wrench that the model asks for into the one that the device may render.
   /// @param contact  what the model knows of the contact behind it
   /// @realtime no allocation, no lock
-  Wrench release(const Wrench& commanded, const ModelContact& contact = {}) noexcept;
+  Wrench limit(const Wrench& commanded, const ModelContact& contact = {}) noexcept;
 
   /// What a watchdog in another thread, or a bench, sees of a loop that does not answer: enters each verdict once in a
   /// silence, and latches the fault where WatchdogOptions::latch says so. One thread at a time; `alive` ends a silence.
   void report_silence(Watchdog::Verdict verdict, double share);
 
-  /// What the device did render, when that is something else than `release` returned.
+  /// What the device did render, when that is something else than `limit` returned.
   void applied(const Wrench& wrench) noexcept;
 
   /// Counts an exception of the user's code, and fails.
@@ -138,9 +138,9 @@ class SafetyGuard {
   /// Both sides of the last tick; for the thread of the loop.
   [[nodiscard]] const DeviceOutput& output() const noexcept { return output_; }
 
-  [[nodiscard]] double period() const noexcept { return options_.period; }          ///< [s] of a tick
-  [[nodiscard]] double slew() const noexcept { return slew_; }                      ///< [N/s] in force
-  [[nodiscard]] double greatest_force() const noexcept { return greatest_force_; }  ///< [N] in force
+  [[nodiscard]] double period() const noexcept { return options_.period; }  ///< [s] of a tick
+  [[nodiscard]] double slew() const noexcept { return slew_; }              ///< [N/s] in force
+  [[nodiscard]] double max_force() const noexcept { return max_force_; }    ///< [N] in force
 
  private:
   void keep_time(const DeviceState& reading) noexcept;
@@ -153,7 +153,7 @@ class SafetyGuard {
 
   DeviceCapabilities capabilities_;
   GuardOptions options_;
-  double greatest_force_, greatest_torque_, slew_, torque_slew_, ramp_damping_;
+  double max_force_, max_torque_, slew_, torque_slew_, ramp_damping_;
   SafetyLog log_;
   PoseGate gate_;
   Arming arming_;

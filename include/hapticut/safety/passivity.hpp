@@ -23,7 +23,7 @@ struct PassivityOptions {
   double greatest = 0;
 
   /// Without a bound, a force of any size answers the smallest motion. SafetyGuard fills in what the device can render.
-  double greatest_damping = 0;
+  double max_damping = 0;
   double slowest = 1e-6;
   double free = 1e-3;
   int delay = 0;
@@ -41,8 +41,7 @@ constexpr auto fields_of(Of<PassivityOptions>) {
       field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
             "of the stiffest contact that counts as passive; 0: what the device renders"),
       field("greatest", &O::greatest, "N", Range::not_negative(), "of the damping; 0: the device's peak"),
-      field("greatest_damping", &O::greatest_damping, "N s/m", Range::not_negative(),
-            "of the damping at most; 0: no bound"),
+      field("max_damping", &O::max_damping, "N s/m", Range::not_negative(), "of the damping at most; 0: no bound"),
       field("slowest", &O::slowest, "m/s", Range::positive(), "below which nothing is damped"),
       field("free", &O::free, "N", Range::not_negative(), "a shorter force counts as zero"),
       field("delay", &O::delay, "ticks", Range::between(0, 8),
@@ -79,9 +78,9 @@ class PassivityController {
  public:
   /// @param greatest         [N] of the damping, where the options do not say it
   /// @param lever            [m] sqrt(rotational stiffness/stiffness) of the device; 0: no torque is watched
-  /// @param greatest_torque  [N m] of the damping
+  /// @param max_torque  [N m] of the damping
   /// @throws Error when an option is out of range
-  PassivityController(const PassivityOptions& options, double greatest, double lever = 0, double greatest_torque = 0);
+  PassivityController(const PassivityOptions& options, double greatest, double lever = 0, double max_torque = 0);
 
   /// What is known in a tick.
   struct Tick {
@@ -110,14 +109,14 @@ class PassivityController {
   [[nodiscard]] double work_of(const Vector6& acted, const Vector6& motion, double dt) noexcept;
 
   PassivityOptions options_;
-  double greatest_, lever_, greatest_torque_;
+  double max_, lever_, max_torque_;
   double stored_ = 0, taken_ = 0;
   double asked_ = 0;  // [N] for at the last tick
   Vector6 effects_;   // [N] of that
   Vector6 mean_;      // [N] that acted since the reading last stepped, along each axis
   Vector6 still_;     // [ticks] since then
-  static constexpr auto kLongestDelay = std::size_t(range_of(&PassivityOptions::delay).high);
-  std::array<Vector6, kLongestDelay> under_way_;
+  static constexpr auto kMaxDelay = std::size_t(range_of(&PassivityOptions::delay).high);
+  std::array<Vector6, kMaxDelay> under_way_;
   int next_ = 0;
 };
 

@@ -12,12 +12,12 @@ namespace hapticut {
 /// What a reading must be to be believed.
 struct PoseGateOptions {
   double fastest = 2.0;
-  double fastest_turn = 30;
+  double max_angular_speed = 30;
   double workspace_margin = 0.05;
   double rotation_tolerance = 1e-3;
   double hold = 20e-3;
   double frozen = 30e-3;
-  double frozen_turn = 0.1;
+  double frozen_rotation = 0.1;
   double frozen_speed = 5e-3;
 };
 
@@ -25,7 +25,7 @@ constexpr auto fields_of(Of<PoseGateOptions>) {
   using O = PoseGateOptions;
   return std::tuple{
       field("fastest", &O::fastest, "m/s", Range::positive(), "a hand with a stylus reaches 1 to 2"),
-      field("fastest_turn", &O::fastest_turn, "rad/s", Range::positive(), "the same of its turning"),
+      field("max_angular_speed", &O::max_angular_speed, "rad/s", Range::positive(), "the same of its turning"),
       field("workspace_margin", &O::workspace_margin, "m", Range::not_negative(),
             "beyond the device's own box that is still believed"),
       field("rotation_tolerance", &O::rotation_tolerance, "1", Range::between(0, 0.1),
@@ -33,7 +33,7 @@ constexpr auto fields_of(Of<PoseGateOptions>) {
       field("hold", &O::hold, "s", Range::between(1e-3, 50e-3), "without a good reading after which the gate gives up"),
       field("frozen", &O::frozen, "s", Range::between(2e-3, 1),
             "of a position that stands still bit by bit while others move"),
-      field("frozen_turn", &O::frozen_turn, "rad", Range::limit(),
+      field("frozen_rotation", &O::frozen_rotation, "rad", Range::limit(),
             "within 0.1 s that contradict a position that stands still"),
       field("frozen_speed", &O::frozen_speed, "m/s", Range::limit(),
             "reported speed that contradicts a position that stands still"),

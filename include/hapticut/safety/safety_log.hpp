@@ -22,7 +22,7 @@ enum class SafetyEvent : std::uint8_t {
   pose_not_a_rotation,     ///< a reading's rotation matrix was not a rotation; the last good pose is held
   pose_outside_workspace,  ///< a reading was outside of what the device can reach; the last good pose is held
   pose_jump,               ///< a reading was farther away than a hand can move; the last good pose is held
-  pose_turn_jump,          ///< a reading was turned more than a hand can turn; the last good pose is held
+  pose_rotation_jump,      ///< a reading was turned more than a hand can turn; the last good pose is held
   pose_frozen,             ///< the position stands still bit by bit while the stylus turns or reports a speed
   pose_units,              ///< positions of a size that suggests other units than metres
   reading_invalid,         ///< the driver itself calls its reading invalid
@@ -65,7 +65,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
             "The hand is outside of what the device can reach: bring it back, or calibrate the device."},
       Named{pose_jump, "pose_jump",
             "The hand moved farther than a hand can, so the last good pose is held: move it smoothly."},
-      Named{pose_turn_jump, "pose_turn_jump",
+      Named{pose_rotation_jump, "pose_rotation_jump",
             "The hand turned more than a hand can, so the last good pose is held: turn it smoothly."},
       Named{pose_frozen, "pose_frozen",
             "The position stands still while the hand moves: check the cable of the device, and calibrate it."},

@@ -82,11 +82,11 @@ struct SimulationConfig {
 
   bool stage_times = false;
 
-  double shortest_dt = 1e-6;
-  double longest_dt = 0.1;
+  double min_dt = 1e-6;
+  double max_dt = 0.1;
 
   /// A step that moves the head by more than half a voxel is cut into equal sub-steps.
-  int longest_sweep = 64;
+  int max_sweep = 64;
 };
 
 constexpr auto fields_of(Of<SimulationConfig>) {
@@ -116,9 +116,9 @@ constexpr auto fields_of(Of<SimulationConfig>) {
       field("voxel_budget", &C::voxel_budget, "1", Range::between(0, 1e9),
             "most voxels that one sub-step may evaluate, at least 4096; 0: no limit"),
       field("stage_times", &C::stage_times, "measure Simulation::stage_times"),
-      field("shortest_dt", &C::shortest_dt, "s", Range::positive(), "shorter steps are rejected"),
-      field("longest_dt", &C::longest_dt, "s", Range::between(0, 1), "longer steps are rejected"),
-      field("longest_sweep", &C::longest_sweep, "1", Range::between(1, 100000),
+      field("min_dt", &C::min_dt, "s", Range::positive(), "shorter steps are rejected"),
+      field("max_dt", &C::max_dt, "s", Range::between(0, 1), "longer steps are rejected"),
+      field("max_sweep", &C::max_sweep, "1", Range::between(1, 100000),
             "most sub-steps of one step; what needs more is a jump, not a motion, and is rejected"),
   };
 }

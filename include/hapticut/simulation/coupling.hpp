@@ -22,8 +22,8 @@ struct CouplingGains {
   double mass = 0.05;
   double stiffness = 700;
   double damping = 12;
-  double largest_force = std::numeric_limits<double>::infinity();
-  double largest_torque = std::numeric_limits<double>::infinity();
+  double max_force = std::numeric_limits<double>::infinity();
+  double max_torque = std::numeric_limits<double>::infinity();
 
   /// A device without motors for torque needs 0; the torque of the contact is then passed through.
   double angular_stiffness = 0;
@@ -38,8 +38,8 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field("mass", &G::mass, "kg", Range::positive(), "of the simulated tool, at its handle point"),
       field("stiffness", &G::stiffness, "N/m", Range::positive(), "k_T"),
       field("damping", &G::damping, "N s/m", Range::between(0, 1e6), "b_T"),
-      field("largest_force", &G::largest_force, "N", Range::limit(), "of spring and damper together"),
-      field("largest_torque", &G::largest_torque, "N m", Range::limit(), "of spring and damper together"),
+      field("max_force", &G::max_force, "N", Range::limit(), "of spring and damper together"),
+      field("max_torque", &G::max_torque, "N m", Range::limit(), "of spring and damper together"),
       field("angular_stiffness", &G::angular_stiffness, "N m/rad", Range::between(0, 1e6),
             "k_R; 0: the tool has the orientation of the hand"),
       field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
@@ -101,7 +101,7 @@ struct CoupledResult {
   Wrench hand;      ///< about Ho of the hand, in W: what the hand feels, with effects and limits
   Wrench coupling;  ///< the same without them
   Pose X_WH;        ///< of the simulated tool's handle: what is to be shown
-  Twist velocity;   ///< of its Ho, in W
+  Twist V_WH;       ///< of its Ho, in W
   std::span<const RemovedVoxel> removed_voxels;  ///< emptied in this tick; valid until the next one
   double removed_volume = 0;                     ///< [m^3] taken away in this tick
   ChangedBlocks changed_blocks;                  ///< in this tick
@@ -138,13 +138,14 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// At first, and after `release`, the tool is put where the hand is when that is in no material, and waits until
+  /// At first, and after `reset`, the tool is put where the hand is when that is in no material, and waits until
   /// then; where the simulation had a tool somewhere before the coupling was made, it waits there for the hand. After
-  /// `leave` it waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool
+  /// `park` it waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool
   /// or materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a
   /// turn against a tool that could not follow.
-  /// @param pose      X_WD of the hand's handle at the end of the tick
-  /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper. One that says
+  /// @param X_WD      pose of the hand's handle at the end of the tick
+  /// @param V_WD      velocity [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper. One
+  /// that says
   ///                  thirty times the way of the poses, as mm/s do, is StepStatus::velocity_rejected
   /// @param dt        [s] since the last call
   /// @return valid until the next call. An input that is refused, or to which no motion of a hand leads
@@ -152,7 +153,7 @@ class VirtualCoupling {
   /// comes back within 2 mm of where it was, is put where the hand is when that is in no material, and waits otherwise:
   /// StepStatus::tool_waits.
   /// @realtime no allocation, no lock, no exception; at most the contacts of `worst_case`
-  const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  const CoupledResult& step(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
 
   /// The most that a tick may have to do: that of a step in as many contacts as Newton's method may ask for, and one a
   /// part that cuts. A law of your own is asked four times in a contact, seven times where the coupling turns the tool.
@@ -166,12 +167,12 @@ class VirtualCoupling {
   };
 
   /// Goes on with other lists, because the simulation has another tool; `lists` are the old ones then. What that tool
-  /// is in must not be felt: `leave` or `release` as well.
+  /// is in must not be felt: `park` or `reset` as well.
   /// @realtime no allocation, no lock; O(1)
   void exchange_lists(Lists& lists) noexcept;
 
   /// Lets go: the next tick puts the tool where the hand is, or the first one in which that is in no material.
-  void release() noexcept {
+  void reset() noexcept {
     waits_ = waits_ || held_;
     held_ = false;
   }
@@ -186,7 +187,7 @@ class VirtualCoupling {
   /// Leaves the tool where it is, standing; before the first step, where the hand will be. Until they join, `step`
   /// gives no force: StepStatus::tool_waits.
   /// @realtime no allocation, no lock; O(1)
-  void leave(Rejoin rejoin) noexcept;
+  void park(Rejoin rejoin) noexcept;
 
   /// Other gains from the next step on; what spring and tool store more by that is CouplingEnergy::hand_work. While the
   /// tool is pulled the force jumps.  @pre they are valid
@@ -214,8 +215,8 @@ class VirtualCoupling {
     Mat3 brake_slope;  // [N s/m] against its velocity
   };
 
-  static constexpr int kMostParts = 8;
-  static constexpr int kLeastSteps = 2;  // that are kept for each part
+  static constexpr int kMaxParts = 8;
+  static constexpr int kMinSteps = 2;  // that are kept for each part
   // What may lack after many steps, by itself [N] and of the largest force [1].
   static constexpr double kFarBalance = 10e-3, kFarShare = 1e-2;
 
@@ -244,9 +245,9 @@ class VirtualCoupling {
   void part_after_exchange() noexcept;
   [[nodiscard]] bool velocity_fits(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] bool is_jump(const Pose& pose, double dt) const noexcept;
-  [[nodiscard]] bool is_turned_away(const Pose& pose) const noexcept;
+  [[nodiscard]] bool is_rotated_away(const Pose& pose) const noexcept;
   [[nodiscard]] bool is_near(const Pose& pose) const noexcept;
-  [[nodiscard]] bool may_go_on_from_here(const Pose& pose) const noexcept;
+  [[nodiscard]] bool may_continue_from_here(const Pose& pose) const noexcept;
   [[nodiscard]] double reach() const noexcept;
   const CoupledResult& wait(StepStatus status) noexcept;
   [[nodiscard]] bool turns() const { return gains_.angular_stiffness > 0; }

@@ -44,7 +44,7 @@ struct ObservedStep {
   std::uint64_t number;          ///< steps before it, since construction or `Simulation::reset`
   const StepInput& input;        ///< what it was given
   std::size_t free_blocks;       ///< reserved blocks that were left when it began
-  bool let_go;                   ///< the hand had let go before it: see Simulation::let_go
+  bool hand_released;            ///< the hand had let go before it: see Simulation::release_hand
   bool halted;                   ///< the spindle had been made to stand before it: see Simulation::halt_spindle
   double spindle_setting;        ///< [rad/s] asked of the spindle in it; 0 while it is held
   OutputPath path;               ///< of its force

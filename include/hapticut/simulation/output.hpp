@@ -95,8 +95,8 @@ class Output {
   [[nodiscard]] Wrench limited(const OutputLimits& limits, Wrench wrench, double dt) noexcept {
     running_ += dt;
     const double share = limits.ramp_time > 0 ? std::min(1.0, running_ / limits.ramp_time) : 1.0;
-    wrench.force = saturated(wrench.force, limits.largest_force);
-    wrench.torque = saturated(wrench.torque, limits.largest_torque);
+    wrench.force = saturated(wrench.force, limits.max_force);
+    wrench.torque = saturated(wrench.torque, limits.max_torque);
     const auto grown = [dt](const Vec3& from, const Vec3& to, double rate) {
       return std::isinf(rate) ? to : growth_limited(from, to, rate * dt);
     };

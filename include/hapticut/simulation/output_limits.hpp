@@ -15,8 +15,8 @@ namespace hapticut {
 /// growth to what the device can do, whatever is set here; in a loop of your own take those of `output_limits(device)`
 /// (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
-  double largest_force = std::numeric_limits<double>::infinity();
-  double largest_torque = std::numeric_limits<double>::infinity();
+  double max_force = std::numeric_limits<double>::infinity();
+  double max_torque = std::numeric_limits<double>::infinity();
   double force_growth = std::numeric_limits<double>::infinity();
   double torque_growth = std::numeric_limits<double>::infinity();
   double ramp_time = 0;
@@ -25,8 +25,8 @@ struct OutputLimits {
 constexpr auto fields_of(Of<OutputLimits>) {
   using L = OutputLimits;
   return std::tuple{
-      field("largest_force", &L::largest_force, "N", Range::limit(), "longer forces are shortened to this"),
-      field("largest_torque", &L::largest_torque, "N m", Range::limit(), "the same of torques"),
+      field("max_force", &L::max_force, "N", Range::limit(), "longer forces are shortened to this"),
+      field("max_torque", &L::max_torque, "N m", Range::limit(), "the same of torques"),
       field("force_growth", &L::force_growth, "N/s", Range::limit(), "how fast the force may grow; it falls at once"),
       field("torque_growth", &L::torque_growth, "N m/s", Range::limit(), "the same of the torque"),
       field("ramp_time", &L::ramp_time, "s", Range::not_negative(),
@@ -41,7 +41,7 @@ void validate(const OutputLimits& limits);
 /// 1.25 K v.
 /// @param stiffness  [N/m] that the device renders
 /// @param speed      [m/s] fastest that the hand moves into it
-[[nodiscard]] constexpr double least_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
+[[nodiscard]] constexpr double min_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
 
 /// The vector, shortened to a length: its direction is kept.
 /// @realtime no allocation, no lock; O(1)
@@ -53,16 +53,16 @@ void validate(const OutputLimits& limits);
 /// From the last output towards a target: release is immediate, growth takes its time.
 ///
 /// The output first shrinks along its own direction to the foot of the target on it, at once; from there it moves
-/// straight towards the target, by at most `longest_growth`. So its direction of change is constant, it is never larger
+/// straight towards the target, by at most `max_growth`. So its direction of change is constant, it is never larger
 /// than the larger of the two, and a target of zero is reached at once (C18). A limit on shrinking would make a wall
 /// active.
-/// @param longest_growth  rate times dt, in the unit of the vectors
+/// @param max_growth  rate times dt, in the unit of the vectors
 /// @realtime no allocation, no lock; O(1)
-[[nodiscard]] inline Vec3 growth_limited(const Vec3& previous, const Vec3& target, double longest_growth) {
+[[nodiscard]] inline Vec3 growth_limited(const Vec3& previous, const Vec3& target, double max_growth) {
   const double squared = previous.squaredNorm();
   const double kept = squared > 0 ? std::clamp(target.dot(previous) / squared, 0.0, 1.0) : 0.0;
   const Vec3 start = kept * previous;
-  return start + saturated(target - start, longest_growth);
+  return start + saturated(target - start, max_growth);
 }
 
 }  // namespace hapticut

@@ -20,7 +20,7 @@ namespace hapticut {
 
 /// Why `Simulation::step` would reject an input; ok when it would not, unless it is a jump.
 /// @realtime no allocation, no lock; O(1)
-[[nodiscard]] StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity,
+[[nodiscard]] StepStatus check_input(const SimulationConfig& config, const Pose& X_WH, const Twist& V_WH,
                                      double dt) noexcept;
 
 /// A tool that a hand moves through a workpiece: the 1 kHz call and what it works on.
@@ -40,24 +40,25 @@ class Simulation {
   /// Moves the tool to a pose, returns the force and torque on the hand, and takes away what the spindle cuts on the
   /// way.
   ///
-  /// The head moves from where it was at the end of the last step to `pose` with constant velocity; in the first step
-  /// it comes from `pose - velocity * dt`.
+  /// The head moves from where it was at the end of the last step to `X_WH` with constant velocity; in the first step
+  /// it comes from `X_WH - V_WH dt`.
   ///
-  /// @param pose      X_WH, pose of the handle at the end of the step
-  /// @param velocity  [m/s] of Ho and [rad/s], in W, as the device estimates it; it drives the damping only;
+  /// @param X_WH      pose of the handle in W, at the end of the step
+  /// @param V_WH      velocity [m/s] of Ho and angular velocity [rad/s], in W, as the device estimates it; it drives
+  /// the damping only;
   ///                  cutting and energies follow the poses
   /// @param dt        [s] since the last call
   /// @return a reference that stays valid; its contents are those of the last call
   /// @param coupling  what stands between the tool and the hand, for a pose that is not the hand's own; null: nothing,
   ///                  the hand holds the tool. VirtualCoupling is one.
   /// @realtime no allocation, no lock, no exception, no printing; same input, same bits. O(voxels inside the head)
-  const StepResult& step(const Pose& pose, const Twist& velocity, double dt, HandCoupling* coupling = nullptr) noexcept;
+  const StepResult& step(const Pose& X_WH, const Twist& V_WH, double dt, HandCoupling* coupling = nullptr) noexcept;
 
   /// For couplings: the hand has let go. It is given nothing, and the start-up ramp begins again with the next step.
   /// @realtime no allocation, no lock
-  void let_go() noexcept;
+  void release_hand() noexcept;
 
-  /// What a step to `pose` would feel, and how stiff the contact would be there; changes nothing. Where the step would
+  /// What a step to `X_WH` would feel, and how stiff the contact would be there; changes nothing. Where the step would
   /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
   /// (simulation/coupling.hpp) is one.
   ///
@@ -66,12 +67,12 @@ class Simulation {
   /// stiffness.
   /// @param motions  the rest of the stiffness may be zero
   /// @realtime as `step`
-  [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt,
+  [[nodiscard]] ContactProbe probe(const Pose& X_WH, const Twist& V_WH, double dt,
                                    ProbedMotions motions = ProbedMotions::all) const noexcept;
 
   /// Whether the head would be in material with the handle at a pose; false where the pose is none.
   /// @realtime no allocation, no lock; evaluates the contact once
-  [[nodiscard]] bool touches(const Pose& pose) const noexcept;
+  [[nodiscard]] bool touches(const Pose& X_WH) const noexcept;
 
   /// Whether the next step will be the first of the tool: before the first one, and after `restore`, `undo`, `redo`,
   /// `set_tool`, `set_materials`, `exchange` and `reset`. But for the first and, without a coupling that holds it, for
@@ -104,11 +105,11 @@ class Simulation {
   /// `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. The observers are told of each.
   [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
-  static constexpr std::size_t kMostObservers = 8;
+  static constexpr std::size_t kMaxObservers = 8;
 
   /// Adds an observer, which is told of every step from now on, after those that are there already. It must live until
   /// it is removed. Observers stay with this simulation when its workpiece is exchanged.
-  /// @throws Error when it is one already, or there are kMostObservers
+  /// @throws Error when it is one already, or there are kMaxObservers
   void add_observer(StepObserver& observer);
 
   void remove_observer(StepObserver& observer) noexcept;  ///< nothing happens when it is none
@@ -125,7 +126,7 @@ class Simulation {
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
   /// Sets the spindle's speed for the following steps; with Spindle::acceleration_limit it is reached on a ramp.
-  /// @throws Error when it is faster than kFastestSpindle or not finite
+  /// @throws Error when it is faster than kMaxSpindleSpeed or not finite
   void set_spindle_speed(AngularSpeed speed);
 
   /// The spindle stands from now on, whatever its ramp.  @realtime no allocation, no lock; O(1)

@@ -16,15 +16,15 @@ namespace hapticut {
 
 /// What the hand does in one step.
 struct StepInput {
-  Pose pose;
-  Twist velocity;
+  Pose X_WH;
+  Twist V_WH;
   double dt = 0;
 };
 
 constexpr auto fields_of(Of<StepInput>) {
   return std::tuple{
-      field("pose", &StepInput::pose, "X_WH at the end of the step"),
-      field("velocity", &StepInput::velocity, "of Ho, in W"),
+      field("X_WH", &StepInput::X_WH, "pose of the handle at the end of the step"),
+      field("V_WH", &StepInput::V_WH, "velocity of Ho and angular velocity, in W"),
       field("dt", &StepInput::dt, "s", "since the last step"),
   };
 }
@@ -40,14 +40,14 @@ enum class StepStatus : std::uint32_t {
   /// velocities say thirty times the way of the poses. No force, workpiece untouched. Cure: check the velocity
   /// estimate, and that it is in m/s and rad/s.
   velocity_rejected = 1U << 1,
-  /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
+  /// dt was not within SimulationConfig::min_dt ... max_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
   dt_rejected = 1U << 2,
-  /// The head moved farther than SimulationConfig::longest_sweep half voxels, or turned by more than a radian, or was
+  /// The head moved farther than SimulationConfig::max_sweep half voxels, or turned by more than a radian, or was
   /// more than 2 mm away after refused inputs: a jump, not a motion. No force, workpiece untouched, and the tool stays
   /// where it was. It goes on from there when the next pose is near it. A second pose in a row near this one is
   /// believed, and the tool put there; but a head that turns not into material farther away than its radius or turned
-  /// by more than a radian (tool_waits). Cure: bring the hand back smoothly, or raise longest_sweep; readings that flip
+  /// by more than a radian (tool_waits). Cure: bring the hand back smoothly, or raise max_sweep; readings that flip
   /// come of the device.
   jump_rejected = 1U << 3,
 
@@ -84,7 +84,7 @@ enum class StepStatus : std::uint32_t {
   /// CouplingGains::newton_steps.
   not_in_balance = 1U << 14,
   /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
-  /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::release. No force,
+  /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::reset. No force,
   /// nothing is cut, for as long as it is in there. Cure: move the hand out of the material; after a refused input also
   /// back to the tool. A script that is to go on in the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside of it.
@@ -185,8 +185,8 @@ struct Contact {
   double volume = 0;
   double depth = 0;
   int level_of_detail = 1;
-  Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();
+  Vec3 point_W = Vec3::Zero();
+  Vec3 normal_W = Vec3::Zero();
   double area = 0;
   double pressure = 0;
 };
@@ -198,10 +198,10 @@ constexpr auto fields_of(Of<Contact>) {
       field("depth", &Contact::depth, "m", "greatest depth below the cutting surface"),
       field("level_of_detail", &Contact::level_of_detail, "1",
             "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
-      field("point", &Contact::point, "m",
+      field("point_W", &Contact::point_W, "m",
             "in W: the mean place of the forces along the normals, where an arrow begins, by the middles of voxels, so "
             "within half a voxel; zero without a contact"),
-      field("normal", &Contact::normal, "1",
+      field("normal_W", &Contact::normal_W, "1",
             "in W: the direction of those forces' sum on the tool, a unit vector; zero without a contact, and where "
             "they cancel"),
       field("area", &Contact::area, "m^2", "of the head's surface that is in material"),

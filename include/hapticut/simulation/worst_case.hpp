@@ -19,10 +19,10 @@ struct WorstCase {
 
 /// Upper bound on the voxels that a head in any pose can touch: those whose cube may meet it.
 /// @param voxel_size  [m] > 0
-[[nodiscard]] std::size_t most_voxels(const ToolHead& head, double voxel_size);
+[[nodiscard]] std::size_t max_voxels(const ToolHead& head, double voxel_size);
 
 /// Upper bound on the blocks that a head in any pose can touch.
 /// @param voxel_size  [m] > 0
-[[nodiscard]] std::size_t most_blocks(const ToolHead& head, double voxel_size);
+[[nodiscard]] std::size_t max_blocks(const ToolHead& head, double voxel_size);
 
 }  // namespace hapticut

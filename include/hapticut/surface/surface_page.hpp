@@ -31,10 +31,10 @@ static_assert(sizeof(SurfaceVertex) == 12);
 /// Triangles belong to the page in which the lower one of the two samples lies between which the surface passes; so
 /// pages meet without a gap and without an overlap, and vertices at a seam are in both.
 struct SurfacePage {
-  static constexpr int kEdge = 32;                         ///< voxels along an edge
-  static constexpr int kBlocks = kEdge / kBlockEdge;       ///< blocks along an edge
-  static constexpr std::size_t kMostVertices = 64 * 729;   ///< fewer than 65 536, so that 16 bits number them
-  static constexpr std::size_t kMostIndices = 64 * 9'216;  ///< a checkerboard
+  static constexpr int kEdge = 32;                        ///< voxels along an edge
+  static constexpr int kBlocks = kEdge / kBlockEdge;      ///< blocks along an edge
+  static constexpr std::size_t kMaxVertices = 64 * 729;   ///< fewer than 65 536, so that 16 bits number them
+  static constexpr std::size_t kMaxIndices = 64 * 9'216;  ///< a checkerboard
 
   VoxelIndex origin = {0, 0, 0};  ///< its first voxel; names the page
   std::uint64_t version = 0;      ///< grows with every page that is handed out

@@ -51,12 +51,12 @@ namespace hapticut {
 [[nodiscard]] ToolHead wheel_head(double diameter, double thickness, double shank_diameter);
 
 /// Cones on top of each other, each growing from `kTreeWaist` of the rim below: the X'mas cutter of the thesis.
-/// @param tiers  1 ... `kMostTiers` cones of the same height; the rim of the last has the full diameter
+/// @param tiers  1 ... `kMaxTiers` cones of the same height; the rim of the last has the full diameter
 [[nodiscard]] ToolHead christmas_tree_head(double diameter, double length, int tiers);
 
 /// [1] Radius at the foot of a tier of `christmas_tree_head`, of that of the rim below.
 inline constexpr double kTreeWaist = 0.6;
-inline constexpr int kMostTiers = 20;  ///< of `christmas_tree_head`
+inline constexpr int kMaxTiers = 20;  ///< of `christmas_tree_head`
 
 inline constexpr double kCommonDrillPoint = 118 * units::deg;  ///< [rad] full angle of the point of a common drill
 

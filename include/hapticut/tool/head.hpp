@@ -81,12 +81,12 @@ class ToolHead {
   }
 
   /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
-  [[nodiscard]] double largest_radius() const { return bounding_box().max.x(); }
+  [[nodiscard]] double max_radius() const { return bounding_box().max.x(); }
 
   /// [m] largest radius of what cuts: that of the head without neck and shank.
   [[nodiscard]] double cutting_radius() const {
     const auto* profile = as<ProfileHead>();
-    return profile == nullptr ? largest_radius() : profile->cutting_radius();
+    return profile == nullptr ? max_radius() : profile->cutting_radius();
   }
 
   /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".

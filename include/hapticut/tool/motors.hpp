@@ -37,10 +37,10 @@ constexpr auto names_of(Of<MotorKind>) {
 }
 
 /// [rad/s] Beyond it there is no such handpiece.
-[[nodiscard]] constexpr double fastest_speed(MotorKind motor) {
+[[nodiscard]] constexpr double max_speed(MotorKind motor) {
   if (motor == MotorKind::air_turbine) return 600e3 * units::rpm;
   if (motor == MotorKind::electric) return 250e3 * units::rpm;
-  return motor == MotorKind::surgical_drill ? 150e3 * units::rpm : kFastestSpindle;
+  return motor == MotorKind::surgical_drill ? 150e3 * units::rpm : kMaxSpindleSpeed;
 }
 
 /// The spindle of a common handpiece: `common_spindle(MotorKind::electric, 40000 * units::rpm)`.
@@ -49,10 +49,10 @@ constexpr auto names_of(Of<MotorKind>) {
 [[nodiscard]] inline Spindle common_spindle(MotorKind motor, AngularSpeed speed) {
   Spindle spindle{speed};
   validate(spindle);
-  if (std::abs(speed) > fastest_speed(motor))
+  if (std::abs(speed) > max_speed(motor))
     throw Error("common_spindle: " + format_number(speed) + " rad/s are " + format_number(speed / units::rpm) +
                 " turns a minute, and the motor " + std::string(name_or_null(motor)) + " has at most " +
-                format_number(fastest_speed(motor) / units::rpm) +
+                format_number(max_speed(motor) / units::rpm) +
                 ". Write 40000 * units::rpm for 40000 turns a minute, or choose another motor.");
   if (motor == MotorKind::ideal) return spindle;
   if (speed == 0)

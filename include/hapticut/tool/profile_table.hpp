@@ -31,13 +31,13 @@ enum class CellRule : std::uint32_t {
 
 /// One cell packed in 32 bits: the first curve in bits 0-13, the second in bits 14-27, the rule in bits 28-30.
 struct ProfileCell {
-  static constexpr std::uint32_t kMostCurves = 1U << 14U;
+  static constexpr std::uint32_t kMaxCurves = 1U << 14U;
 
   [[nodiscard]] static constexpr std::uint32_t pack(std::uint32_t first, std::uint32_t second, CellRule rule) {
     return first | second << 14U | std::uint32_t(rule) << 28U;
   }
-  [[nodiscard]] static constexpr std::uint32_t first(std::uint32_t cell) { return cell & (kMostCurves - 1); }
-  [[nodiscard]] static constexpr std::uint32_t second(std::uint32_t cell) { return cell >> 14U & (kMostCurves - 1); }
+  [[nodiscard]] static constexpr std::uint32_t first(std::uint32_t cell) { return cell & (kMaxCurves - 1); }
+  [[nodiscard]] static constexpr std::uint32_t second(std::uint32_t cell) { return cell >> 14U & (kMaxCurves - 1); }
   [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U & 7U); }
 
   /// Of ProfileTable::cells_near: bit 31 says that the head does not reach into the cell, the others are those of one

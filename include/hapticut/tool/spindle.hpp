@@ -12,7 +12,7 @@
 namespace hapticut {
 
 /// [rad/s] a million turns a minute: twice as fast as the fastest turbine, and where turns a minute were meant.
-inline constexpr double kFastestSpindle = 1e6 * units::rpm;
+inline constexpr double kMaxSpindleSpeed = 1e6 * units::rpm;
 
 /// The motor that turns the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed whatever the cut
 /// takes; `common_spindle` has those of real handpieces.
@@ -32,7 +32,7 @@ struct Spindle {
 
 constexpr auto fields_of(Of<Spindle>) {
   return std::tuple{
-      field("speed", &Spindle::speed, "rad/s", Range::between(-kFastestSpindle, kFastestSpindle),
+      field("speed", &Spindle::speed, "rad/s", Range::between(-kMaxSpindleSpeed, kMaxSpindleSpeed),
             "signed about +z of T; 0: it stands and nothing is cut"),
       field("power_limit", &Spindle::power_limit, "W", Range::limit(), "above it the spindle slows down"),
       field("acceleration_limit", &Spindle::acceleration_limit, "rad/s^2", Range::limit(),
@@ -47,7 +47,7 @@ constexpr auto fields_of(Of<Spindle>) {
 
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Spindle& spindle) {
-  if (std::abs(spindle.speed) > kFastestSpindle && std::isfinite(spindle.speed))
+  if (std::abs(spindle.speed) > kMaxSpindleSpeed && std::isfinite(spindle.speed))
     throw Error(
         "Spindle::speed [rad/s] = " + format_number(spindle.speed) + "; that is " +
         format_number(spindle.speed / units::rpm) +

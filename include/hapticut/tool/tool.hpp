@@ -46,9 +46,9 @@ class Tool {
     validate(spindle_);
     validate(cutter_);
     cutter_.lips = lips_of(cutter_);
-    constexpr double kFarthestHead = 5;  // [m] whoever holds it
-    require_metres(head_.reach(), kLargestHead, "reach of the head [m]");
-    require_metres(X_HT_.translation.norm(), kFarthestHead, "length of the handle [m]");
+    constexpr double kMaxHandleReach = 5;  // [m] whoever holds it
+    require_metres(head_.reach(), kMaxHeadReach, "reach of the head [m]");
+    require_metres(X_HT_.translation.norm(), kMaxHandleReach, "length of the handle [m]");
   }
 
   [[nodiscard]] const ToolHead& head() const { return head_; }

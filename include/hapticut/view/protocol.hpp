@@ -23,7 +23,7 @@
 namespace hapticut::view {
 
 inline constexpr std::uint8_t kProtocolVersion = 4;
-inline constexpr std::size_t kLongestCommand = 128;  ///< bytes; a page never has reason to send more
+inline constexpr std::size_t kMaxCommand = 128;  ///< bytes; a page never has reason to send more
 
 using Message = std::vector<std::uint8_t>;
 
@@ -142,9 +142,9 @@ constexpr auto fields_of(Of<SetControl>) {
 
 /// Another scene, by its name or the path of a file.
 struct Load {
-  std::string name;  ///< UTF-8 without control characters, at most kLongestName bytes
+  std::string name;  ///< UTF-8 without control characters, at most kMaxName bytes
 };
-inline constexpr std::size_t kLongestName = 120;
+inline constexpr std::size_t kMaxName = 120;
 
 constexpr auto fields_of(Of<Load>) { return std::tuple{field("name", &Load::name, "of a scene, or a file's path")}; }
 

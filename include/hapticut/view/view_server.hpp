@@ -18,7 +18,7 @@ namespace hapticut::view {
 struct ViewServerOptions {
   int port = 0;
   std::filesystem::path page;
-  std::size_t most_connections = 16;
+  std::size_t max_connections = 16;
   double commands_per_second = 2000;
   std::size_t commands_waiting = 4096;
   std::function<void(const ViewCommand&)> at_once;
@@ -29,7 +29,7 @@ constexpr auto fields_of(Of<ViewServerOptions>) {
   return std::tuple{
       field("port", &O::port, "1", Range::between(0, 65535), "to listen at on this machine; 0: any that is free"),
       field("page", &O::page, "folder of the built page, read when the server starts; empty: no files are served"),
-      field("most_connections", &O::most_connections, "1", Range::between(1, 1000), "at once; more are closed"),
+      field("max_connections", &O::max_connections, "1", Range::between(1, 1000), "at once; more are closed"),
       field("commands_per_second", &O::commands_per_second, "1/s", Range::positive(),
             "of a page, over a second; more close its connection"),
       field("commands_waiting", &O::commands_waiting, "1", Range::between(1, 1e6),

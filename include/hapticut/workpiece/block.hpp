@@ -135,12 +135,12 @@ struct BlockView {
     return mask;
   }
   /// Those of them that are filled at least so much.
-  [[nodiscard]] BlockMask filled_voxels(float least_fill) const {
+  [[nodiscard]] BlockMask filled_voxels(float min_fill) const {
     BlockMask mask = solid_voxels();
     if (fill == nullptr) return mask;
     for (std::size_t x = 0; x < mask.words.size(); ++x) {
       std::uint64_t filled = 0;
-      for (std::size_t n = 0; n < 64; ++n) filled |= std::uint64_t(fill[64 * x + n] >= least_fill) << n;
+      for (std::size_t n = 0; n < 64; ++n) filled |= std::uint64_t(fill[64 * x + n] >= min_fill) << n;
       mask.words[x] &= filled;
     }
     return mask;

@@ -159,7 +159,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       out.exposed[n] = spring.depth < size ? 1.0F : 0.0F;
       if (sub_voxel) {
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
-        out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kLeastLargest, 1.0F);
+        out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kMinMaxNorm, 1.0F);
         const VoxelSection<float> section(out.largest[n]);
         const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;

@@ -28,7 +28,7 @@ namespace hapticut {
 inline constexpr float kVoxelReach = 0.70710678F;
 
 /// [1] 1/sqrt(3): no unit vector's largest component is less.
-inline constexpr float kLeastLargest = 0.57735027F;
+inline constexpr float kMinMaxNorm = 0.57735027F;
 
 /// What a law integrates over the filled part of one voxel, per edge length l = 1 and of the whole voxel's volume.
 template <class Real>
@@ -59,11 +59,11 @@ class VoxelSection {
   /// [1] A narrower box is widened to this, which changes no sum over voxels. The next voxel begins to be cut before
   /// the last of one that covers it is gone, so the force dips as layers change, the less the longer they overlap:
   /// along the grid 2.1 % at 0.05 and 0.5 % at 0.3. Static forces are off by (width l/depth)^2/12 there.
-  static constexpr Real kLeastWidth = Real(0.3);
+  static constexpr Real kMinWidth = Real(0.3);
 
   /// @param largest  [1] the largest |n_i| along the grid's axes, 1/sqrt(3) ... 1
   explicit VoxelSection(Real largest)
-      : p_(largest), q_(std::max(std::sqrt(std::max(Real(0), 1 - largest * largest)), kLeastWidth)) {}
+      : p_(largest), q_(std::max(std::sqrt(std::max(Real(0), 1 - largest * largest)), kMinWidth)) {}
 
   /// [1] h: from the far corner to the near one
   [[nodiscard]] Real span() const { return p_ + q_; }

@@ -47,7 +47,7 @@ struct Material {
 
 namespace detail {
 /// [Pa] or [J/m^3], which are the same: a hundredth of an atmosphere. Less was meant in another unit.
-inline constexpr double kLeastPressure = 1e3;
+inline constexpr double kMinPressure = 1e3;
 }  // namespace detail
 
 /// A new number of a material is a member above and a line here; files, settings, Python and checks follow. In files
@@ -64,8 +64,8 @@ constexpr auto fields_of(Of<Material>) {
       field("damping", &M::damping, "s/m", Range::between(0, 1e6), "Hunt-Crossley factor chi"),
       field("cutting_ratio", &M::cutting_ratio, "1", Range::between(0, 1e6),
             "kappa, tangential over normal force of the spinning head"),
-      field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3",
-            Range::between(detail::kLeastPressure, 1e18), "u, energy to cut away"),
+      field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(detail::kMinPressure, 1e18),
+            "u, energy to cut away"),
       field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e, below which nothing is cut"),
       field("edge_length", &M::edge_length, "m", Range::between(0, 0.01),
             "h_e: a lip ploughs with u h_e per length, which takes nothing away"),
@@ -89,13 +89,13 @@ inline void validate(const Material& material) {
   const std::string prefix = "material '" + material.name + "': ";
   for (const auto& [name, pressure] : {std::pair("compressive_strength", material.compressive_strength),
                                        std::pair("edge_pressure", material.edge_pressure)})
-    if (pressure > 0 && pressure < detail::kLeastPressure)
+    if (pressure > 0 && pressure < detail::kMinPressure)
       throw Error(prefix + name + " = " + format_number(pressure) + "; must be 0 or at least " +
-                  format_number(detail::kLeastPressure) + ", for it is in Pa: 150 MPa are 150e6.");
+                  format_number(detail::kMinPressure) + ", for it is in Pa: 150 MPa are 150e6.");
   const double u = material.specific_cutting_energy;
-  if (u > 0 && u < detail::kLeastPressure)
+  if (u > 0 && u < detail::kMinPressure)
     throw Error(prefix + "specific_cutting_energy = " + format_number(u) + "; must be at least " +
-                format_number(detail::kLeastPressure) + ", for it is in J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
+                format_number(detail::kMinPressure) + ", for it is in J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
   require_fields_within(material, prefix);
   if (material.dynamic_friction > material.static_friction)
     throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +

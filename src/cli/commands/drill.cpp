@@ -15,7 +15,7 @@ using namespace settings;
 
 namespace {
 
-constexpr double kMostSteps = 1e7;
+constexpr double kMaxSteps = 1e7;
 constexpr float kDeadline = 1000;  // [us]
 
 /// [us] processor time of this thread.
@@ -63,7 +63,7 @@ std::size_t DrillResult::count(StepStatus bit) const {
 DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows) {
   const double dt = 1 / rate;
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
-  if (count > kMostSteps)
+  if (count > kMaxSteps)
     throw Error("the path takes " + format_number(motion.duration()) + " s, which is " + format_number(count) +
                 " steps; at most 1e+07 are possible. Feed faster, or lower the rate.");
   const auto steps = std::size_t(count);

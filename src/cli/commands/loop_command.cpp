@@ -99,7 +99,7 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
   LoopWatch seen;
   ChangedBlock block;
   const auto look = [&] {
-    seen.most_blocks_waiting = std::max(seen.most_blocks_waiting, loop.latest().blocks_waiting);
+    seen.max_blocks_waiting = std::max(seen.max_blocks_waiting, loop.latest().blocks_waiting);
     while (loop.receive(block)) ++seen.blocks;
     ++seen.frames;
   };

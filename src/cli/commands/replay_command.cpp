@@ -70,14 +70,14 @@ void run_replay(const ReplaySettings& s) {
   table.add("steps", std::to_string(report.steps) + " of " + std::to_string(recording.size()));
   table.add("identical", report.identical ? "yes, every bit" : "no");
   if (report.first_difference) table.add("difference", text_of(*report.first_difference));
-  if (!report.identical) table.add("force", "at most " + rounded(report.largest_force_difference) + " N off");
+  if (!report.identical) table.add("force", "at most " + rounded(report.max_force_difference) + " N off");
   for (const std::string& remark : info.remarks) table.add("remark", remark);
   std::fputs(table.text().c_str(), stdout);
 
   write_json(s.json, {{"steps", report.steps},
                       {"identical", report.identical},
                       {"first_difference", to_json(report.first_difference)},
-                      {"largest_force_difference_N", report.largest_force_difference},
+                      {"max_force_difference_N", report.max_force_difference},
                       {"recorded_steps", recording.size()},
                       {"left_out", report.left_out},
                       {"recording", to_json(info)},

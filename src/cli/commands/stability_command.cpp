@@ -26,7 +26,7 @@ using namespace settings;
 namespace {
 
 constexpr double kWallTolerance = 0.05;     // [1] the table is rounded, and comes from another program
-constexpr double kLeastGain = 10;           // [1] that a coupling must win over a device driven directly
+constexpr double kMinGain = 10;             // [1] that a coupling must win over a device driven directly
 constexpr double kPressedStiffness = 1e16;  // [N/m^4] k_v of bounces, presses and faults with a coupling
 
 struct StabilitySettings {
@@ -63,7 +63,7 @@ void measure_wall(const DeviceModel& device, Findings& findings) {
   for (const WallRow& row : kWallTable) {
     if (row.device != device.name) continue;
     for (int delay = 0; delay < kWallDelays; ++delay) {
-      const double limit = largest_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
+      const double limit = max_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
       const double expected = row.stiffest[std::size_t(delay)], error = limit / expected - 1;
       const auto paused = findings.progress->pause();
       std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
@@ -93,9 +93,9 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
     ClosedLoopConfig config = loop_of(device, hand, delay);
     config.velocity_filter = 100;
     const PressedBall direct, coupled{.coupling = gains_of(device)};
-    const double slope = largest_contact_stiffness(SphereHead{direct.radius});
-    const double k_direct = largest_stable_stiffness(config, contact_models(direct), pressed_search(direct));
-    const double k_coupled = largest_stable_stiffness(config, contact_models(coupled), pressed_search(coupled));
+    const double slope = max_contact_stiffness(SphereHead{direct.radius});
+    const double k_direct = max_stable_stiffness(config, contact_models(direct), pressed_search(direct));
+    const double k_coupled = max_stable_stiffness(config, contact_models(coupled), pressed_search(coupled));
     BounceTest bounced;
     bounced.height = direct.radius;
     bounced.phases = 10;
@@ -128,7 +128,7 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
                                 {"generated_energy_J", bounce_coupled.generated_energy},
                                 {"buzz_um", 1e6 * buzz.position_rms},
                                 {"buzz_N", buzz.force_peak_to_peak}});
-    if (!(k_coupled >= kLeastGain * k_direct))
+    if (!(k_coupled >= kMinGain * k_direct))
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
                                     " wins less than ten times");
     if (bounce_coupled.restitution > 1)
@@ -159,8 +159,8 @@ void measure_faults(const DeviceModel& device, std::string_view hand, Findings& 
            {"delay_ticks", delay},
            {"fault", name_of(fault)},
            {"time_to_zero_ms", response.time_to_zero < 0 ? Json() : Json(1e3 * response.time_to_zero)},
-           {"greatest_force_N", response.greatest_force},
-           {"greatest_growth_N", response.greatest_growth},
+           {"max_force_N", response.max_force},
+           {"max_growth_N", response.max_growth},
            {"oldest_force_ms", 1e3 * response.oldest_force},
            {"end", name_of(response.end)},
            {"rules_obeyed", obeyed}});

@@ -76,18 +76,18 @@ Json to_json(const LoopReport& r) {
       {"safety_log", log},
       {"steps", r.seen.last.tool.steps},
       {"most_in_a_tick",
-       {{"parts", r.seen.last.tool.most_effort.parts},
-        {"newton_steps", r.seen.last.tool.most_effort.newton_steps},
-        {"level_of_detail", r.seen.last.tool.most_effort.level_of_detail}}},
+       {{"parts", r.seen.last.tool.max_effort.parts},
+        {"newton_steps", r.seen.last.tool.max_effort.newton_steps},
+        {"level_of_detail", r.seen.last.tool.max_effort.level_of_detail}}},
       {"removed_volume_mm3", r.seen.last.tool.removed_volume / units::mm3},
       {"force_N",
-       {{"largest_commanded", r.seen.last.largest_commanded},
-        {"largest_applied", r.seen.last.largest_applied},
+       {{"max_commanded", r.seen.last.max_commanded},
+        {"max_applied", r.seen.last.max_applied},
         {"applied_at_end", r.seen.last.output.applied.force.norm()}}},
       {"energy_closure", std::abs(r.simulation.last_result().energy.closure())},
       {"energy_entered_J", r.simulation.last_result().energy.entered},
       {"graphics",
-       {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"most_blocks_waiting", r.seen.most_blocks_waiting}}},
+       {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"max_blocks_waiting", r.seen.max_blocks_waiting}}},
       {"steps_lost_by_recorder", r.steps_lost},
       {"workpiece", to_json(r.workpiece, r.simulation.workpiece().materials())},
       {"build", build_json()},
@@ -107,7 +107,7 @@ std::string to_table(const LoopReport& r) {
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
   table.add("compute",
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
-  const TickEffort& most = r.seen.last.tool.most_effort;
+  const TickEffort& most = r.seen.last.tool.max_effort;
   table.add("most in a tick", std::to_string(most.parts) + (most.parts == 1 ? " part, " : " parts, ") +
                                   std::to_string(most.newton_steps) + " Newton steps, level of detail " +
                                   std::to_string(most.level_of_detail));
@@ -116,10 +116,10 @@ std::string to_table(const LoopReport& r) {
   const EnergyLedger& energy = r.simulation.last_result().energy;
   table.add("energy", "unaccounted for " + rounded(std::abs(energy.closure()), 2) + " of the work, entered " +
                           rounded(energy.entered, 2) + " J");
-  table.add("force", "largest: " + rounded(r.seen.last.largest_commanded) + " N commanded, " +
-                         rounded(r.seen.last.largest_applied) + " N applied");
+  table.add("force", "largest: " + rounded(r.seen.last.max_commanded) + " N commanded, " +
+                         rounded(r.seen.last.max_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +
-                            " changed blocks, at most " + std::to_string(r.seen.most_blocks_waiting) + " waiting");
+                            " changed blocks, at most " + std::to_string(r.seen.max_blocks_waiting) + " waiting");
   for (std::size_t n = 0; n < kSafetyEvents; ++n)
     if (r.run.events[n] > 0)
       table.add("safety", std::string(name_of(SafetyEvent(n))) + " in " + std::to_string(r.run.events[n]) + " ticks");

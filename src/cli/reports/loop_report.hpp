@@ -12,7 +12,7 @@ namespace hapticut::cli {
 /// What a screen saw of a loop.
 struct LoopWatch {
   std::uint64_t frames = 0, blocks = 0;  ///< looks, and changed blocks that were received
-  std::size_t most_blocks_waiting = 0;
+  std::size_t max_blocks_waiting = 0;
   LoopSnapshot last;  ///< of the last tick
 };
 

@@ -8,8 +8,8 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr double kLargestClosure = 0.01;  // [1] beyond it energies and forces do not belong together
-constexpr double kOftenThick = 0.5;       // [1] of the cutting steps
+constexpr double kMaxClosure = 0.01;  // [1] beyond it energies and forces do not belong together
+constexpr double kOftenThick = 0.5;   // [1] of the cutting steps
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
 
@@ -37,7 +37,7 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warnings.emplace_back("in " + steps(thick) + " of " + std::to_string(r.steps_cutting) +
                           " that cut, the engaged layer was thicker than a tenth of the head, so forces come out low; "
                           "raise simulation.reference_stiffness_N_per_m4 or feed slower.");
-  if (std::abs(r.energy.closure()) > kLargestClosure)
+  if (std::abs(r.energy.closure()) > kMaxClosure)
     warnings.emplace_back("the energy ledger does not close: " + rounded(100 * r.energy.closure(), 3) +
                           " % of the work is unaccounted for, " + rounded(r.energy.entered, 2) +
                           " J entered without being pressed in; raise the rate.");

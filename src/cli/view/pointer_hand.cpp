@@ -8,9 +8,9 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr double kFollow = 10e-3;     // [s] time constant
-constexpr double kFastestHand = 0.2;  // [m/s]
-constexpr double kFastestTurn = 6;    // [rad/s]
+constexpr double kFollow = 10e-3;       // [s] time constant
+constexpr double kMaxHandSpeed = 0.2;   // [m/s]
+constexpr double kMaxAngularSpeed = 6;  // [rad/s]
 
 DeviceCapabilities capabilities_of_a_pointer(const Box& around) {
   DeviceCapabilities c;
@@ -63,10 +63,10 @@ bool PointerHand::read(DeviceState& state) noexcept {
   follow(offset, linear, period_);
   follow(turn, angular, period_);
   const Vec3 before = X_WT_.translation;
-  const Vec3 step = saturated(target + offset - before, kFastestHand * period_);
+  const Vec3 step = saturated(target + offset - before, kMaxHandSpeed * period_);
   X_WT_.translation = before + step;
-  velocity_.linear = saturated(linear, kFastestHand);
-  velocity_.angular = saturated(angular, kFastestTurn);
+  velocity_.linear = saturated(linear, kMaxHandSpeed);
+  velocity_.angular = saturated(angular, kMaxAngularSpeed);
   X_WT_.rotation = orthonormalized(Mat3(rotation_from_vector(Vec3(velocity_.angular * period_)) * X_WT_.rotation));
 
   const double now = monotonic_time();

@@ -141,12 +141,12 @@ class Film {
     add_pages(time);
     shown_.tick = step.number;
     shown_.arming = recording_.has_device() ? step.device.arming : ArmingState::on;
-    shown_.X_WT = step.input.pose * recording_.tool().X_HT();
+    shown_.X_WT = step.input.X_WH * recording_.tool().X_HT();
     shown_.tool.force = step.force;
     shown_.tool.torque = step.torque;
     shown_.tool.contact_depth = step.contact.depth;
     shown_.tool.contact_voxels = step.contact.voxels;
-    shown_.tool.contact_point = step.contact.point;
+    shown_.tool.contact_point_W = step.contact.point_W;
     shown_.tool.spindle_speed = step.spindle.speed;
     shown_.tool.status = step.status;
     const double before = shown_.tool.dissipated;

@@ -19,7 +19,7 @@ std::string names_of_heads() {
   return names;
 }
 
-constexpr double kMostWatts = 1000;
+constexpr double kMaxWatts = 1000;
 constexpr int kShownMaterials = 15;
 constexpr const char* kAxisNames[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
 
@@ -84,12 +84,12 @@ void ViewControls::add_tool(const Tool& tool) {
   using Kind = view::Control::Kind;
   const HeadBox box = tool.head().bounding_box();
   controls_.push_back({kHead, Kind::choice, 0, 0, double(head_shapes().size()), "tool", "Head", "", names_of_heads()});
-  number(kDiameter, "tool", "Diameter", "mm", 2 * tool.head().largest_radius() / units::mm, 0.2, 30);
+  number(kDiameter, "tool", "Diameter", "mm", 2 * tool.head().max_radius() / units::mm, 0.2, 30);
   number(kLength, "tool", "Length", "mm", (box.max.z() - box.min.z()) / units::mm, 0.2, 60);
   number(kAngle, "tool", "Cone angle", "°", 30, 1, 80);
   const double rpm = std::abs(tool.spindle().speed) / units::rpm;
   number(kSpeed, "tool", "Speed", "rpm", rpm > 0 ? rpm : 40000, 0, 500000);
-  number(kPower, "tool", "Power limit", "W", std::min(tool.spindle().power_limit, kMostWatts), 0.1, kMostWatts);
+  number(kPower, "tool", "Power limit", "W", std::min(tool.spindle().power_limit, kMaxWatts), 0.1, kMaxWatts);
   const auto* bent = std::get_if<LHandle>(&tool.handle());
   const double length = bent != nullptr ? bent->length : std::get<RayHandle>(tool.handle()).length;
   controls_.push_back({kHandle, Kind::choice, bent != nullptr ? 1.0 : 0.0, 0, 1, "tool", "Handle", "", "ray|L"});
@@ -124,7 +124,7 @@ void ViewControls::add_additional(const Effects& effects) {
   number(kFrequency, "vibration", "Frequency", "Hz", vibration.frequency, 1, 449);
   number(kAmplitude, "vibration", "Amplitude", "N", vibration.amplitude, 0, 2);
   number(kPerWatt, "vibration", "Growth", "N/W", vibration.amplitude_per_watt, 0, 1);
-  number(kLargest, "vibration", "Largest", "N", std::max(vibration.largest_amplitude, vibration.amplitude), 0, 5);
+  number(kLargest, "vibration", "Largest", "N", std::max(vibration.max_amplitude, vibration.amplitude), 0, 5);
   for (std::uint16_t axis = 0; axis < 6; ++axis)
     on_off(std::uint16_t(kMask + axis), "outputs", kAxisNames[axis],
            axis < 3 ? effects.enabled.force[axis] : effects.enabled.torque[axis - 3U]);
@@ -205,7 +205,7 @@ void ViewControls::show(const Effects& effects) {
     at(kFrequency) = vibration->frequency;
     at(kAmplitude) = vibration->amplitude;
     at(kPerWatt) = vibration->amplitude_per_watt;
-    at(kLargest) = vibration->largest_amplitude;
+    at(kLargest) = vibration->max_amplitude;
   }
   const AxisMask& on = effects.enabled;
   const auto any = [](const auto& axes) { return std::ranges::any_of(axes, [](bool axis) { return axis; }); };
@@ -301,7 +301,7 @@ Tool ViewControls::tool() const {
   if (at(kHandle) != 0) handle = LHandle{length, at(kNeck) * units::mm, at(kBend) * units::deg};
   Spindle spindle = tool_.spindle();
   spindle.speed = spindle_speed();
-  if (at(kPower) < kMostWatts) spindle.power_limit = at(kPower);
+  if (at(kPower) < kMaxWatts) spindle.power_limit = at(kPower);
   Cutter cutter = tool_.cutter();  // the kind that the materials of the scene are for
   ToolHead its_head = head();
   if (at(kHead) != 0 && usual_cutter(its_head).kind == CutterKind::twist_drill)

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <thread>
 
+#include "device/angular_velocity_estimate.hpp"
 #include "device/force_dimension/connection.hpp"
 #include "device/ticks_in.hpp"
-#include "device/turning_estimate.hpp"
 #include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/realtime.hpp"
@@ -22,7 +22,7 @@ using force_dimension::Status;
 
 constexpr double kStatusTime = 10e-3;  // [s] between two looks at the status, and ...
 constexpr double kRecoveryTime = 0.1;  // [s] ... between two tries to switch the forces on again
-constexpr int kMostFailures = 100;     // calls in a row after which a device that does not answer is lost
+constexpr int kMaxFailures = 100;      // calls in a row after which a device that does not answer is lost
 
 class ForceDimensionDevice final : public PolledDevice {
  public:
@@ -48,7 +48,7 @@ class ForceDimensionDevice final : public PolledDevice {
   ForceDimensionOptions options_;
   bool simulated_ = bool(options_.clock);  // the options gave us a clock
   Connection connection_;
-  TurningEstimate turning_;
+  AngularVelocityEstimate turning_;
 
   // Of a run.
   double period_ = 1e-3, begin_ = 0, last_read_ = 0;
@@ -97,7 +97,7 @@ void ForceDimensionDevice::note(const Answer& answer) noexcept {
   if (answer.saturated) ++saturated_;
   if (answer.ok || fatal_ != DeviceFault::none) return;
   fatal_ = answer.fault;
-  if (fatal_ == DeviceFault::none && ++failures_ > kMostFailures) fatal_ = DeviceFault::disconnected;
+  if (fatal_ == DeviceFault::none && ++failures_ > kMaxFailures) fatal_ = DeviceFault::disconnected;
   if (fatal_ == DeviceFault::none) return;
   fatal_error_ = answer.error;
   Connection::copy_last_error(fatal_words_);

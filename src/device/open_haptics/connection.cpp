@@ -20,7 +20,7 @@ constexpr int kTriesToReopen = 10;
 
 // The guard lets a force go at once and grow slowly, also to the other side: the driver must bear a step of this many
 // times the peak force.
-constexpr double kGreatestStep = 1.25;  // [1]
+constexpr double kMaxStep = 1.25;  // [1]
 
 std::atomic<int> open_connections{0};
 
@@ -197,7 +197,7 @@ void Connection::enable_force(bool on) {
            {HDenum(HD_FORCE_RAMPING), HDenum(HD_MAX_FORCE_CLAMPING), HDenum(HD_SOFTWARE_FORCE_LIMIT)})
         hdEnable(safety);
       // The default of a few newtons would switch the motors of a strong device off when it lets go.
-      const HDdouble needed = kGreatestStep * capabilities_.peak_force;
+      const HDdouble needed = kMaxStep * capabilities_.peak_force;
       const double allowed = number(HD_SOFTWARE_FORCE_IMPULSE_LIMIT);
       if (allowed > 0 && allowed < needed) hdSetDoublev(HD_SOFTWARE_FORCE_IMPULSE_LIMIT, &needed);
       hdEnable(HD_FORCE_OUTPUT);

@@ -7,7 +7,7 @@
 namespace hapticut::open_haptics {
 namespace {
 
-constexpr int kMostErrors = 1000;  // a driver that fails in every call must not hold us up for ever
+constexpr int kMaxErrors = 1000;  // a driver that fails in every call must not hold us up for ever
 
 }  // namespace
 
@@ -53,7 +53,7 @@ std::string Errors::describe() const {
 
 Errors drain() noexcept {
   Errors errors;
-  for (int n = 0; n < kMostErrors; ++n) {
+  for (int n = 0; n < kMaxErrors; ++n) {
     const HDErrorInfo error = hdGetError();
     if (!HD_DEVICE_ERROR(error)) break;
     if (errors.count < int(errors.kept.size())) errors.kept[std::size_t(errors.count++)] = error;

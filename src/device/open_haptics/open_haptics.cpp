@@ -10,11 +10,11 @@
 #include <cmath>
 #include <thread>
 
+#include "device/angular_velocity_estimate.hpp"
 #include "device/open_haptics/connection.hpp"
 #include "device/open_haptics/errors.hpp"
 #include "device/open_haptics/scheduler.hpp"
 #include "device/ticks_in.hpp"
-#include "device/turning_estimate.hpp"
 #include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -43,8 +43,8 @@ Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
 }
 
 // Errors of all devices are on one stack, so the device that looks first finds those of the others too.
-constexpr std::size_t kMostDevices = 16;
-std::array<std::atomic<DeviceFault>, kMostDevices> faults_by_handle{};
+constexpr std::size_t kMaxDevices = 16;
+std::array<std::atomic<DeviceFault>, kMaxDevices> faults_by_handle{};
 
 /// The graver of two faults.
 DeviceFault graver(DeviceFault a, DeviceFault b) {
@@ -95,7 +95,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
   double temperature_ = 0;
   DeviceFault fault_ = DeviceFault::none;
   open_haptics::Errors fatal_;
-  TurningEstimate turning_;
+  AngularVelocityEstimate turning_;
 };
 
 void OpenHapticsDevice::read(DeviceState& state) noexcept {
@@ -148,12 +148,12 @@ void OpenHapticsDevice::look_after_calibration() noexcept {
 void OpenHapticsDevice::take_errors() noexcept {
   const HHD own = connection_.handle();
   const open_haptics::Errors errors = drain();
-  fault_ = own < kMostDevices ? faults_by_handle[own].exchange(DeviceFault::none) : DeviceFault::none;
+  fault_ = own < kMaxDevices ? faults_by_handle[own].exchange(DeviceFault::none) : DeviceFault::none;
   for (int n = 0; n < errors.count; ++n) {
     const HDErrorInfo& error = errors.kept[std::size_t(n)];
     const DeviceFault fault = open_haptics::fault_of(error.errorCode);
     // A lost connection is reported without a handle, by the frame that finds it: it is ours.
-    const bool foreign = error.hHD != own && error.hHD < kMostDevices && fault != DeviceFault::disconnected &&
+    const bool foreign = error.hHD != own && error.hHD < kMaxDevices && fault != DeviceFault::disconnected &&
                          fault != DeviceFault::driver_error;
     if (foreign)
       faults_by_handle[error.hHD] = graver(faults_by_handle[error.hHD], fault);

@@ -12,7 +12,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kLongestRun = 1e6;  // [s] that a text may ask for
+constexpr double kMaxRunTime = 1e6;  // [s] that a text may ask for
 
 MockOptions with_defaults(MockOptions options) {
   if (!options.path) options.path = scripted_path("rest");
@@ -25,7 +25,7 @@ double seconds_from(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double value = 0;
-  if (!(in >> value) || !in.eof() || !(value > 0 && value <= kLongestRun))
+  if (!(in >> value) || !in.eof() || !(value > 0 && value <= kMaxRunTime))
     throw Error("The mock device's seconds=" + text + " must be a number above 0, e.g. seconds=10.");
   return value;
 }

@@ -8,7 +8,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::chrono::seconds kLongestWait{20};  // for a frame
+constexpr std::chrono::seconds kMaxWait{20};  // for a frame
 
 void append_element(std::string& bytes, std::uint32_t tag, const char* kind, std::string value) {
   if (value.size() % 2 != 0) value += kind == std::string_view("UI") ? '\0' : ' ';
@@ -76,7 +76,7 @@ std::string CodecProcess::operator()(const DicomFile& file, const DicomPicture& 
   append_bytes_of(message, std::uint64_t(picture.frame_bytes()));
   std::uint64_t length = 0;
   std::string values(picture.frame_bytes(), '\0');
-  std::chrono::nanoseconds patience = kLongestWait;
+  std::chrono::nanoseconds patience = kMaxWait;
   const bool answered = process_.send(message) && process_.send(request) &&
                         process_.receive(reinterpret_cast<char*>(&length), sizeof length, patience) &&
                         length == values.size() && process_.receive(values.data(), values.size(), patience);

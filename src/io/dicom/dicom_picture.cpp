@@ -111,7 +111,7 @@ void stack_frames(const DicomFile& file, DicomPicture& picture) {
   FileGeometry& geometry = picture.geometry;
   const auto frames = std::size_t(geometry.dims[2]);
   for (std::size_t n = 1; n < frames && file.data.sequences.contains(kFrameGroups); ++n)
-    if (!((direction_of(file, n) - geometry.direction).cwiseAbs().maxCoeff() <= kLargestRounding))
+    if (!((direction_of(file, n) - geometry.direction).cwiseAbs().maxCoeff() <= kMaxRounding))
       throw Error("its frames 1 and " + std::to_string(n + 1) + " lie in different directions. Take them apart first.");
   const std::vector<Vec3> places = places_of(file, frames, geometry);
   if (places.size() >= 2) {

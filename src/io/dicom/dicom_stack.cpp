@@ -61,7 +61,7 @@ std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const 
   // Where positions lead off the normal by more than their own rounding, the directions are rounded; or it is a shear.
   const double off = (step - step.dot(normal) * normal).norm();
   if (off * double(steps.size()) > 2 * tolerance) {
-    if (!(off <= kLargestRounding * step.norm()))
+    if (!(off <= kMaxRounding * step.norm()))
       throw Error("its " + planes + " are shifted against each other (a tilted gantry). Resample it first.");
     geometry.direction.col(2) = step.normalized();
     for (int axis = 0; axis < 2; ++axis) {

@@ -65,7 +65,7 @@ inline constexpr auto kMeshEndings = [] {
   return format == nullptr ? 1 : format->unit_mm;
 }
 
-inline constexpr double kLongestPlausible = 1000;  ///< [mm] of a mesh whose unit nobody need ask for
+inline constexpr double kMaxPlausibleLength = 1000;  ///< [mm] of a mesh whose unit nobody need ask for
 
 /// Which units make a length plausible: "unit_mm = 1000 if its unit is a metre", or nothing.
 /// @param length    [units of the file]
@@ -77,7 +77,7 @@ inline constexpr double kLongestPlausible = 1000;  ///< [mm] of a mesh whose uni
                                    {10.0, "a centimetre"},
                                    {1.0, "a millimetre"},
                                    {0.001, "a micrometre"}})
-    if (unit * length >= shortest && unit * length <= kLongestPlausible)
+    if (unit * length >= shortest && unit * length <= kMaxPlausibleLength)
       append_part(units, "unit_mm = " + format_number(unit) + " if its unit is " + name, ", ");
   return units;
 }

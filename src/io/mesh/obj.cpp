@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 11> kTextThatIsSkipped = {
 constexpr std::array<std::string_view, 16> kFreeForm = {"cstype", "deg",  "bmat",  "step", "curv", "curv2",
                                                         "surf",   "parm", "trim",  "hole", "scrv", "sp",
                                                         "end",    "con",  "ctech", "stech"};
-constexpr std::int64_t kMostVertices = 0xffffffff;
+constexpr std::int64_t kMaxVertices = 0xffffffff;
 
 template <std::size_t kCount>
 bool is_one_of(const std::array<std::string_view, kCount>& words, std::string_view word) {
@@ -27,8 +27,8 @@ class ObjParser {
 
   Polygons parse() {
     while (lines_.next_line()) parse_line();
-    if (largest_ > std::int64_t(polygons_.vertices.size()))
-      throw Error("line " + std::to_string(line_of_largest_) + ": a face names vertex " + std::to_string(largest_) +
+    if (max_ > std::int64_t(polygons_.vertices.size()))
+      throw Error("line " + std::to_string(line_of_largest_) + ": a face names vertex " + std::to_string(max_) +
                   ", but the file has only " + std::to_string(polygons_.vertices.size()) + ".");
     return std::move(polygons_);
   }
@@ -96,12 +96,12 @@ class ObjParser {
     }
     const auto count = std::int64_t(polygons_.vertices.size());
     if (index == 0) lines_.fail("a face names vertex 0; vertices are counted from 1.");
-    if (index < -count || index > kMostVertices)
+    if (index < -count || index > kMaxVertices)
       lines_.fail("a face names vertex " + std::to_string(index) + ", but there are " + std::to_string(count) +
                   " before it.");
     if (index < 0) return std::uint32_t(count + index);
-    if (index > largest_) {
-      largest_ = index;
+    if (index > max_) {
+      max_ = index;
       line_of_largest_ = lines_.number();
     }
     return std::uint32_t(index - 1);
@@ -122,7 +122,7 @@ class ObjParser {
   Polygons polygons_;
   std::map<std::string, std::size_t> object_by_name_;
   std::size_t object_ = 0;
-  std::int64_t largest_ = 0;  // vertices may stand behind the faces that name them
+  std::int64_t max_ = 0;  // vertices may stand behind the faces that name them
   std::size_t line_of_largest_ = 0;
 };
 

@@ -46,7 +46,7 @@ class PlyValues {
   }
 
   /// How many vertices can follow at most, each of which takes three bytes or more.
-  [[nodiscard]] std::size_t most_vertices(std::uint64_t announced) const {
+  [[nodiscard]] std::size_t max_vertices(std::uint64_t announced) const {
     return std::size_t(std::min<std::uint64_t>(announced, bytes_.size() / 3));
   }
 
@@ -132,7 +132,7 @@ class PlyParser {
     for (int axis = 0; axis < 3; ++axis)
       if (std::count(axis_of.begin(), axis_of.end(), axis) != 1)
         throw Error("its vertices must have one property each of the names x, y and z.");
-    polygons_.vertices.reserve(values_.most_vertices(element.count));
+    polygons_.vertices.reserve(values_.max_vertices(element.count));
     for_each(element, [&] {
       Vec3& position = polygons_.vertices.emplace_back();
       for (std::size_t n = 0; n < axis_of.size(); ++n) {

@@ -8,7 +8,7 @@
 namespace hapticut::hdf5 {
 namespace {
 
-constexpr hsize_t kLongestText = 1 << 20;  // [bytes]
+constexpr hsize_t kMaxText = 1 << 20;  // [bytes]
 
 /// The innermost entry of HDF5's error stack is the reason; the others repeat who called whom.
 herr_t keep_first(unsigned n, const H5E_error2_t* entry, void* reason) {
@@ -27,7 +27,7 @@ DataType text_type(std::size_t length) {
 /// A buffer for a text of fixed length of this type.
 std::string buffer_for(const DataType& type, const std::string& name) {
   const std::size_t length = H5Tget_size(type.get());
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 || length > kLongestText)
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 || length > kMaxText)
     throw Failure("its '" + name + "' is no text");
   return std::string(length, '\0');
 }

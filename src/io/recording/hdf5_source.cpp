@@ -10,8 +10,8 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kHead = 12;                                 // [bytes] of a file that say what it is
-constexpr std::uint64_t kLargestBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
+constexpr std::size_t kHead = 12;                             // [bytes] of a file that say what it is
+constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
 
 /// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
 /// Specification, superblock version 3).
@@ -118,7 +118,7 @@ std::string Hdf5Source::layout_at(const std::string& place) {
 }
 
 std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
-  if (double(q.numbers) * double(q.count) > double(kLargestBlock)) throw std::bad_alloc();
+  if (double(q.numbers) * double(q.count) > double(kMaxBlock)) throw std::bad_alloc();
   const std::string its = "its '" + name_at(place) + "'", what = "reading " + name_at(place);
   const hid_t set = data_set_at(place);
   (void)hdf5::number_class(set, name_at(place));

@@ -30,9 +30,9 @@ std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path,
   if (count == 0)
     throw Error("the recording '" + path.string() + "' has " + std::to_string(size) +
                 " steps, and none to play back from number " + std::to_string(range.first) + " on.");
-  if (count > kMostPlayedSteps)
+  if (count > kMaxPlayedSteps)
     throw Error("the recording '" + path.string() + "' has " + std::to_string(count) +
-                " steps to play back, and at most " + std::to_string(kMostPlayedSteps) +
+                " steps to play back, and at most " + std::to_string(kMaxPlayedSteps) +
                 " are held in memory; open a part of it with open_playback and a PlaybackRange.");
   std::vector<DeviceState> readings;
   readings.reserve(count);

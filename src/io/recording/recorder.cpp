@@ -7,10 +7,10 @@
 
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
+#include "io/recording/disk_space.hpp"
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
-#include "io/recording/room_on_disk.hpp"
 #include "realtime/background_writer.hpp"
 
 namespace hapticut {
@@ -39,8 +39,8 @@ std::filesystem::path growing_path(const std::filesystem::path& path) {
   std::error_code code;
   std::filesystem::path at = place_behind_links(path);
   if (!std::filesystem::exists(at, code)) return at;
-  constexpr std::size_t kLongestName = 251;  // [bytes] with what is put behind it
-  return at.parent_path() / (at.filename().string().substr(0, kLongestName) + ".new");
+  constexpr std::size_t kMaxName = 251;  // [bytes] with what is put behind it
+  return at.parent_path() / (at.filename().string().substr(0, kMaxName) + ".new");
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
@@ -72,7 +72,7 @@ struct Recorder::State {
   std::atomic<bool> ending_failed{false};
 
   // The writer's side.
-  std::unique_ptr<RoomOnDisk> room;
+  std::unique_ptr<DiskSpace> room;
   hdf5::File file;
   std::vector<const Column*> columns;
   std::vector<hdf5::Appender> appenders;
@@ -114,7 +114,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.note = options.note;
     write_recording_header(target.temporary_path(), info, simulation, s.options);
     target.commit();
-    s.room = std::make_unique<RoomOnDisk>(s.growing);
+    s.room = std::make_unique<DiskSpace>(s.growing);
     s.room->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
     // From here on the file is in order at any moment: single writer, multiple readers.
@@ -131,7 +131,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     s.effects_appenders.emplace_back(effects.get(), kEffectValues, ValueType::float64);
   } catch (const hdf5::Failure& failure) {
     fail(path, failure.what());
-  } catch (const RoomOnDisk::Lacking& lacking) {
+  } catch (const DiskSpace::Lacking& lacking) {
     fail(path, lacking.what());
   }
   s.writer = std::make_unique<BackgroundWriter<Message>>(
@@ -151,7 +151,7 @@ Recorder::~Recorder() {
 const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
   state_->message.step.device = device != nullptr ? *device : DeviceTick{};
   state_->has_device_tick = device != nullptr;
-  return state_->simulation.step(input.pose, input.velocity, input.dt);
+  return state_->simulation.step(input.X_WH, input.V_WH, input.dt);
 }
 
 void Recorder::set_device_tick(const DeviceTick& tick) noexcept {
@@ -193,7 +193,7 @@ void Recorder::State::note(const ObservedStep& step) noexcept {
   row.spindle_setting = step.spindle_setting;
   row.reserved_blocks = simulation.config().reserved_blocks;
   row.free_blocks = step.free_blocks;
-  row.let_go = step.let_go;
+  row.hand_released = step.hand_released;
   row.halted = step.halted;
   row.path = step.path;
   row.hand = step.path == OutputPath::coupled ? step.hand : HandOutput{};

@@ -109,13 +109,13 @@ std::vector<Column> make_columns() {
   ColumnList list;
   list.add(input, "number", "1", none, "steps since the recording began", at(&Step::number));
   list.add(input, "time", "s", none, "at the end of the step", at(&Step::time));
-  list.add(input, "pose", "", "X_WH", "of the handle", at(&Step::input, &StepInput::pose));
-  list.add(input, "velocity", "", W, "of the handle at Ho", at(&Step::input, &StepInput::velocity));
+  list.add(input, "pose", "", "X_WH", "of the handle", at(&Step::input, &StepInput::X_WH));
+  list.add(input, "velocity", "", W, "of the handle at Ho", at(&Step::input, &StepInput::V_WH));
   list.add(input, "dt", "s", none, "since the last step", at(&Step::input, &StepInput::dt));
   list.add(input, "spindle_setting", "rad/s", about_z, "asked of the spindle", at(&Step::spindle_setting));
   list.add(input, "reserved_blocks", "1", none, "blocks for cutting that were asked for", at(&Step::reserved_blocks));
   list.add(input, "free_blocks", "1", none, "blocks for cutting left before the step", at(&Step::free_blocks));
-  list.add(input, "let_go", "1", none, "1: the hand had let go before the step", at(&Step::let_go));
+  list.add(input, "hand_released", "1", none, "1: the hand had let go before the step", at(&Step::hand_released));
   list.add(input, "halted", "1", none, "1: the spindle had been halted before the step", at(&Step::halted));
   list.add(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", at(&Step::path));
   list.add(input, "hand", "", "X_WD", "of the hand behind a coupling", at(&Step::hand, &HandOutput::X_WD));

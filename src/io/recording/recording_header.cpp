@@ -2,10 +2,10 @@
 #include <bit>
 #include <iterator>
 
+#include "io/recording/disk_space.hpp"
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
-#include "io/recording/room_on_disk.hpp"
 #include "io/recording/settings_archive.hpp"
 #include "io/vdb/vdb_bytes.hpp"
 
@@ -80,7 +80,7 @@ void write_recording_header(const std::filesystem::path& path, const RecordingIn
                             const RecorderOptions& options) {
   std::string vdb;
   if (options.workpiece_file.empty()) vdb = vdb_bytes(simulation.workpiece());
-  RoomOnDisk(path).require(vdb.size() + kHeaderRoom);
+  DiskSpace(path).require(vdb.size() + kHeaderRoom);
   hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newest_format().get()), "creating it");
   write_info(file.get(), info);
   write_settings(file.get(), simulation.config(), simulation.tool(), simulation.workpiece().materials());
@@ -117,8 +117,8 @@ void note_result(const StepResult& result, RecordedStep& row) noexcept {
 
 DeviceState reading_of_handle(const RecordedStep& step) noexcept {
   DeviceState state;
-  state.X_BS = step.input.pose;
-  state.velocity = step.input.velocity;
+  state.X_BS = step.input.X_WH;
+  state.velocity = step.input.V_WH;
   state.time = step.time;
   state.sequence = step.number + 1;
   return state;

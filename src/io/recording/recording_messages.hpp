@@ -36,11 +36,11 @@ struct Answer {
   std::uint64_t bytes = 0;  ///< of the content that follows; of what was refused: the sentence
 };
 
-inline constexpr std::uint64_t kLongestPlace = 1 << 16;    // [bytes]
-inline constexpr std::uint64_t kLongestAnswer = 1 << 20;   // [bytes] of what is no block
-inline constexpr std::uint64_t kLongestSentence = 1000;    // [bytes] of it that are shown
-inline constexpr std::uint64_t kMostDimensions = 32;       // of a data set
-inline constexpr unsigned kMostReadingSeconds = 15;        // of processor time, and more for what is long
+inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]
+inline constexpr std::uint64_t kMaxAnswer = 1 << 20;       // [bytes] of what is no block
+inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] of it that are shown
+inline constexpr std::uint64_t kMaxDimensions = 32;        // of a data set
+inline constexpr unsigned kMaxReadingSeconds = 15;         // of processor time, and more for what is long
 inline constexpr std::uint64_t kBytesPerSecond = 4 << 20;  // that it has more for
 
 }  // namespace hapticut

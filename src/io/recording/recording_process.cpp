@@ -36,11 +36,11 @@ std::string RecordingProcess::answer(const Question& question, const std::string
   if (answer.result == Answer::Result::no_memory) throw std::bad_alloc();
   const bool done = answer.result == Answer::Result::done;
   const std::uint64_t most =
-      done && head.ask == Ask::block ? head.numbers * head.count * size_of(ValueType(head.kind)) : kLongestAnswer;
+      done && head.ask == Ask::block ? head.numbers * head.count * size_of(ValueType(head.kind)) : kMaxAnswer;
   if ((!done && answer.result != Answer::Result::refused) || answer.bytes > most) die();
   std::string content(answer.bytes, '\0');
   receive(content.data(), content.size());
-  if (!done) throw hdf5::Failure(content.substr(0, kLongestSentence));
+  if (!done) throw hdf5::Failure(content.substr(0, kMaxSentence));
   return content;
 }
 

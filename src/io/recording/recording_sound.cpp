@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kStepsHeardAtOnce = 4096;
 constexpr std::uint32_t kHeadBytes = 44;
-constexpr double kMostBytes = 4e9;  // lengths have 32 bits
+constexpr double kMaxBytes = 4e9;  // lengths have 32 bits
 
 /// RIFF, its format chunk (PCM, one channel, 16 bits) and the head of its data.
 std::string wav_head(std::uint32_t rate, std::uint32_t data_bytes) {
@@ -89,7 +89,7 @@ void write_wav(const Recording& recording, const std::filesystem::path& path, do
         for (const float sample : listener.listen(step))
           append_bytes_of(text, std::int16_t(std::lround(sample * 32767.0F)));
         bytes += double(text.size());
-        if (bytes > kMostBytes)
+        if (bytes > kMaxBytes)
           throw Error("'" + path.string() +
                       "' would be longer than the 4 GB that a WAV file can have; the recording is "
                       "too long. Take a lower sample rate.");

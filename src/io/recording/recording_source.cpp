@@ -63,7 +63,7 @@ std::string RecordingSource::text(const std::string& place) { return ask(Ask::te
 DataSetLayout RecordingSource::layout(const std::string& place) {
   const std::string content = ask(Ask::layout, place);
   const auto numbers = numbers_of<std::uint64_t>(content.data(), content.size());
-  if (numbers.empty() || numbers.size() > 1 + kMostDimensions || content.size() % sizeof(std::uint64_t) != 0)
+  if (numbers.empty() || numbers.size() > 1 + kMaxDimensions || content.size() % sizeof(std::uint64_t) != 0)
     fail_of_reader();
   return {numbers[0] != 0, {numbers.begin() + 1, numbers.end()}};
 }

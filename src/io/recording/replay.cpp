@@ -35,9 +35,9 @@ class RecordedCoupling final : public HandCoupling {
 };
 
 const StepResult& step_again(Simulation& simulation, const RecordedStep& step) {
-  if (step.let_go) simulation.let_go();
+  if (step.hand_released) simulation.release_hand();
   RecordedCoupling coupling(step);
-  return simulation.step(step.input.pose, step.input.velocity, step.input.dt,
+  return simulation.step(step.input.X_WH, step.input.V_WH, step.input.dt,
                          step.path == OutputPath::direct ? nullptr : &coupling);
 }
 
@@ -93,8 +93,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
       note_result(step_again(simulation, recorded), replayed);
       if (!report.first_difference)
         report.first_difference = compare(RecordingAccess::state(recording).columns, recorded, replayed);
-      report.largest_force_difference =
-          std::max(report.largest_force_difference, (replayed.force - recorded.force).norm());
+      report.max_force_difference = std::max(report.max_force_difference, (replayed.force - recorded.force).norm());
       ++report.steps;
       if (options.stepped) options.stepped(simulation, recorded);
     }

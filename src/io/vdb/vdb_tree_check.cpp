@@ -11,13 +11,13 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kValueSize = 4;            // [bytes] of a float and of an int32
-constexpr std::uint64_t kUpper = 32 * 32 * 32;   // entries of a node of the upper level
-constexpr std::uint64_t kLower = 16 * 16 * 16;   // and of the lower level
-constexpr std::uint64_t kLeaf = 8 * 8 * 8;       // voxels of a leaf
-constexpr std::int32_t kUpperEdge = 4096;        // [voxels] of a node of the upper level
-constexpr std::int32_t kFarthest = 1 << 30;      // [voxels] leaves room for sums of indices
-constexpr std::size_t kFewestBytesOfBlosc = 16;  // length of its header
+constexpr std::size_t kValueSize = 4;           // [bytes] of a float and of an int32
+constexpr std::uint64_t kUpper = 32 * 32 * 32;  // entries of a node of the upper level
+constexpr std::uint64_t kLower = 16 * 16 * 16;  // and of the lower level
+constexpr std::uint64_t kLeaf = 8 * 8 * 8;      // voxels of a leaf
+constexpr std::int32_t kUpperEdge = 4096;       // [voxels] of a node of the upper level
+constexpr std::int32_t kFarthest = 1 << 30;     // [voxels] leaves room for sums of indices
+constexpr std::size_t kMinBytesOfBlosc = 16;    // length of its header
 
 /// A bit per entry of a node.
 class Mask {
@@ -138,7 +138,7 @@ class TreeWalk {
 
   /// Versions and flags; bytes after and before decompression, between them the size of a block.
   static void check_head_of_blosc(std::string_view packed, std::uint64_t size) {
-    if (packed.size() < kFewestBytesOfBlosc) damaged_vdb("compressed values are too short");
+    if (packed.size() < kMinBytesOfBlosc) damaged_vdb("compressed values are too short");
     ByteReader head(packed);
     head.take(4);
     const auto unpacked_bytes = head.take<std::uint32_t>();

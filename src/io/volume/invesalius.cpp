@@ -115,8 +115,8 @@ class ProjectArchive {
 }  // namespace
 
 RawImage parse_invesalius(std::string_view bytes) {
-  constexpr double kLargestList = 1e6;  // [bytes]
-  const PropertyList list(ProjectArchive(bytes).read("main.plist", kLargestList));
+  constexpr double kMaxList = 1e6;  // [bytes]
+  const PropertyList list(ProjectArchive(bytes).read("main.plist", kMaxList));
   if (list.get("matrix/dtype") != "int16")
     throw Error("its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
 

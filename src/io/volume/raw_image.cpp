@@ -46,9 +46,9 @@ Mat3 directions_in(const FileGeometry& geometry, const std::filesystem::path& pa
   const Vec3 lengths = geometry.direction.colwise().norm();
   const Mat3 unit = geometry.direction * lengths.cwiseInverse().asDiagonal();
   const Mat3 cosines = unit.transpose() * unit - Mat3::Identity();
-  if (!(cosines.cwiseAbs().maxCoeff() < kLargestRounding))
+  if (!(cosines.cwiseAbs().maxCoeff() < kMaxRounding))
     cannot_read(path, "its axes are not perpendicular; resample it to a regular grid first.");
-  if (!((lengths.array() - 1).abs().maxCoeff() < 2 * kLargestRounding))
+  if (!((lengths.array() - 1).abs().maxCoeff() < 2 * kMaxRounding))
     cannot_read(path, "the directions of its axes are not of length 1. Check its header.");
   return orthonormalized(unit);
 }

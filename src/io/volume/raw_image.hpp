@@ -57,7 +57,7 @@ struct RawImage {
 
 /// [1] Cosine between axes that are perpendicular but for the rounding of their directions in a header: three digits,
 /// and three of directions times a spacing of 0.3 mm in NRRD. A gantry is tilted by more: half a degree.
-inline constexpr double kLargestRounding = 6e-3;
+inline constexpr double kMaxRounding = 6e-3;
 
 /// Checks that there are between 1 and kMaxVolumeSamples samples, a whole number along every axis.
 /// @param dims  any numbers that a header may claim

@@ -16,14 +16,14 @@
 namespace hapticut {
 namespace {
 
-constexpr tmsize_t kLargestPiece = tmsize_t(1) << 28;  // [bytes] of a strip or a tile
+constexpr tmsize_t kMaxPiece = tmsize_t(1) << 28;  // [bytes] of a strip or a tile
 
 class TiffReader {
  public:
   explicit TiffReader(const std::filesystem::path& path) : path_(path), available_(double(readable_size(path))) {
     const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
                                                                                TIFFOpenOptionsFree);
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kLargestPiece);
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kMaxPiece);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &TiffReader::note_error, this);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &TiffReader::ignore, nullptr);
     tiff_.reset(TIFFOpenExt(path.c_str(), "rm", options.get()));
@@ -71,7 +71,7 @@ class TiffReader {
   }
 
   void read_rows(PictureFile& picture, std::size_t row) {
-    if (TIFFScanlineSize64(tiff_.get()) != row || TIFFStripSize64(tiff_.get()) > std::uint64_t(kLargestPiece))
+    if (TIFFScanlineSize64(tiff_.get()) != row || TIFFStripSize64(tiff_.get()) > std::uint64_t(kMaxPiece))
       fail("its strips do not fit it");
     for (std::size_t y = 0; y < std::size_t(picture.dims[1]); ++y)
       if (TIFFReadScanline(tiff_.get(), picture.bytes.data() + y * row, std::uint32_t(y), 0) != 1)
@@ -83,7 +83,7 @@ class TiffReader {
     TIFFGetField(tiff_.get(), TIFFTAG_TILEWIDTH, &tile_width);
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &tile_height);
     const std::uint64_t size = TIFFTileSize64(tiff_.get()), tile_row = TIFFTileRowSize64(tiff_.get());
-    if (tile_width < 1 || tile_height < 1 || size > std::uint64_t(kLargestPiece) || size < tile_row * tile_height)
+    if (tile_width < 1 || tile_height < 1 || size > std::uint64_t(kMaxPiece) || size < tile_row * tile_height)
       fail("its tiles do not fit it");
     const std::size_t pixel = picture.channels * size_of(picture.type);
     if (tile_row < tile_width * pixel) fail("its tiles do not fit it");

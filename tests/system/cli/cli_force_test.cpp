@@ -143,21 +143,21 @@ TEST_F(EffectsSettings, ArriveInTheForceThatTheHandFeels) {
 
 TEST_F(EffectsSettings, VibrationShakesWhileItCuts) {
   const auto still = steps("", test::kBall);
-  const auto largest_of = [&](const std::string& settings) {
+  const auto max_of = [&](const std::string& settings) {
     const auto shaken = steps("--vibration_Hz 150 --vibration_N " + settings, test::kBall);
     double largest = 0;
     for (std::size_t i = 0; i < still.at("force_z_N").size(); ++i)
       largest = std::max(largest, std::abs(shaken.at("force_z_N")[i] - still.at("force_z_N")[i]));
     return largest;
   };
-  const double given = largest_of("0.4");
+  const double given = max_of("0.4");
   EXPECT_GT(given, 0.38);
   EXPECT_LE(given, 0.4 + kDigits);
-  EXPECT_NEAR(largest_of("0 --vibration_N_per_W 1e9 --vibration_largest_N 0.1"), 0.1, 0.01);
+  EXPECT_NEAR(max_of("0 --vibration_N_per_W 1e9 --vibration_max_N 0.1"), 0.1, 0.01);
   expect_failure("--vibration_Hz 500", {"effects.vibration_Hz = 500", "below 450", "simulation.rate_Hz = 1000"});
   EXPECT_EQ(run("drill " + test::kBlock + test::kBall + kDown + "--rate 2000 --vibration_Hz 500").code, 0);
-  expect_failure("--vibration_Hz 100 --vibration_N 1 --vibration_largest_N 0.5",
-                 {"effects.vibration_N = 1", "effects.vibration_largest_N = 0.5"});
+  expect_failure("--vibration_Hz 100 --vibration_N 1 --vibration_max_N 0.5",
+                 {"effects.vibration_N = 1", "effects.vibration_max_N = 0.5"});
   expect_failure("--vibration_N 1",
                  {"effects.vibration_N = 1; must be left out, because a tool without effects.vibration_Hz has none",
                   "set --vibration_Hz"});
@@ -169,7 +169,7 @@ TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
   for (const double force : axes.at("force_z_N")) EXPECT_EQ(force, 0);
   for (const double torque : axes.at("torque_z_Nmm")) EXPECT_EQ(torque, 0);
 
-  const auto limited = steps("--largest_force_N 0.5 --largest_torque_Nmm 0.01", test::kBall);
+  const auto limited = steps("--max_force_N 0.5 --max_torque_Nmm 0.01", test::kBall);
   EXPECT_GT(*std::max_element(plain.at("force_z_N").begin(), plain.at("force_z_N").end()), 0.6);
   for (const double force : limited.at("force_z_N")) EXPECT_LE(force, 0.5 + 1e-9);
   for (const double torque : limited.at("torque_z_Nmm")) EXPECT_LE(std::abs(torque), 0.01 + 1e-9);

@@ -26,12 +26,12 @@ TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
   for (const char* pointer :
        {"/device/model", "/rate_Hz", "/missed_ticks", "/end", "/wake_up_us/p99", "/compute_us/p999",
         "/compute_us/buckets", "/deadline_misses", "/safety_events/engaged", "/safety_log/0/event", "/graphics/frames",
-        "/force_N/largest_applied", "/most_in_a_tick/newton_steps", "/workpiece/dims/2", "/build/version", "/warnings"})
+        "/force_N/max_applied", "/most_in_a_tick/newton_steps", "/workpiece/dims/2", "/build/version", "/warnings"})
     EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
   EXPECT_EQ(report["ticks"], 4001);
   EXPECT_EQ(report["steps"], 4001);
   EXPECT_GT(report["removed_volume_mm3"], 1);
-  EXPECT_LE(report["force_N"]["largest_applied"], report["device"]["peak_force_N"]);
+  EXPECT_LE(report["force_N"]["max_applied"], report["device"]["peak_force_N"]);
   EXPECT_EQ(report["safety_events"]["engaged"], 1);
   EXPECT_GT(report["graphics"]["blocks"], 10);
   std::uint64_t counted = 0;
@@ -113,7 +113,7 @@ TEST_F(Loop, PressesTheSameAtEveryRate) {
     EXPECT_EQ(report["rate_Hz"], rate);
     EXPECT_EQ(report["ticks"], 3 * rate + 1);
     EXPECT_NEAR(report["force_N"]["applied_at_end"].get<double>(), 0.942, 0.01) << rate;
-    EXPECT_NEAR(report["force_N"]["largest_applied"].get<double>(), 1.02, 0.05) << rate << ": where it meets the bone";
+    EXPECT_NEAR(report["force_N"]["max_applied"].get<double>(), 1.02, 0.05) << rate << ": where it meets the bone";
     EXPECT_EQ(report["safety_events"]["engaged"], 1) << rate;
   }
 }

@@ -58,7 +58,7 @@ TEST(ViewScenes, OfAWorkpieceHaveABallThatSuitsIt) {
   const std::string path = (folder / "a.vdb").string();
   save_vdb(build_block({Vec3::Zero(), Vec3(24, 12, 12) * mm}, 0.5 * mm, Material{.name = "a"}), path);
   const ViewScene scene = make_view_scene(path);
-  EXPECT_NEAR(scene.tool.head().largest_radius(), 1 * mm, 1e-12);  // a twelfth across
+  EXPECT_NEAR(scene.tool.head().max_radius(), 1 * mm, 1e-12);  // a twelfth across
   expect_ready_to_drill(scene);
 }
 
@@ -79,7 +79,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   expect_ready_to_drill(scene);
   // From where the tool waits, a ball of 3 mm goes in until it has cut 3 mm^3: by the ranges of grey values alone
   // nine tenths of it were trabecular.
-  constexpr double kWanted = 3e-9, kMostTrabecular = 0.2, kDt = 1e-3;
+  constexpr double kWanted = 3e-9, kMaxTrabecular = 0.2, kDt = 1e-3;
   const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, scene.tool.spindle());
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
   Pose X_WT = cli::waiting_place(scene);
@@ -91,7 +91,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   }
   ASSERT_EQ(scene.workpiece.materials()[MaterialId(1)].name, "trabecular_bone");
   EXPECT_GE(removed[1] + removed[2], kWanted);
-  EXPECT_LT(removed[1] / (removed[1] + removed[2]), kMostTrabecular);
+  EXPECT_LT(removed[1] / (removed[1] + removed[2]), kMaxTrabecular);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ class Episode {
         {"spindle_is_held", [](Episode& e) { e.simulation_.hold_spindle(!e.simulation_.spindle_is_held()); }},
         {"hand_releases",
          [](Episode& e) {
-           e.coupling_.release();
+           e.coupling_.reset();
            e.invariants_.expect_new_grip();
          }},
         {"hand_leaves", [](Episode& e) { e.leave(VirtualCoupling::Rejoin::near); }},
@@ -136,8 +136,8 @@ class Episode {
          [](Episode& e) {
            Effects effects;
            if (below(2, e.random_) == 0) {
-             effects.limits.largest_force = e.random_.between(0.5, 3);
-             effects.limits.largest_torque = 0.1;
+             effects.limits.max_force = e.random_.between(0.5, 3);
+             effects.limits.max_torque = 0.1;
              effects.limits.force_growth = 1000;
              effects.limits.ramp_time = 0.1;
            }
@@ -201,7 +201,7 @@ class Episode {
   [[nodiscard]] double own_speed() const { return simulation_.tool().spindle().speed; }
 
   void leave(VirtualCoupling::Rejoin rejoin) {
-    coupling_.leave(rejoin);
+    coupling_.park(rejoin);
     invariants_.expect_new_grip();
   }
 

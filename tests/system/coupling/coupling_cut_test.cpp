@@ -35,7 +35,7 @@ ConstantForceCut cut_under(VirtualCoupling& coupling, double force, double from,
   double begin = 0;
   coupling.step(at_height(z), {}, kTick);
   for (int n = 0; n < 60000 && z > to; ++n) {
-    const CoupledResult& result = coupling.step(at_height(z - below), coupling.last_result().velocity, kTick);
+    const CoupledResult& result = coupling.step(at_height(z - below), coupling.last_result().V_WH, kTick);
     z = result.X_WH.translation.z();
     if (z > from + (to - from) / 3) continue;
     if (time == 0) begin = z;

@@ -20,12 +20,12 @@ using namespace test;
 using units::mm;
 
 struct Stroke {
-  double least_hand_work = 0;     // [J] the lowest that the sum of the hand's work ever was
-  double greatest_imbalance = 0;  // [J] of the coupling's ledger
-  double rebound = 0;             // [m/s] greatest speed upwards while the hand comes down
-  double jitter = 0;              // [m] along x while the hand rests
-  double sideways = 0;            // [N] greatest on the hand
-  int changes = 0;                // between sticking and sliding
+  double min_hand_work = 0;  // [J] the lowest that the sum of the hand's work ever was
+  double max_imbalance = 0;  // [J] of the coupling's ledger
+  double rebound = 0;        // [m/s] greatest speed upwards while the hand comes down
+  double jitter = 0;         // [m] along x while the hand rests
+  double sideways = 0;       // [N] greatest on the hand
+  int changes = 0;           // between sticking and sliding
 };
 
 /// The hand comes down on the surface, rests, moves 3 mm sideways, rests, and goes up again.
@@ -45,12 +45,12 @@ Stroke stroke(VirtualCoupling& coupling, double force) {
     const CoupledResult& result =
         coupling.step(Pose::from_translation(kAside + hand), {(hand - last) / kTick, Vec3::Zero()}, kTick);
     last = hand;
-    seen.least_hand_work = std::min(seen.least_hand_work, result.energy.hand_work);
-    seen.greatest_imbalance = std::max(seen.greatest_imbalance, std::abs(result.energy.imbalance()));
-    if (n < 1000) seen.rebound = std::max(seen.rebound, result.velocity.linear.z());
+    seen.min_hand_work = std::min(seen.min_hand_work, result.energy.hand_work);
+    seen.max_imbalance = std::max(seen.max_imbalance, std::abs(result.energy.imbalance()));
+    if (n < 1000) seen.rebound = std::max(seen.rebound, result.V_WH.linear.z());
     if (n >= 1000 && n < 2500) {
       seen.sideways = std::max(seen.sideways, -result.coupling.force.x());
-      const bool moving = result.velocity.linear.x() > 1e-3;
+      const bool moving = result.V_WH.linear.x() > 1e-3;
       seen.changes += moving != was_moving;
       was_moving = moving;
     }
@@ -83,7 +83,7 @@ TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
     const Stroke seen = stroke(coupling, 3);
     std::ostringstream at;
     at << "k_v " << k << ", chi " << chi << ", k_t " << friction_stiffness;
-    EXPECT_GE(seen.least_hand_work, 0) << at.str() << ": the hand never gets back more than it gave";
+    EXPECT_GE(seen.min_hand_work, 0) << at.str() << ": the hand never gets back more than it gave";
     EXPECT_LT(seen.rebound, 0.5 * kApproach) << at.str();
     EXPECT_LT(seen.jitter, 2e-8) << at.str();
     EXPECT_GT(seen.sideways, 0.25 * 2) << at.str() << ": friction is felt";
@@ -93,7 +93,7 @@ TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
     EXPECT_GE(energy.implicit, 0);
     EXPECT_GT(energy.tool_work, 0) << at.str() << ": what the contact took in it has kept";
     EXPECT_LT(std::abs(energy.closure()), 1e-3) << at.str();
-    EXPECT_LT(seen.greatest_imbalance, 1e-3 * energy.hand_work) << at.str();
+    EXPECT_LT(seen.max_imbalance, 1e-3 * energy.hand_work) << at.str();
     EXPECT_LT(unbooked(simulation.last_result().energy), 1e-5) << at.str();
   }
 }
@@ -203,7 +203,7 @@ TEST(CouplingFriction, SticksAndSlipsBehindALooseCoupling) {
   VirtualCoupling coupling(simulation, loose);
   const Stroke seen = stroke(coupling, 2);
   EXPECT_GE(seen.changes, 4) << "it stops and breaks loose again";
-  EXPECT_GE(seen.least_hand_work, 0);
+  EXPECT_GE(seen.min_hand_work, 0);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
   EXPECT_GT(simulation.last_result().energy.sliding, 0);
 }

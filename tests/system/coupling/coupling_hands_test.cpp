@@ -131,7 +131,7 @@ struct Scene {
       path.ways[std::size_t(n)] = random.vector((n == 0 ? 1.5 : 0.5) * mm);
       path.turns[std::size_t(n)] = turns ? random.vector(std::min(0.3, 2 * mm / reach) / (n + 1)) : Vec3(Vec3::Zero());
     }
-    path.ways[0].z() = -kAbove - random.between(0.1, 1.2) * gains.largest_force / gains.stiffness;
+    path.ways[0].z() = -kAbove - random.between(0.1, 1.2) * gains.max_force / gains.stiffness;
   }
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -155,9 +155,9 @@ class Steps final : public StepObserver {
   void on_step(const ObservedStep& step) noexcept override {
     if (has_any(step.result.status, kRejected)) return;
     motor += step.result.spindle.torque * step.result.spindle.speed * step.input.dt;
-    const Mat3 turn = step.input.pose.rotation * last.rotation.transpose();
+    const Mat3 turn = step.input.X_WH.rotation * last.rotation.transpose();
     turned -= step.result.model.torque.dot(vector_from_rotation(turn));
-    last = step.input.pose;
+    last = step.input.X_WH;
   }
 };
 
@@ -183,8 +183,8 @@ class HandWork {
     booked -= result.coupling.force.dot(way.linear) + result.coupling.torque.dot(way.angular);
     held = result.hand;
     if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors
-    most_force = std::max(most_force, held.force.norm());
-    most_parts = std::max(most_parts, result.parts);
+    max_force = std::max(max_force, held.force.norm());
+    max_parts = std::max(max_parts, result.parts);
     waited = waited || has_any(result.status, StepStatus::tool_waits | kRejected);
   }
 
@@ -194,15 +194,15 @@ class HandWork {
     least = std::min(least, given + allowed + others);
   }
 
-  Wrench held;            // by the motors
-  double given = 0;       // [J] by the hand so far
-  double allowed = 0;     // [J] what holding and reading may cost
-  double turnover = 0;    // [J] of the hand
-  double others = 0;      // [J] given by them
-  double booked = 0;      // [J] by the coupling, of the hand
-  double least = 0;       // [J] that hand and others had given, with what is allowed
-  double most_force = 0;  // [N]
-  int most_parts = 0;
+  Wrench held;           // by the motors
+  double given = 0;      // [J] by the hand so far
+  double allowed = 0;    // [J] what holding and reading may cost
+  double turnover = 0;   // [J] of the hand
+  double others = 0;     // [J] given by them
+  double booked = 0;     // [J] by the coupling, of the hand
+  double least = 0;      // [J] that hand and others had given, with what is allowed
+  double max_force = 0;  // [N]
+  int max_parts = 0;
   bool waited = false;
 
  private:
@@ -231,17 +231,17 @@ HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
 /// What all hands of a kind did: a test in which nothing happens proves nothing.
 struct Tally {
   int touched = 0, cut = 0, got = 0;
-  double most_got = 0;  // [J]
+  double max_got = 0;  // [J]
 
   void add(const Scene& scene, const HandWork& work) {
-    touched += work.most_force > 0.1 ? 1 : 0;
+    touched += work.max_force > 0.1 ? 1 : 0;
     cut += scene.simulation.removed_volume_by_material()[1] > 0 ? 1 : 0;
     got += work.given < -kNothing ? 1 : 0;
-    most_got = std::max(most_got, -work.given);
+    max_got = std::max(max_got, -work.given);
   }
   ~Tally() {
     testing::Test::RecordProperty("hands_that_got_energy", got);
-    testing::Test::RecordProperty("most_energy_in_mJ", std::to_string(1e3 * most_got));
+    testing::Test::RecordProperty("max_energy_in_mJ", std::to_string(1e3 * max_got));
   }
 };
 
@@ -269,7 +269,7 @@ void expect_all_passive(int kind, const char* name, bool turning, Tally& tally) 
     const HandWork work = follow(scene, steps, false);
     expect_passive(scene, work);
     tally.add(scene, work);
-    if (turning || work.most_parts > 1 || !(scene.gains.angular_stiffness > 0)) continue;
+    if (turning || work.max_parts > 1 || !(scene.gains.angular_stiffness > 0)) continue;
     const CouplingEnergy& energy = scene.coupling.last_result().energy;
     EXPECT_NEAR(work.booked, energy.hand_work, 1e-9 + 1e-6 * energy.turnover);
   }

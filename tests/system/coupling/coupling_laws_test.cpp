@@ -121,7 +121,7 @@ TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
   for (const double spin : {0.0, kSpin}) {
     Simulation simulation(half_space(), tool_of(named.head, spin), with_law(named.law, 1e14));
     CouplingGains gains;
-    gains.largest_force = 3;
+    gains.max_force = 3;
     VirtualCoupling coupling(simulation, gains);
     const double top = -named.head.bounding_box().min.z() + 0.2 * mm;
     Vec3 hand(0, 0, top), last = hand;
@@ -134,7 +134,7 @@ TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
       last = hand;
       ASSERT_TRUE(result.hand.force.allFinite());
       greatest = std::max(greatest, result.hand.force.norm());
-      fastest = std::max(fastest, result.velocity.linear.norm());
+      fastest = std::max(fastest, result.V_WH.linear.norm());
     }
     const CouplingEnergy& energy = coupling.last_result().energy;
     EXPECT_LT(greatest, 3.5) << spin;

@@ -137,14 +137,14 @@ TEST(PartedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
     VirtualCoupling coupling(simulation, {});
     for (int n = 0; n <= 1000; ++n) coupling.step(at_height(kRadius + 1e-3 - 3e-6 * n), {}, kTick);
     const Vec3 place = coupling.last_result().X_WH.translation;
-    coupling.release();
+    coupling.reset();
     for (int n = 0; n < 10; ++n) {
       const CoupledResult& result = coupling.step(at_height(kRadius - kDeep), {}, kTick);
       expect_to_wait(result);
       EXPECT_EQ(result.X_WH.translation, place);
     }
     EXPECT_NEAR(coupling.step(at_height(2e-3), {}, kTick).X_WH.translation.z(), 2e-3, 1e-12);
-    coupling.release();
+    coupling.reset();
     EXPECT_NEAR(coupling.step(at_height(4e-3), {}, kTick).X_WH.translation.z(), 4e-3, 1e-12);
     EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
   }
@@ -156,7 +156,7 @@ TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
   const Vec3 at_the_edge(-2.7e-3, 0, 0);
   for (int n = 0; n <= 1000; ++n)
     coupling.step(Pose::from_translation(at_the_edge + Vec3(0, 0, kRadius + 1e-3 - 3e-6 * n)), {}, kTick);
-  coupling.leave(VirtualCoupling::Rejoin::free);
+  coupling.park(VirtualCoupling::Rejoin::free);
   const Pose beside = Pose::from_translation({-5.1e-3, 0, -1e-3});  // the wall lies between
   for (int n = 0; n < 5; ++n) {
     const CoupledResult& result = coupling.step(beside, {}, kTick);
@@ -333,7 +333,7 @@ TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
     last = torque;
     most = std::max(most, torque.norm());
   }
-  EXPECT_NEAR(most, gains.largest_torque, 0.01 * gains.largest_torque);
+  EXPECT_NEAR(most, gains.max_torque, 0.01 * gains.max_torque);
   EXPECT_GT(let_go, 2.7);
   EXPECT_LT(let_go, 3.2);
   EXPECT_LT(coupling.last_result().hand.torque.norm(), 1e-6) << "there it is in the air, and has its tool";

@@ -28,10 +28,10 @@ TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
   const PressedTool pressed = press(coupling);
   EXPECT_LT(pressed.jitter, 1e-9);
   EXPECT_LT(pressed.rebound, 0.5 * kApproach);
-  EXPECT_LT(pressed.greatest_penetration, 1.25 * pressed.rest_penetration + 10e-6) << "no jump through the surface";
+  EXPECT_LT(pressed.max_penetration, 1.25 * pressed.rest_penetration + 10e-6) << "no jump through the surface";
   // The hand feels the spring of the coupling and, of what is left of motion, its damper; no more.
   const CouplingGains& gains = coupling.gains();
-  const double damper = gains.damping * coupling.last_result().velocity.linear.z();
+  const double damper = gains.damping * coupling.last_result().V_WH.linear.z();
   EXPECT_NEAR(pressed.rest_force, kPress - gains.stiffness * pressed.rest_penetration + damper, 1e-9);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
   EXPECT_LT(unbooked(simulation.last_result().energy), 1e-5) << "finite turns of the anchor of friction";
@@ -132,7 +132,7 @@ TEST(Coupling, NeverPullsWithMoreThanTheDeviceCanRender) {
   CouplingGains gains = touch_gains();
   VirtualCoupling coupling(simulation, gains);
   const PressedTool pressed = press(coupling, 20);
-  EXPECT_NEAR(pressed.rest_force, gains.largest_force, 1e-6);
+  EXPECT_NEAR(pressed.rest_force, gains.max_force, 1e-6);
   EXPECT_LT(pressed.jitter, 1e-9);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
 }
@@ -150,7 +150,7 @@ TEST(Coupling, LeavesTheToolAndGoesOnFromWhereItIs) {
     hand(2e-4, 10);
     EXPECT_GT(hand(-1e-3, 300).hand.force.z(), 0.3);
     const Pose X_WH = coupling.last_result().X_WH;
-    coupling.leave(rejoin);
+    coupling.park(rejoin);
     EXPECT_TRUE(coupling.last_result().hand.force.isZero(0));
     const CoupledResult& far = hand(-3.5e-3, 20);
     EXPECT_EQ(far.status, StepStatus::tool_waits);
@@ -171,8 +171,8 @@ TEST(CouplingInput, IsRefusedWithItsValueAndTheCure) {
   gains.mass = -1;
   expect_refused([&] { validate(gains); }, {"CouplingGains::mass"});
   gains = {};
-  gains.largest_force = NAN;
-  expect_refused([&] { validate(gains); }, {"CouplingGains::largest_force"});
+  gains.max_force = NAN;
+  expect_refused([&] { validate(gains); }, {"CouplingGains::max_force"});
   Simulation explicit_contact(half_space(), ball());
   expect_refused([&] { VirtualCoupling(explicit_contact, {}); }, {"ContactTime::end"});
   DeviceCapabilities silent;
@@ -249,7 +249,7 @@ TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
     VirtualCoupling coupling(simulation, gains);
     const double tip = simulation.tool().X_HT().translation.z() + simulation.tool().head().bounding_box().min.z();
     double height = 1 * mm - tip, lowest = height;
-    int most_parts = 0, most_steps = 0;
+    int max_parts = 0, max_steps = 0;
     for (int n = 0; n < 200; ++n) {
       const double speed = n < 10 ? -0.3 : 0;
       height += speed * kTick;
@@ -257,11 +257,11 @@ TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
           coupling.step(Pose::from_translation({0.017 * mm, 0, height}), {{0, 0, speed}, {}}, kTick);
       EXPECT_LE(result.newton_steps, steps);
       EXPECT_LE(result.newton_steps + result.parts, coupling.worst_case().contacts);
-      most_parts = std::max(most_parts, result.parts), most_steps = std::max(most_steps, result.newton_steps);
+      max_parts = std::max(max_parts, result.parts), max_steps = std::max(max_steps, result.newton_steps);
       lowest = std::min(lowest, result.X_WH.translation.z() + tip);
     }
-    EXPECT_GE(most_parts, 6) << steps;
-    EXPECT_GE(most_steps, 8) << steps << ": the budget is of use";
+    EXPECT_GE(max_parts, 6) << steps;
+    EXPECT_GE(max_steps, 8) << steps << ": the budget is of use";
     EXPECT_GT(lowest, -0.03 * mm) << steps;
     EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3) << steps;
   }

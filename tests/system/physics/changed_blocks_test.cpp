@@ -42,7 +42,7 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
     std::size_t changed = 0;
     for (int tick = 0; tick < 120; ++tick) {
       const StepInput input = scene.input(tick);
-      simulation.step(input.pose, input.velocity, input.dt);
+      simulation.step(input.X_WH, input.V_WH, input.dt);
       std::map<VoxelIndex, Fills> after = fills_of(simulation.workpiece());
       const std::set<VoxelIndex> origins = listed(simulation.changed_blocks());
       // A fill that changed by less than its last bit is listed too, so the list may be longer.
@@ -70,7 +70,7 @@ TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
 // A stroke of 30 mm in one step: 600 sub-steps, which list most blocks many times.
 TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
   SimulationConfig config = test::on_foundation(1e14);
-  config.longest_sweep = 1000;
+  config.max_sweep = 1000;
   config.reserved_blocks = 4096;
   Simulation simulation(
       build_block({Vec3(-1, -3, -3) * units::mm, Vec3(31, 3, 0) * units::mm}, 1e-4, test::plain_material()),
@@ -93,7 +93,7 @@ TEST(Simulation, GoesOnFromARestoredSnapshotAsItDidFromTheFreshWorkpiece) {
     std::vector<Vec3> forces;
     for (int tick = 0; tick < 500; ++tick) {
       const StepInput input = scene.input(tick);
-      forces.push_back(simulation.step(input.pose, input.velocity, input.dt).force);
+      forces.push_back(simulation.step(input.X_WH, input.V_WH, input.dt).force);
     }
     return forces;
   };
@@ -145,10 +145,10 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   simulation.step(scene.input(1).pose, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 2);
-  std::array<Counter, Simulation::kMostObservers> many;
+  std::array<Counter, Simulation::kMaxObservers> many;
   for (std::size_t n = 1; n < many.size(); ++n) simulation.add_observer(many[n]);
   EXPECT_THROW(simulation.add_observer(many[0]), Error);
-  EXPECT_EQ(simulation.observers().size(), Simulation::kMostObservers);
+  EXPECT_EQ(simulation.observers().size(), Simulation::kMaxObservers);
   simulation.set_spindle_speed(-7 * units::rad_per_s);
   EXPECT_EQ(simulation.spindle_setting(), -7);
 }

@@ -48,10 +48,10 @@ TEST(ContactPoint, OfABallIsThatOfItsCap) {
   double last = 1;
   for (const double voxel : {0.1 * mm, 0.05 * mm}) {
     const Contact contact = contact_of(SphereHead{kRadius}, {0, 0, kRadius - kDepth}, voxel);
-    const double lever = kRadius - kDepth - contact.point.z();
+    const double lever = kRadius - kDepth - contact.point_W.z();
     EXPECT_NEAR(lever, cap().lever, 0.005 * kRadius);
-    EXPECT_LT(contact.point.head<2>().norm(), 0.005 * kRadius);
-    EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.005);
+    EXPECT_LT(contact.point_W.head<2>().norm(), 0.005 * kRadius);
+    EXPECT_LT((contact.normal_W - Vec3::UnitZ()).norm(), 0.005);
     const double off = std::abs(contact.area / area - 1);
     EXPECT_LT(off, 0.03) << voxel;
     EXPECT_LT(off, last) << voxel;
@@ -66,8 +66,8 @@ TEST(ContactPoint, OfTheEndOfACylinderIsItsMiddleAndThePressureThatOfItsDepth) {
   const Contact contact = contact_of(head, {0, 0, -kDepth}, 0.05 * mm);
   EXPECT_NEAR(contact.area / (kPi * kRadius * kRadius), 1, 0.03);
   EXPECT_NEAR(contact.pressure / (0.5 * kStiffness * kDepth * kDepth), 1, 0.03);
-  EXPECT_LT(contact.point.head<2>().norm(), 0.01 * kRadius);
-  EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 1e-3);
+  EXPECT_LT(contact.point_W.head<2>().norm(), 0.01 * kRadius);
+  EXPECT_LT((contact.normal_W - Vec3::UnitZ()).norm(), 1e-3);
   const Contact none = contact_of(head, {0, 0, 4 * mm}, 0.05 * mm, 0, tilted);
   EXPECT_EQ(none.voxels, 0);
   EXPECT_TRUE(none.point.isZero(0) && none.normal.isZero(0));
@@ -90,8 +90,8 @@ TEST(ContactPoint, IsThereUnderOtherLawsToo) {
   Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.05 * mm, presets::cortical_bone()),
                         Tool(SphereHead{kRadius}, RayHandle{0}, {}), config);
   const Contact contact = simulation.step(Pose::from_translation({0, 0, kRadius - kDepth}), {}, 1e-3).contact;
-  EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.02);
-  EXPECT_LT(contact.point.head<2>().norm(), 0.02 * kRadius);
+  EXPECT_LT((contact.normal_W - Vec3::UnitZ()).norm(), 0.02);
+  EXPECT_LT(contact.point_W.head<2>().norm(), 0.02 * kRadius);
   EXPECT_NEAR(contact.area / (2 * kPi * kRadius * kDepth), 1, 0.1);
 }
 

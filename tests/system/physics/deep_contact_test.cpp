@@ -19,7 +19,7 @@ const Box kBlock{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0) * mm};
 
 SimulationConfig swept(bool deep_contact = true) {
   SimulationConfig config = test::static_config();
-  config.longest_sweep = 64;
+  config.max_sweep = 64;
   config.reserved_blocks = 2000;
   config.deep_contact = deep_contact;
   return config;

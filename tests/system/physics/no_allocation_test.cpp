@@ -72,7 +72,7 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
   StepStatus status = StepStatus::ok;
   expect_no_calls([&] {
     for (const StepInput& input : inputs) {
-      const StepResult& result = simulation.step(input.pose, input.velocity, input.dt);
+      const StepResult& result = simulation.step(input.X_WH, input.V_WH, input.dt);
       removed += result.removed_volume;
       contacts += result.contact.voxels > 0 ? 1 : 0;
       status |= result.status;
@@ -96,7 +96,7 @@ TEST(NoAllocation, WhileHeatAndChangedBlocksAreCollectedAndNobodyTakesThem) {
   expect_no_calls([&] {
     for (int tick = 0; tick < 2000; ++tick) {
       const StepInput input = scene.input(tick);
-      removed += simulation.step(input.pose, input.velocity, input.dt).removed_volume;
+      removed += simulation.step(input.X_WH, input.V_WH, input.dt).removed_volume;
     }
   });
   EXPECT_GT(removed, 0);

@@ -86,18 +86,18 @@ void expect_a_closed_ledger(const CutScene& scene, const CutOutcome& outcome) {
   const EnergyLedger& e = outcome.energy;
   RC_ASSERT(outcome.turnover > 0);
   RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
-  RC_CLASSIFY(outcome.largest_sliding > 0, "slides");
+  RC_CLASSIFY(outcome.max_sliding > 0, "slides");
   RC_LOG() << "imbalance " << e.imbalance() << " of " << outcome.turnover << " hand " << e.hand_work << " motor "
            << e.motor_work << " elastic " << e.elastic << " cutting " << e.cutting << " released " << e.released
            << " damping " << e.damping << " rubbing " << e.rubbing << " anchored " << e.anchored << " sliding "
-           << e.sliding << " credited " << e.credited << " least loss " << outcome.least_loss << " kind "
-           << scene.head.shape().index() << " R " << scene.head.largest_radius() << " spin " << scene.spin;
+           << e.sliding << " credited " << e.credited << " least loss " << outcome.min_loss << " kind "
+           << scene.head.shape().index() << " R " << scene.head.max_radius() << " spin " << scene.spin;
   // A touch too light to fill the first voxel is booked to a few hundredths of that voxel's k_v l^5.
   constexpr double kClosure = 5e-3;  // [1] what the issue of the whole model asks of every combination
   RC_ASSERT(std::abs(e.imbalance() + e.entered) < kClosure * outcome.turnover + 3e-2 * 1e13 * std::pow(kSceneVoxel, 5));
   // Law G knows in advance what is released to the second order of the step only.
   const double of_turnover = scene.removal == RemovalLaw::elastic_release ? 5e-4 : 1e-6;
-  RC_ASSERT(outcome.least_loss >= -of_turnover * outcome.turnover);
+  RC_ASSERT(outcome.min_loss >= -of_turnover * outcome.turnover);
   RC_ASSERT(e.elastic >= 0 && e.anchored >= 0);
   RC_ASSERT(outcome.removed_volume >= 0);
 }
@@ -140,12 +140,12 @@ RC_GTEST_PROP(Step, TheFrictionOfAStandingHeadStaysInItsCone, ()) {
   CutScene smooth = scene;
   for (Material* m : {&smooth.soft, &smooth.hard}) m->static_friction = m->dynamic_friction = 0;
   const CutOutcome rough = run(scene), normal = run(smooth);
-  RC_CLASSIFY(rough.largest_sliding > 0, "slides");
+  RC_CLASSIFY(rough.max_sliding > 0, "slides");
   for (std::size_t n = 0; n < rough.wrenches_V.size(); ++n) {
     const Vec3 along = rough.wrenches_V[n].force - normal.wrenches_V[n].force;
-    RC_ASSERT(along.norm() <= scene.soft.static_friction * normal.most_normal[n] * (1 + kOneVoxel) + 1e-12);
+    RC_ASSERT(along.norm() <= scene.soft.static_friction * normal.max_normal[n] * (1 + kOneVoxel) + 1e-12);
   }
-  RC_ASSERT(rough.least_loss >= -1e-9 * rough.turnover);
+  RC_ASSERT(rough.min_loss >= -1e-9 * rough.turnover);
 }
 
 }  // namespace

@@ -120,8 +120,8 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
         spindle.droop = std::abs(spindle.speed) / (0.2 * units::N_mm);
         spindle.rotor_inertia = inertia;
         Simulation simulation(plain_block(1.3 * mm, 3 * mm), Tool(SphereHead{kRadius}, RayHandle{0}, spindle));
-        const double most_power = 0.25 * spindle.speed * spindle.speed / spindle.droop;
-        double z = kRadius, most = 0, work_before_hold = 0, turned = 0, largest_jump = 0, before = 0;
+        const double max_power = 0.25 * spindle.speed * spindle.speed / spindle.droop;
+        double z = kRadius, most = 0, work_before_hold = 0, turned = 0, max_jump = 0, before = 0;
         int changes = 0;
         bool stalled = false, stalled_while_held = true;
         StepStatus seen = StepStatus::ok;
@@ -133,7 +133,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
           const StepResult& result = simulation.step(Pose::from_translation(Vec3(0.029 * mm, 0.011 * mm, z)),
                                                      {Vec3(0, 0, feed), Vec3::Zero()}, dt);
           seen |= result.status;
-          most = std::max(most, result.spindle.torque * result.spindle.speed / most_power);
+          most = std::max(most, result.spindle.torque * result.spindle.speed / max_power);
           if (time < 0.03) work_before_hold = result.energy.motor_work;
           const bool stalls = has_any(result.status, StepStatus::spindle_stalled);
           if (stalls) {
@@ -145,17 +145,17 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
           if (time > 0.05 && time < 0.2) stalled_while_held &= stalls;
           changes += stalls != stalled;
           stalled = stalls;
-          if (time > 0.031 && time < 0.199) largest_jump = std::max(largest_jump, std::abs(result.force.z() - before));
+          if (time > 0.031 && time < 0.199) max_jump = std::max(max_jump, std::abs(result.force.z() - before));
           before = result.force.z();
           turned = result.spindle.speed;
         }
         if (inertia == 0) {
           EXPECT_LT(most, 1.02);
         }
-        EXPECT_LT(work_before_hold, most_power * 0.03 + 0.5 * inertia * spindle.speed * spindle.speed);
+        EXPECT_LT(work_before_hold, max_power * 0.03 + 0.5 * inertia * spindle.speed * spindle.speed);
         EXPECT_TRUE(stalled_while_held);
         EXPECT_EQ(changes, 2) << "it does not alternate";
-        EXPECT_LT(largest_jump, 0.01) << "[N] while it is held";
+        EXPECT_LT(max_jump, 0.01) << "[N] while it is held";
         EXPECT_NEAR(turned, spindle.speed, 1e-6 * kSpin);
         EXPECT_LT(unbooked(simulation.last_result().energy), kClosure);
         EXPECT_TRUE(has_any(seen, StepStatus::spindle_stalled));

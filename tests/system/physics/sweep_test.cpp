@@ -66,9 +66,9 @@ TEST(Sweep, ATurnOfTheHandleIsSweptToo) {
 TEST(Sweep, AStepLongerThanTheLongestSweepIsAJump) {
   Simulation simulation = soft_groove();
   (void)simulation.step(Pose::from_translation(kStart), {}, 1e-3);
-  const double longest = simulation.config().longest_sweep * 0.05 * mm;
+  const double longest = simulation.config().max_sweep * 0.05 * mm;
   const StepResult& within = simulation.step(Pose::from_translation(kStart + Vec3(0.999 * longest, 0, 0)), {}, 1e-3);
-  EXPECT_EQ(within.sub_steps, simulation.config().longest_sweep);
+  EXPECT_EQ(within.sub_steps, simulation.config().max_sweep);
   const StepResult& beyond = simulation.step(Pose::from_translation(kStart + Vec3(2.1 * longest, 0, 0)), {}, 1e-3);
   EXPECT_TRUE(has_any(beyond.status, StepStatus::jump_rejected));
 }

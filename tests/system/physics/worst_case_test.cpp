@@ -47,7 +47,7 @@ TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
       EXPECT_LT(double(worst.voxels), 4.0 * most);
     }
     EXPECT_EQ(worst.level_of_detail, 1);
-    EXPECT_EQ(worst.sub_steps, config.longest_sweep);
+    EXPECT_EQ(worst.sub_steps, config.max_sweep);
   }
 }
 
@@ -56,7 +56,7 @@ struct Groove {
   Vec3 force = Vec3::Zero();  // [N] mean over the steady part
   double removed = 0;         // [m^3]
   double closure = 0;
-  int most_evaluated = 0;
+  int max_evaluated = 0;
   int highest_level = 0;
   StepStatus status = StepStatus::ok;
 };
@@ -77,7 +77,7 @@ Groove cut_groove(std::size_t budget) {
     const StepResult& result = simulation.step(Pose::from_translation(position), {velocity, Vec3::Zero()}, 1e-3);
     if (i > kSteps * 3 / 4) groove.force += result.force / (kSteps / 4.0);
     groove.removed += result.removed_volume;
-    groove.most_evaluated = std::max(groove.most_evaluated, result.contact.voxels / result.contact.level_of_detail);
+    groove.max_evaluated = std::max(groove.max_evaluated, result.contact.voxels / result.contact.level_of_detail);
     groove.highest_level = std::max(groove.highest_level, result.contact.level_of_detail);
     groove.status |= result.status;
   }
@@ -87,11 +87,11 @@ Groove cut_groove(std::size_t budget) {
 
 TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
   const Groove whole = cut_groove(0);
-  ASSERT_GT(whole.most_evaluated, 4500);
+  ASSERT_GT(whole.max_evaluated, 4500);
   EXPECT_EQ(whole.highest_level, 1);
   EXPECT_FALSE(has_any(whole.status, StepStatus::detail_reduced));
   const Groove reduced = cut_groove(4096);
-  EXPECT_LE(reduced.most_evaluated, 4096);
+  EXPECT_LE(reduced.max_evaluated, 4096);
   EXPECT_LE(reduced.highest_level, 3) << "2 would do; voxels just outside are counted, whose parts may reach inside";
   EXPECT_TRUE(has_any(reduced.status, StepStatus::detail_reduced));
   EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
@@ -145,10 +145,10 @@ TEST(PageFaults, DoNotHappenInTheStepAfterSetUp) {
     for (int tick = 0; tick < 2000; ++tick) inputs.push_back(scene.input(tick));
     // One simulation touches the pages of the program; it lives on, so that the other gets memory of its own.
     Simulation first = scene.make(), simulation = scene.make();
-    for (const StepInput& input : inputs) (void)first.step(input.pose, input.velocity, input.dt);
+    for (const StepInput& input : inputs) (void)first.step(input.X_WH, input.V_WH, input.dt);
     rusage before{}, after{};
     getrusage(RUSAGE_THREAD, &before);
-    for (const StepInput& input : inputs) (void)simulation.step(input.pose, input.velocity, input.dt);
+    for (const StepInput& input : inputs) (void)simulation.step(input.X_WH, input.V_WH, input.dt);
     getrusage(RUSAGE_THREAD, &after);
     EXPECT_EQ(after.ru_majflt - before.ru_majflt, 0) << scene.name;
     EXPECT_EQ(after.ru_minflt - before.ru_minflt, 0) << scene.name;

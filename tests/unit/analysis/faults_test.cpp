@@ -38,8 +38,8 @@ TEST(Faults, NoFaultBreaksTheRulesOnAnyDeviceWithAnyDelay) {
         const SafetyGuard guard(capabilities(device), {});
         const FaultResponse response = measure_fault_response(pressed(device.name, delay), wall(1), 600, {}, fault);
         EXPECT_TRUE(obeys_the_rules(response, guard, 1e-3))
-            << device.name << ", delay " << delay << ", " << name_of(fault) << ": " << response.greatest_force
-            << " N, +" << response.greatest_growth << " N in a tick of " << guard.slew() * 1e-3 << ", force "
+            << device.name << ", delay " << delay << ", " << name_of(fault) << ": " << response.max_force << " N, +"
+            << response.max_growth << " N in a tick of " << guard.slew() * 1e-3 << ", force "
             << response.oldest_force * 1e3 << " ms old";
       }
 }
@@ -52,10 +52,10 @@ TEST(Faults, EveryFaultThatHidesTheHandEndsTheForce) {
     EXPECT_GE(response.time_to_zero, 0) << name_of(fault);
     EXPECT_LE(response.time_to_zero, 0.05) << name_of(fault);
     EXPECT_EQ(response.end, ArmingState::fault) << name_of(fault);
-    EXPECT_GT(response.greatest_force, fault == InjectedFault::emergency_stop || fault == InjectedFault::unplugged ||
-                                               fault == InjectedFault::nan_force
-                                           ? -1
-                                           : 0.3)
+    EXPECT_GT(response.max_force, fault == InjectedFault::emergency_stop || fault == InjectedFault::unplugged ||
+                                          fault == InjectedFault::nan_force
+                                      ? -1
+                                      : 0.3)
         << name_of(fault) << ": the hand should have been pressing when it happened";
   }
 }
@@ -70,9 +70,8 @@ TEST(Faults, NoFaultBreaksTheRulesAtAnyRate) {
       options.period = period;
       const SafetyGuard guard(capabilities(config.device), options);
       EXPECT_TRUE(obeys_the_rules(response, guard, period))
-          << period << " s, " << name_of(fault) << ": " << response.greatest_force << " N, +"
-          << response.greatest_growth << " N in a tick of " << guard.slew() * period << ", force "
-          << response.oldest_force << " s old";
+          << period << " s, " << name_of(fault) << ": " << response.max_force << " N, +" << response.max_growth
+          << " N in a tick of " << guard.slew() * period << ", force " << response.oldest_force << " s old";
     }
   ClosedLoopConfig config = pressed("touch", 0);
   config.period = 2e-3;
@@ -101,8 +100,8 @@ TEST(Faults, WithoutTheGuardAJumpWouldThrowTheHand) {
   // What the guard is for: a bare wall answers a jump of 30 mm with all the device has, in one tick.
   const double bare = 600 * 0.030;
   const FaultResponse guarded = measure_fault_response(pressed("touch", 0), wall(1), 600, {}, InjectedFault::jump_30mm);
-  EXPECT_LT(guarded.greatest_force, 0.25 * bare);
-  EXPECT_LT(guarded.greatest_growth, 0.1);
+  EXPECT_LT(guarded.max_force, 0.25 * bare);
+  EXPECT_LT(guarded.max_growth, 0.1);
 }
 
 // 800, 1600 and 3000 N/m, the exact observer, damping bounded by 3.3 N.
@@ -151,7 +150,7 @@ TEST(Passivity, TheControllerOfTheGuardLeavesAHandAloneThatPressesSteadily) {
         LinearWall w;
         w.stiffness = k;
         return ForceModel(
-            [w, guard](const DeviceState& reading) mutable { return guard->release(w(guard->admit(reading))); });
+            [w, guard](const DeviceState& reading) mutable { return guard->limit(w(guard->admit(reading))); });
       };
       ClosedLoopConfig config = pressed(device, 0);
       PressTest test;

@@ -54,7 +54,7 @@ void expect_near_relative(double value, double expected, double tolerance, const
 
 TEST(StabilityLimit, OfAReleasedDeviceWithoutDelayIsTwiceItsDampingByThePeriod) {
   for (const DeviceModel& device : device_models()) {
-    const double limit = largest_stable_stiffness(loop_of(device.name, "released"), linear_wall());
+    const double limit = max_stable_stiffness(loop_of(device.name, "released"), linear_wall());
     expect_near_relative(limit, 2 * device.damping / kPeriod, kClosedForm, std::string(device.name));
   }
 }
@@ -62,7 +62,7 @@ TEST(StabilityLimit, OfAReleasedDeviceWithoutDelayIsTwiceItsDampingByThePeriod) 
 TEST(StabilityLimit, OfDevicesInHandsIsThatOfTheTable) {
   for (const WallRow& row : kWallTable)
     for (int delay = 0; delay < kWallDelays; ++delay)
-      expect_near_relative(largest_stable_stiffness(loop_of(row.device, row.hand, delay), linear_wall()),
+      expect_near_relative(max_stable_stiffness(loop_of(row.device, row.hand, delay), linear_wall()),
                            row.stiffest[std::size_t(delay)], kTable,
                            std::string(row.device) + ", " + std::string(row.hand) + ", delay " + std::to_string(delay));
 }
@@ -80,12 +80,12 @@ TEST(StabilityLimit, WithSoftwareDampingIsThatOfTheTable) {
     for (std::size_t f = 0; f < 3; ++f) {
       const std::string what = "B = " + std::to_string(row.damping) + ", filter " + std::to_string(filters[f]);
       const ModelFactory model = linear_wall(row.damping, filters[f]);
-      expect_near_relative(largest_stable_stiffness(loop_of("touch", "released", 0), model), row.without_delay[f],
-                           kTable, what);
-      expect_near_relative(largest_stable_stiffness(loop_of("touch", "released", 1), model), row.with_delay[f], kTable,
+      expect_near_relative(max_stable_stiffness(loop_of("touch", "released", 0), model), row.without_delay[f], kTable,
+                           what);
+      expect_near_relative(max_stable_stiffness(loop_of("touch", "released", 1), model), row.with_delay[f], kTable,
                            what + ", delay 1");
     }
-  EXPECT_EQ(largest_stable_stiffness(loop_of("touch", "released", 1), linear_wall(40)), 0)
+  EXPECT_EQ(max_stable_stiffness(loop_of("touch", "released", 1), linear_wall(40)), 0)
       << "B = 40 N·s/m with a delay is unstable at any stiffness";
 }
 
@@ -93,7 +93,7 @@ TEST(Bounce, GainsNoSpeedUpToTheStabilityLimitOfAReleasedDevice) {
   for (const DeviceModel& device : device_models())
     for (int delay = 0; delay < 3; ++delay) {
       const ClosedLoopConfig config = loop_of(device.name, "released", delay);
-      const double limit = largest_stable_stiffness(config, linear_wall());
+      const double limit = max_stable_stiffness(config, linear_wall());
       BounceTest test;
       test.time_limit = 4;
       for (const double share : {0.25, 0.5, 0.9, 0.98})

@@ -57,10 +57,10 @@ TEST(WorkEstimate, IsToldBeforeTheWorkAndRefusedAboveTheLimitUnlessAskedFor) {
   EXPECT_GT(told.cut_voxels, 4 * 3.14 * 20 * 20);
   EXPECT_LT(told.seconds, 1);
   EXPECT_GT(3 * told.memory_bytes, double(workpiece.memory_bytes()));
-  const WorkEstimate large = {1e12, 1e9, 1.1 * kMostMemoryUnasked, 10};
+  const WorkEstimate large = {1e12, 1e9, 1.1 * kMaxMemoryUnasked, 10};
   EXPECT_THROW(require_allowed(large, false), Error);
   EXPECT_NO_THROW(require_allowed(large, true));
-  EXPECT_THROW(require_allowed({1e9, 1e9, 1e9, 1.1 * kMostSecondsUnasked}, false), Error);
+  EXPECT_THROW(require_allowed({1e9, 1e9, 1e9, 1.1 * kMaxSecondsUnasked}, false), Error);
 }
 
 }  // namespace

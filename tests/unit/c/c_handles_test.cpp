@@ -84,7 +84,7 @@ std::vector<Function> functions() {
       {"coupling_open", "simulation", [](auto h, auto& a) { return hapticut_coupling_open(h, nullptr, &a.made); }},
       {"coupling_step", "coupling", [](auto h, auto& a) { return hapticut_coupling_step(h, &a.input, &a.result); },
        true},
-      {"coupling_let_go", "coupling", [](auto h, auto&) { return hapticut_coupling_let_go(h); }, true},
+      {"coupling_let_go", "coupling", [](auto h, auto&) { return hapticut_coupling_reset(h); }, true},
       {"device_describe", "device", [](auto h, auto& a) { return hapticut_device_describe(h, &a.device); }},
       {"loop_start", "simulation",
        [](auto h, auto& a) {

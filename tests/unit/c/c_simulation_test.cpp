@@ -132,11 +132,11 @@ TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
       ASSERT_EQ(hapticut_snapshot_restore(simulation.get(), snapshot.get()), HAPTICUT_OK);
     }
     if (way == 2) {
-      ASSERT_EQ(hapticut_coupling_let_go(coupling.get()), HAPTICUT_OK);
+      ASSERT_EQ(hapticut_coupling_reset(coupling.get()), HAPTICUT_OK);
     }
     if (way == 3) {
       ASSERT_EQ(hapticut_set_tool(simulation.get(), kOtherTool.c_str()), HAPTICUT_OK);
-      ASSERT_EQ(coupling.release(), HAPTICUT_OK);
+      ASSERT_EQ(coupling.reset(), HAPTICUT_OK);
       ASSERT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
     }
     for (int n = 0; n < 3; ++n) {

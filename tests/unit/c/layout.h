@@ -35,8 +35,8 @@ struct layout {
     FIELD(hapticut_step_result, spindle_speed) FIELD(hapticut_step_result, spindle_torque) \
     FIELD(hapticut_step_result, contact_depth) FIELD(hapticut_step_result, contact_volume) \
     FIELD(hapticut_step_result, contact_voxels) FIELD(hapticut_step_result, sub_steps) \
-    FIELD(hapticut_step_result, X_WH) FIELD(hapticut_step_result, contact_point) \
-    FIELD(hapticut_step_result, contact_normal) FIELD(hapticut_step_result, contact_area) \
+    FIELD(hapticut_step_result, X_WH) FIELD(hapticut_step_result, contact_point_W) \
+    FIELD(hapticut_step_result, contact_normal_W) FIELD(hapticut_step_result, contact_area) \
     FIELD(hapticut_step_result, contact_pressure) \
   STRUCT(hapticut_probe_result) FIELD(hapticut_probe_result, struct_size) \
     FIELD(hapticut_probe_result, contact_voxels) FIELD(hapticut_probe_result, force) \
@@ -53,9 +53,9 @@ struct layout {
   STRUCT(hapticut_coupling_gains) FIELD(hapticut_coupling_gains, struct_size) \
     FIELD(hapticut_coupling_gains, unused) FIELD(hapticut_coupling_gains, stiffness) \
     FIELD(hapticut_coupling_gains, damping) FIELD(hapticut_coupling_gains, mass) \
-    FIELD(hapticut_coupling_gains, largest_force) FIELD(hapticut_coupling_gains, angular_stiffness) \
+    FIELD(hapticut_coupling_gains, max_force) FIELD(hapticut_coupling_gains, angular_stiffness) \
     FIELD(hapticut_coupling_gains, angular_damping) FIELD(hapticut_coupling_gains, inertia) \
-    FIELD(hapticut_coupling_gains, largest_torque) \
+    FIELD(hapticut_coupling_gains, max_torque) \
   STRUCT(hapticut_device_info) FIELD(hapticut_device_info, struct_size) \
     FIELD(hapticut_device_info, input_degrees_of_freedom) FIELD(hapticut_device_info, output_degrees_of_freedom) \
     FIELD(hapticut_device_info, unused) FIELD(hapticut_device_info, rate) FIELD(hapticut_device_info, peak_force) \
@@ -82,7 +82,7 @@ struct layout {
     FIELD(hapticut_loop_state, contact_depth) FIELD(hapticut_loop_state, contact_voxels) \
     FIELD(hapticut_loop_state, undo_marks) FIELD(hapticut_loop_state, redo_marks) \
     FIELD(hapticut_loop_state, unused) FIELD(hapticut_loop_state, commands_dropped) \
-    FIELD(hapticut_loop_state, commands_refused) FIELD(hapticut_loop_state, contact_point) \
+    FIELD(hapticut_loop_state, commands_refused) FIELD(hapticut_loop_state, contact_point_W) \
   STRUCT(hapticut_command) FIELD(hapticut_command, struct_size) FIELD(hapticut_command, kind) \
     FIELD(hapticut_command, value) \
   STRUCT(hapticut_loop_report) FIELD(hapticut_loop_report, struct_size) FIELD(hapticut_loop_report, fault) \

@@ -93,10 +93,10 @@ TEST(StandingForms, C2C3AreTheSlopeAndTheWorkOfC1) {
   const double d = 0.4 * kR, h = 1e-4 * kR;
   const auto force = [](double depth) { return forms::cap_force(kStiffness, kR, depth); };
   EXPECT_NEAR((force(d + h) - force(d - h)) / (2 * h) / forms::cap_stiffness(kStiffness, kR, d), 1, kLine);
-  EXPECT_NEAR(forms::cap_stiffness(kStiffness, kR, 2 * kR / 3) / forms::largest_cap_stiffness(kStiffness, kR), 1,
+  EXPECT_NEAR(forms::cap_stiffness(kStiffness, kR, 2 * kR / 3) / forms::max_cap_stiffness(kStiffness, kR), 1,
               kRounding);
-  EXPECT_LT(forms::cap_stiffness(kStiffness, kR, 0.66 * kR), forms::largest_cap_stiffness(kStiffness, kR));
-  EXPECT_LT(forms::cap_stiffness(kStiffness, kR, 0.67 * kR), forms::largest_cap_stiffness(kStiffness, kR));
+  EXPECT_LT(forms::cap_stiffness(kStiffness, kR, 0.66 * kR), forms::max_cap_stiffness(kStiffness, kR));
+  EXPECT_LT(forms::cap_stiffness(kStiffness, kR, 0.67 * kR), forms::max_cap_stiffness(kStiffness, kR));
   double work = 0;
   for (int i = 0; i < 1000; ++i) work += force(d * (i + 0.5) / 1000) * d / 1000;
   EXPECT_NEAR(work / forms::cap_energy(kStiffness, kR, d), 1, kLine);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "device/turning_estimate.hpp"
+#include "device/angular_velocity_estimate.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
@@ -135,11 +135,11 @@ TEST(Period, ReadingsThatArePlayedBackKeepTheirOwnAndSaySo) {
   EXPECT_TRUE(device.run(rests, at(2000, 0)).warnings.empty());
 }
 
-TEST(TurningEstimate, KnowsTheSpeedAtEveryRateAndWhateverReadingsAreMissing) {
+TEST(AngularVelocityEstimate, KnowsTheSpeedAtEveryRateAndWhateverReadingsAreMissing) {
   constexpr double kSpeed = 2;  // [rad/s]
   for (const double rate : kRates)
     for (const int every : {1, 3}) {  // the others are missing, or come late
-      TurningEstimate turning;
+      AngularVelocityEstimate turning;
       Vec3 speed = Vec3::Zero();
       for (int n = 0; n < int(rate); n += n % 2 == 0 ? every : 1)
         speed = turning.update(rotation_from_vector(Vec3(0, 0, kSpeed * n / rate)), n / rate);

@@ -115,7 +115,7 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
   };
   EXPECT_EQ(peak(0), 0);
   EXPECT_NEAR(peak(2), 0.2, kSampledPeak);
-  EXPECT_NEAR(peak(100), vibration.largest_amplitude, kSampledPeak);
+  EXPECT_NEAR(peak(100), vibration.max_amplitude, kSampledPeak);
 }
 
 // --- the thesis's filter (Table 6.1) ---------------------------------------------------------------------------------
@@ -172,7 +172,7 @@ RC_GTEST_PROP(GrowthLimit, NeverExceedsTheLargerEndAndAlwaysArrives, ()) {
 // Proves: growth limit.
 TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
   const double stiffness = 1000, speed = 0.2;
-  const double rate = least_force_growth(stiffness, speed);
+  const double rate = min_force_growth(stiffness, speed);
   Vec3 force = Vec3::Zero();
   for (int i = 1; i <= 20; ++i) {
     const Vec3 wall(0, 0, stiffness * speed * kTick * i);
@@ -234,13 +234,13 @@ TEST(EffectsInput, IsRefusedWithItsValueAndTheCure) {
   expect("delta", DeltaFilter{-1, 0.2});
   EXPECT_EQ(refusal(OutputLimits{}), "");
   OutputLimits none, shrinking;
-  none.largest_force = 0;
-  expect("largest_force [N] = 0; must be > 0", none);
+  none.max_force = 0;
+  expect("max_force [N] = 0; must be > 0", none);
   shrinking.force_growth = -5;
   expect("force_growth", shrinking);
   Vibration vibration;
   vibration.amplitude = 2;
-  expect("largest_amplitude = 0.5 N", vibration, 1000.0);
+  expect("max_amplitude = 0.5 N", vibration, 1000.0);
 }
 
 }  // namespace

@@ -20,20 +20,19 @@ using units::kPi;
 using units::mm;
 
 TEST(Stiffness, C2ASphereIsStiffestAtTwoThirdsOfItsRadius) {
-  EXPECT_NEAR(largest_contact_stiffness(SphereHead{2 * mm}) / closed_forms::largest_cap_stiffness(1, 2 * mm), 1, 0.01);
+  EXPECT_NEAR(max_contact_stiffness(SphereHead{2 * mm}) / closed_forms::max_cap_stiffness(1, 2 * mm), 1, 0.01);
 }
 
 TEST(Stiffness, AFlatHeadOnItsBottomIsStiffestAtItsFullHeight) {
   const double radius = 1 * mm, height = 2 * mm;
-  EXPECT_NEAR(
-      largest_contact_stiffness(FlatHead{radius, height, FlatRule::bottom_only}) / (kPi * radius * radius * height), 1,
-      0.01);
+  EXPECT_NEAR(max_contact_stiffness(FlatHead{radius, height, FlatRule::bottom_only}) / (kPi * radius * radius * height),
+              1, 0.01);
 }
 
 TEST(Stiffness, ALongNearestFlatIsStifferSidewaysThanAlongItsAxis) {
   // Along the axis C6 gives at most (4 pi/27) R^3; sideways the wall acts over the whole height.
   const double radius = 1 * mm;
-  EXPECT_GT(largest_contact_stiffness(FlatHead{radius, 10 * mm}), closed_forms::largest_cap_stiffness(1, radius));
+  EXPECT_GT(max_contact_stiffness(FlatHead{radius, 10 * mm}), closed_forms::max_cap_stiffness(1, radius));
 }
 
 TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
@@ -54,7 +53,7 @@ TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
 
 TEST(Stiffness, TheDeviceBoundKeepsTheContactBelowTheDevicesStiffness) {
   const ToolHead head = SphereHead{1 * mm};
-  EXPECT_NEAR(stiffness_for_device(head, 700) * largest_contact_stiffness(head), 700, 1e-9);
+  EXPECT_NEAR(stiffness_for_device(head, 700) * max_contact_stiffness(head), 700, 1e-9);
 }
 
 TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {

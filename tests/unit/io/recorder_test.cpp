@@ -210,13 +210,13 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
 
   // The column `force` is what the hand felt, though the contact's own force is another.
   const std::vector<RecordedStep> steps = recording.read(0, parts);
-  double largest_difference = 0;
+  double max_difference = 0;
   for (const auto& [step, force] : felt) {
     EXPECT_EQ(steps[step].force, force) << step;
     EXPECT_EQ(steps[step].path, OutputPath::coupled);
-    largest_difference = std::max(largest_difference, (steps[step].model.force - force).norm());
+    max_difference = std::max(max_difference, (steps[step].model.force - force).norm());
   }
-  EXPECT_GT(largest_difference, 0.1);
+  EXPECT_GT(max_difference, 0.1);
 }
 
 TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {

@@ -108,11 +108,11 @@ TEST(DamagedRecording, MayNotClaimMoreThanItHolds) {
     replace(file, "steps/dt", H5T_IEEE_F64LE, {hsize_t(1) << 29U}, chunks_of({hsize_t(1) << 28U}));
   });
   expect_refused("holds nothing", [](hid_t file) {
-    remove(file, "simulation/longest_sweep");
+    remove(file, "simulation/max_sweep");
     const hdf5::DataSpace space(H5Screate(H5S_NULL), "replacing");
-    const hdf5::DataSet set(H5Dcreate2(file, "simulation/longest_sweep", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
-                                       H5P_DEFAULT, H5P_DEFAULT),
-                            "replacing");
+    const hdf5::DataSet set(
+        H5Dcreate2(file, "simulation/max_sweep", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        "replacing");
   });
 }
 
@@ -170,7 +170,7 @@ TEST(BadRecording, IsNamedInOneSentence) {
                                    {"effects", "'effects'"},
                                    {"workpiece", "'workpiece'"},
                                    {"workpiece/vdb", "vdb"},
-                                   {"simulation/longest_dt", "simulation/longest_dt"},
+                                   {"simulation/max_dt", "simulation/max_dt"},
                                    {"tool/radius", "tool/radius"},
                                    {"materials/damping", "materials/damping"},
                                    {"materials", "'materials'"}})
@@ -202,7 +202,7 @@ void change_fields(hid_t file, const char* group_name, const std::function<std::
 }
 
 TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUnknown) {
-  for (const auto& [group_name, field_name] : {std::pair{"simulation", "longest_sweep"},
+  for (const auto& [group_name, field_name] : {std::pair{"simulation", "max_sweep"},
                                                {"tool", "spindle_droop"},
                                                {"materials", "density"},
                                                {"steps", "contact_level_of_detail"}}) {
@@ -219,7 +219,7 @@ TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUn
       });
     });
     EXPECT_EQ(recording.complaint(), "");
-    EXPECT_EQ(read_recording(recording.path).config().longest_sweep, SimulationConfig{}.longest_sweep);
+    EXPECT_EQ(read_recording(recording.path).config().max_sweep, SimulationConfig{}.max_sweep);
     recording.also(
         [&](hid_t file) { change_fields(file, group, [](const std::string& list) { return list + ",taste"; }); });
     test::expect_part(recording.complaint(), "newer version");

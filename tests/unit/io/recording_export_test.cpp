@@ -56,8 +56,8 @@ TEST(RecordingExport, WritesEveryDigitAsText) {
     const std::vector<std::string> cells = cells_of(line);
     ASSERT_EQ(cells.size(), names.size());
     const RecordedStep step = recording.read(rows, 1).at(0);
-    EXPECT_EQ(number(cells[z]), step.input.pose.translation.z());
-    EXPECT_EQ(number(cells[row21]), step.input.pose.rotation(2, 1));
+    EXPECT_EQ(number(cells[z]), step.input.X_WH.translation.z());
+    EXPECT_EQ(number(cells[row21]), step.input.X_WH.rotation(2, 1));
     EXPECT_EQ(number(cells[force]), step.force.z());
     EXPECT_EQ(cells[hash], std::to_string(step.removed_voxels_hash));
     EXPECT_EQ(cells[count], std::to_string(rows));

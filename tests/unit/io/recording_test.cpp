@@ -56,7 +56,7 @@ void expect_identical(const ReplayReport& report, std::uint64_t steps, const std
   EXPECT_TRUE(report.identical) << what << ": step " << (report.first_difference ? report.first_difference->step : 0)
                                 << ", " << (report.first_difference ? report.first_difference->column : "");
   EXPECT_EQ(report.steps, steps) << what;
-  EXPECT_EQ(report.largest_force_difference, 0) << what;
+  EXPECT_EQ(report.max_force_difference, 0) << what;
 }
 
 TEST(Recording, ReplaysEverySceneWithTheSameBits) {
@@ -101,9 +101,9 @@ TEST(Recording, HoldsWhatTheStepsReturned) {
     const StepInput input = plunge(simulation, int(n));
     EXPECT_EQ(steps[n].number, n);
     EXPECT_NEAR(steps[n].time, 1e-3 * double(n + 1), 1e-12);
-    EXPECT_EQ(steps[n].input.pose.translation, input.pose.translation);
-    EXPECT_EQ(steps[n].input.pose.rotation, input.pose.rotation);
-    EXPECT_EQ(steps[n].input.velocity.linear, input.velocity.linear);
+    EXPECT_EQ(steps[n].input.X_WH.translation, input.X_WH.translation);
+    EXPECT_EQ(steps[n].input.X_WH.rotation, input.X_WH.rotation);
+    EXPECT_EQ(steps[n].input.V_WH.linear, input.V_WH.linear);
     EXPECT_EQ(steps[n].force, forces[n]);
     EXPECT_EQ(steps[n].torque, torques[n]);
     EXPECT_EQ(steps[n].removed_voxels, removed[n]);
@@ -132,17 +132,17 @@ TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
       effects.gravity = Gravity{0.1, Vec3(0, 0, 0.01), Vec3(0, 0, -9.81)};
       effects.delta_filter.emplace();
       effects.enabled.torque[1] = false;
-      effects.limits.largest_force = 2;
+      effects.limits.max_force = 2;
       effects.limits.ramp_time = 0.1;
       simulation.set_effects(effects);
     }
     if (tick == 250) simulation.set_effects({});
     if (tick % 40 == 0) simulation.reserve_blocks(simulation.config().reserved_blocks + std::size_t(tick / 400));
     StepInput input = plunge(simulation, tick);
-    if (tick == 300) input.pose.translation.x() = std::numeric_limits<double>::quiet_NaN();
-    if (tick == 310) input.velocity.angular.y() = std::numeric_limits<double>::infinity();
+    if (tick == 300) input.X_WH.translation.x() = std::numeric_limits<double>::quiet_NaN();
+    if (tick == 310) input.V_WH.angular.y() = std::numeric_limits<double>::infinity();
     if (tick == 320) input.dt = -1;
-    if (tick == 330) input.pose.translation.x() += 1;
+    if (tick == 330) input.X_WH.translation.x() += 1;
     seen |= recorder.step(input).status;
   }
   recorder.close();
@@ -155,7 +155,7 @@ TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
   EXPECT_EQ(recording.effects()[2].first_step, 250U);
   EXPECT_FALSE(recording.effects()[1].effects.enabled.torque[1]);
   EXPECT_TRUE(recording.effects()[1].effects.gravity && !recording.effects()[1].effects.vibration);
-  EXPECT_TRUE(std::isinf(recording.effects()[1].effects.limits.largest_torque));
+  EXPECT_TRUE(std::isinf(recording.effects()[1].effects.limits.max_torque));
   expect_identical(replay(recording), 600, "settings");
 }
 
@@ -172,7 +172,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
   config.reference_stiffness = 3e13;
   config.deep_contact = false;
   config.voxel_budget = 5000;
-  config.longest_sweep = 77;
+  config.max_sweep = 77;
   config.removed_voxel_capacity = 20;
   for (const Tool& tool : {Tool(ConeHead{0.5, 3e-3}), Tool(FlatHead{1e-3, 2e-3, FlatRule::both}, angled, air_turbine),
                            Tool(round_head(2e-3), RayHandle{5e-3}, Spindle{-2000 * units::rad_per_s}),
@@ -187,7 +187,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
     EXPECT_EQ(recording.tool().head().volume(), tool.head().volume());
     EXPECT_EQ(recording.tool().X_HT().translation, tool.X_HT().translation);
     EXPECT_EQ(recording.tool().spindle().droop, tool.spindle().droop);
-    EXPECT_EQ(recording.config().longest_sweep, 77);
+    EXPECT_EQ(recording.config().max_sweep, 77);
     EXPECT_EQ(recording.config().voxel_budget, 5000U);
     EXPECT_EQ(recording.config().handle_torque, HandleTorque::thesis);
     EXPECT_FALSE(recording.config().friction);
@@ -206,7 +206,7 @@ TEST(Recording, SaysWhereAReplayLeavesIt) {
   // Parts of voxels are touched a little before or after their centroids are.
   const std::vector<RecordedStep> steps = recording.read(report.first_difference->step, 50);
   EXPECT_GT(steps.back().contact.voxels, 0);
-  EXPECT_GT(report.largest_force_difference, 0);
+  EXPECT_GT(report.max_force_difference, 0);
   EXPECT_NE(report.first_difference->recorded, report.first_difference->replayed);
 }
 
@@ -247,7 +247,7 @@ TEST(Recording, CanBeMadeOfACutWorkpieceAfterAReset) {
   Simulation simulation = small_cut();
   for (int tick = 0; tick < 300; ++tick) {
     const StepInput input = plunge(simulation, tick);
-    simulation.step(input.pose, input.velocity, input.dt);
+    simulation.step(input.X_WH, input.V_WH, input.dt);
   }
   EXPECT_THROW(Recorder(folder / "a.h5", simulation), Error);
   EXPECT_EQ(folder.file_count(), 0U);

@@ -191,15 +191,15 @@ struct Reference {
   ContactBlock contact;
 
   Reference(const kernels::ContactJob& job, const BlockView& block) {
-    std::array<std::uint64_t, kBlockEdge> with_turn = {};
+    std::array<std::uint64_t, kBlockEdge> with_phase = {};
     for (int row = 0; row < kBlockRows; ++row) {
       const int slab = row / kBlockEdge, in_slab = row % kBlockEdge;
       const std::uint64_t bits = std::uint64_t(0xff) << (8 * in_slab);
       const std::uint64_t solid = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
-      if (job.has_turn(block.origin, slab, in_slab / 2)) with_turn[std::size_t(slab)] |= solid & bits;
+      if (job.has_phase(block.origin, slab, in_slab / 2)) with_phase[std::size_t(slab)] |= solid & bits;
     }
     BlockView evaluated = block;
-    evaluated.solid = with_turn.data();
+    evaluated.solid = with_phase.data();
     job.head.visit_springs<float>(
         [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
@@ -327,7 +327,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         const bool kept = !gone && !expected_gone;
         const double apart = std::abs(double(fill_after[std::size_t(n)]) - double(expected.fill_after[std::size_t(n)]));
         // Where the feed grazes a surface, ChipChord::share_of_chips magnifies what speeds are rounded by.
-        ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kSmallestFill)) << n;
+        ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kMinFill)) << n;
         differently_finished += kept && apart > kRounding ? 1 : 0;
       }
       EXPECT_LE(differently_finished, motion.tooth_rate > 0 ? 3 : 1);

@@ -291,7 +291,7 @@ TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
 TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
   Rig rig(3000, true);
   const auto refused = [&](LoopCommand command) { EXPECT_THROW(rig.model.check(command), Error); };
-  refused(commands::SetSpindleSpeed{2 * kFastestSpindle * units::rad_per_s});
+  refused(commands::SetSpindleSpeed{2 * kMaxSpindleSpeed * units::rad_per_s});
   refused(commands::SetScale{0});
   refused(commands::SetFriction{DryFriction{0.1, 0.2, 1000}});
   Effects effects;

@@ -74,7 +74,7 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   map.force_scale = 0.5;
   const CouplingGains world = gains_in_world(touch, map);
   EXPECT_DOUBLE_EQ(WorkspaceMap(map).felt_stiffness(world.stiffness), touch.stiffness);
-  EXPECT_DOUBLE_EQ(world.largest_force * map.force_scale, touch.largest_force);
+  EXPECT_DOUBLE_EQ(world.max_force * map.force_scale, touch.max_force);
   EXPECT_DOUBLE_EQ(world.damping / (2 * std::sqrt(world.stiffness * world.mass)),
                    touch.damping / (2 * std::sqrt(touch.stiffness * touch.mass)));
   EXPECT_DOUBLE_EQ(world.stiffness / world.mass, touch.stiffness / touch.mass);
@@ -97,7 +97,7 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
         });
     const double stretch = (height - (kRadius + 1e-3 - scale * 3e-3)) / scale;  // [m] at the hand
     EXPECT_GT(force, 0.2) << scale;
-    EXPECT_NEAR(force, std::min(touch.largest_force, touch.stiffness * stretch), 1e-3) << scale;
+    EXPECT_NEAR(force, std::min(touch.max_force, touch.stiffness * stretch), 1e-3) << scale;
   }
 }
 

@@ -98,9 +98,9 @@ TEST(RealtimeLoop, TellsTheLargestForceOfTicksThatNobodyLookedAt) {
   loop.start();
   loop.wait();
   EXPECT_EQ(loop.latest().output.applied.force.norm(), 0);
-  EXPECT_EQ(loop.latest().largest_commanded, 2);
-  EXPECT_GT(loop.latest().largest_applied, 0);
-  EXPECT_LT(loop.latest().largest_applied, 2) << "the guard lets a force grow slowly";
+  EXPECT_EQ(loop.latest().max_commanded, 2);
+  EXPECT_GT(loop.latest().max_applied, 0);
+  EXPECT_LT(loop.latest().max_applied, 2) << "the guard lets a force grow slowly";
 }
 
 TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {

@@ -115,7 +115,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   RealtimeLoop loop(*device, model, options_for(model, 0));
   std::uint64_t version = 0, tick = 0;
   double removed = 0;
-  std::size_t most_waiting = 0;
+  std::size_t max_waiting = 0;
   ChangedBlock block;
   const auto look = [&] {
     const LoopSnapshot& snapshot = loop.latest();
@@ -124,7 +124,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
     EXPECT_GE(tool.removed_volume, removed);
     tick = snapshot.tick;
     removed = tool.removed_volume;
-    most_waiting = std::max(most_waiting, snapshot.blocks_waiting);
+    max_waiting = std::max(max_waiting, snapshot.blocks_waiting);
     while (loop.receive(block)) {
       EXPECT_GT(block.version, version);
       version = block.version;
@@ -151,7 +151,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
 
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_GT(removed, 5e-15 * kManyTicks);  // [m^3]
-  EXPECT_GT(most_waiting, 0U);             // the reader was too slow, as it should be
+  EXPECT_GT(max_waiting, 0U);              // the reader was too slow, as it should be
   std::erase_if(picture, [](const auto& entry) { return is_empty(entry.second); });
   expect_same(picture, picture_of(simulation.workpiece()));
 }
@@ -189,7 +189,7 @@ TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
   loop.wait();
   EXPECT_LT(device->state().X_BS.translation.z(), -4.9e-3);
   EXPECT_NEAR(loop.latest().X_WT.translation.z(), kRadius, 2e-4);  // a voxel
-  EXPECT_NEAR(loop.latest().tool.force.norm(), options.coupling->largest_force, 0.01);
+  EXPECT_NEAR(loop.latest().tool.force.norm(), options.coupling->max_force, 0.01);
   EXPECT_EQ(device->output().commanded.force, loop.latest().tool.force);
 }
 

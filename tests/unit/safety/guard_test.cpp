@@ -49,7 +49,7 @@ TEST(Guard, RejectsPosesThatNoHandMakesAndFailsWhenTheyStay) {
            {SafetyEvent::pose_not_a_rotation, [](DeviceState& s) { s.X_BS.rotation *= 1.01; }},
            {SafetyEvent::pose_outside_workspace, [](DeviceState& s) { s.X_BS.translation.y() = 0.2; }},
            {SafetyEvent::pose_jump, [](DeviceState& s) { s.X_BS.translation.x() += 0.03; }},
-           {SafetyEvent::pose_turn_jump,
+           {SafetyEvent::pose_rotation_jump,
             [](DeviceState& s) { s.X_BS.rotation = rotation_from_vector(Vec3(0.5, 0, 0)); }},
            {SafetyEvent::reading_invalid, [](DeviceState& s) { s.valid = false; }}}) {
     GuardedLoop loop;
@@ -125,15 +125,15 @@ TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
     const DeviceCapabilities device = capabilities(model);
     const SafetyGuard guard(device, {});
     const OutputLimits limits = output_limits(device);
-    EXPECT_EQ(limits.largest_force, guard.greatest_force());
+    EXPECT_EQ(limits.max_force, guard.max_force());
     EXPECT_EQ(limits.force_growth, guard.slew());
-    EXPECT_EQ(limits.force_growth, least_force_growth(model.rendered_stiffness, 0.5));
-    EXPECT_EQ(std::isinf(limits.largest_torque), device.output_degrees_of_freedom < 6);
+    EXPECT_EQ(limits.force_growth, min_force_growth(model.rendered_stiffness, 0.5));
+    EXPECT_EQ(std::isinf(limits.max_torque), device.output_degrees_of_freedom < 6);
     EXPECT_NO_THROW(validate(limits));
   }
   const OutputLimits six = output_limits(capabilities(device_model("premium6dof")));
-  EXPECT_EQ(six.largest_torque, 0.048);
-  EXPECT_NEAR(six.largest_torque / six.torque_growth, six.largest_force / six.force_growth, 1e-12)
+  EXPECT_EQ(six.max_torque, 0.048);
+  EXPECT_NEAR(six.max_torque / six.torque_growth, six.max_force / six.force_growth, 1e-12)
       << "as long to the peak as for the force";
 }
 
@@ -345,7 +345,7 @@ TEST(Guard, IsNotHurtByNumbersThatAreNone) {
   for (int n = 0; n < 3000; ++n) {
     loop.reading.X_BS.translation.z() = 1e-3 * std::sin(0.01 * n);
     const Wrench given = loop.tick(Vec3(0, 0, 1));
-    ASSERT_TRUE(given.force.allFinite() && given.force.norm() <= loop.guard.greatest_force()) << n;
+    ASSERT_TRUE(given.force.allFinite() && given.force.norm() <= loop.guard.max_force()) << n;
   }
   EXPECT_EQ(loop.guard.state(), ArmingState::on);
 }

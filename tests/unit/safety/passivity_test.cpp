@@ -18,7 +18,7 @@ constexpr double kStiffness = 700, kPeak = 3.3, kTick = 1e-3;  // [N/m], [N], [s
 PassivityOptions options_of_touch() {
   PassivityOptions options;
   options.stiffness = kStiffness;
-  options.greatest_damping = 3;
+  options.max_damping = 3;
   return options;
 }
 
@@ -106,7 +106,7 @@ TEST(PassivityController, LeavesWeightAndVibrationOutOfTheAccount) {
 TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
   for (const bool says : {true, false}) {
     PassivityOptions options = options_of_touch();
-    options.greatest_damping = 0;  // no bound
+    options.max_damping = 0;  // no bound
     PassivityController controller(options, kPeak);
     const std::optional<double> stored = says ? std::optional(1e-4) : std::nullopt;
     const Vec3 resists(0, 0, 1);

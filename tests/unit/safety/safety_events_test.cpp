@@ -68,7 +68,7 @@ std::vector<Cause> causes() {
       once(Event::pose_not_a_rotation, [](DeviceState& s) { s.X_BS.rotation *= 1.01; }),
       once(Event::pose_outside_workspace, [](DeviceState& s) { s.X_BS.translation.y() = 0.3; }),
       once(Event::pose_jump, [](DeviceState& s) { s.X_BS.translation.x() += 0.03; }),
-      once(Event::pose_turn_jump, [](DeviceState& s) { s.X_BS.rotation = rotation_from_vector(Vec3(0.5, 0, 0)); }),
+      once(Event::pose_rotation_jump, [](DeviceState& s) { s.X_BS.rotation = rotation_from_vector(Vec3(0.5, 0, 0)); }),
       {Event::pose_frozen,
        [](GuardedLoop& loop) {
          for (int n = 0; n < 200; ++n) {

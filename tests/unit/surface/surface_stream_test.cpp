@@ -250,8 +250,8 @@ TEST(SurfaceStream, TheLargestPageHasRoomInSixteenBits) {
   std::size_t most = 0;
   for (const auto& [origin, page] : pages) {
     most = std::max(most, page.vertices.size());
-    EXPECT_LE(page.vertices.size(), SurfacePage::kMostVertices);
-    EXPECT_LE(page.indices.size(), SurfacePage::kMostIndices);
+    EXPECT_LE(page.vertices.size(), SurfacePage::kMaxVertices);
+    EXPECT_LE(page.indices.size(), SurfacePage::kMaxIndices);
     for (const std::uint16_t index : page.indices) ASSERT_LT(index, page.vertices.size());
   }
   EXPECT_GT(most, 40'000U);

@@ -59,12 +59,12 @@ TEST(Catalogue, RoundEndsTouchTheirWallsWithoutAnEdge) {
   const double inwards = std::atan2(end.rho - neck.rho, neck.z - end.z);
   EXPECT_NEAR(end.rho, 0.7 * mm * std::cos(inwards), kRounding * mm);
   EXPECT_NEAR(end.z, 0.7 * mm * (1 + std::sin(inwards)), kRounding * mm);
-  EXPECT_NEAR(pear.largest_radius(), 0.7 * mm, kRounding * mm);
+  EXPECT_NEAR(pear.max_radius(), 0.7 * mm, kRounding * mm);
 }
 
 TEST(Catalogue, TheFlameIsWidestWhereItIsSaidToBe) {
   const ToolHead flame = flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2.2 * mm);
-  EXPECT_NEAR(flame.largest_radius(), 0.7 * mm, kRounding * mm);
+  EXPECT_NEAR(flame.max_radius(), 0.7 * mm, kRounding * mm);
   EXPECT_GT(margin_at(flame, 0.6999 * mm, 2.2 * mm), 0);
   EXPECT_LT(margin_at(flame, 0.6999 * mm, 2.0 * mm), 0);
   EXPECT_LT(margin_at(flame, 0.6999 * mm, 2.4 * mm), 0);

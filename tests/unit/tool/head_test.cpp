@@ -36,7 +36,7 @@ TEST_P(Heads, BoxVolumeReachAndRadiusAreExact) {
   EXPECT_LT((e.head.bounding_box().max - e.max).norm(), kRounding * e.reach);
   EXPECT_NEAR(e.head.volume() / e.volume, 1, kRounding);
   EXPECT_NEAR(e.head.reach() / e.reach, 1, kRounding);
-  EXPECT_DOUBLE_EQ(e.head.largest_radius(), e.max.x());
+  EXPECT_DOUBLE_EQ(e.head.max_radius(), e.max.x());
 }
 
 // The volume is the share of random points of the box that have a spring; 4e5 points know it to 0.1 %, four standard

@@ -79,7 +79,7 @@ TEST_P(Recognized, InAnyPoseWithItsAxisAndDimensions) {
 /// Largest difference of forces over 20 poses in which both heads are pressed in by half of their size, relative to the
 /// largest force.
 double difference_of_forces(const ToolHead& a, const ToolHead& b, double tip_of_a, double tip_of_b) {
-  const double size = std::min(a.largest_radius(), a.bounding_box().max.z() - a.bounding_box().min.z());
+  const double size = std::min(a.max_radius(), a.bounding_box().max.z() - a.bounding_box().min.z());
   const double reach = 1.2 * a.reach();
   const Box block = {Vec3(-reach, -reach, -2 * size), Vec3(reach, reach, 0)};
   const Workpiece workpiece = test::box_at_phase(block, size / 12, test::phase(2));

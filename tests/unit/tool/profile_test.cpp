@@ -73,7 +73,7 @@ TEST_P(ProfileOfAnAnalyticHead, HasTheSameMarginBoxReachAndVolume) {
   EXPECT_LT((profile.bounding_box().max - analytic.bounding_box().max).norm(), kRounding * mm);
   EXPECT_NEAR(profile.reach() / analytic.reach(), 1, kRounding);
   EXPECT_NEAR(profile.volume() / analytic.volume(), 1, kRounding);
-  EXPECT_NEAR(profile.largest_radius() / analytic.largest_radius(), 1, kRounding);
+  EXPECT_NEAR(profile.max_radius() / analytic.max_radius(), 1, kRounding);
   // The analytic margin is the exact distance inside, a bound on it outside.
   for_points(profile, 20000, [&](double rho, double z) {
     const double exact = margin_at(profile, rho, z), bound = margin_at(analytic, rho, z);

@@ -24,11 +24,11 @@ TEST_P(OnShank, CutsAsTheHeadAloneAndReachesToTheEndOfTheShank) {
   const ToolHead bur = on_shank(head, standard_shank(ShankKind::friction_grip, neck));
   EXPECT_NEAR(bur.bounding_box().max.z(), begin + 19 * mm, 1e-12);
   EXPECT_NEAR(bur.bounding_box().min.z(), begin, 1e-12);
-  EXPECT_NEAR(bur.largest_radius(), std::max(head.largest_radius(), 0.8 * mm), 1e-12);
+  EXPECT_NEAR(bur.max_radius(), std::max(head.max_radius(), 0.8 * mm), 1e-12);
   EXPECT_NEAR(bur.cutting_radius(), head.cutting_radius(), 1e-12);
   // Where it cuts, as deep as before: below the nearest cutting surface.
   int cutting = 0;
-  for (double rho = 0.003 * mm; rho < head.largest_radius(); rho += 0.02 * mm)
+  for (double rho = 0.003 * mm; rho < head.max_radius(); rho += 0.02 * mm)
     for (double z = begin + 0.003 * mm; z < end; z += 0.03 * mm) {
       const bool inside = margin_at(head, rho, z) > 0;
       if (inside) {
@@ -81,7 +81,7 @@ TEST(WithBody, PutsTheNoseOfAHandpieceAroundAShank) {
   const ToolHead bur = on_shank(round_head(1 * mm), standard_shank(ShankKind::latch, 0.6 * mm));
   const Profile nose = {9 * mm, {{3 * mm, 9 * mm}, {5 * mm, 14 * mm}, {5 * mm, 25 * mm}, {0, 25 * mm}}};
   const ToolHead held = with_body(bur, nose);
-  EXPECT_NEAR(held.largest_radius(), 5 * mm, 1e-12);
+  EXPECT_NEAR(held.max_radius(), 5 * mm, 1e-12);
   EXPECT_NEAR(held.cutting_radius(), 0.5 * mm, 1e-12);
   EXPECT_NEAR(held.bounding_box().max.z(), 25 * mm, 1e-12);
   const Spring s = held.spring_at({2.9 * mm, 0, 9.05 * mm});

@@ -84,7 +84,7 @@ TEST(ViewProtocol, ASnapshotHasWhatThePanelsShow) {
   snapshot.tool.force = Vec3(1, 2, 3);
   snapshot.tool.spindle_speed = 4000;
   snapshot.tool.contact_voxels = 17;
-  snapshot.tool.contact_point = Vec3(4, 5, 6);
+  snapshot.tool.contact_point_W = Vec3(4, 5, 6);
   snapshot.tool.redoing = true;
   snapshot.blocks_waiting = 9;
   const Message message = encode(snapshot);
@@ -174,8 +174,8 @@ TEST(ViewProtocol, ANameToLoadIsShortAndHasNoControlCharacters) {
     return decode_command(bytes.bytes);
   };
   EXPECT_EQ(std::get<Load>(*load("molar")).name, "molar");
-  EXPECT_EQ(std::get<Load>(*load(std::string(kLongestName, 'x'))).name.size(), kLongestName);
-  EXPECT_FALSE(load(std::string(kLongestName + 1, 'x')));
+  EXPECT_EQ(std::get<Load>(*load(std::string(kMaxName, 'x'))).name.size(), kMaxName);
+  EXPECT_FALSE(load(std::string(kMaxName + 1, 'x')));
   EXPECT_FALSE(load(""));
   EXPECT_FALSE(load("a\nb"));
   EXPECT_FALSE(load(std::string("a\0b", 3)));
@@ -189,7 +189,7 @@ RC_GTEST_PROP(ViewProtocol, AnyBytesAreACommandOrNone, ()) {
   }
   const auto command = decode_command(bytes);
   if (!command) return;
-  RC_ASSERT(bytes.size() <= kLongestCommand);
+  RC_ASSERT(bytes.size() <= kMaxCommand);
   if (const auto* speed = std::get_if<commands::SetSpindleSpeed>(&*command)) RC_ASSERT(std::isfinite(speed->speed));
   if (const auto* look = std::get_if<LookAt>(&*command)) RC_ASSERT(look->p_WQ.allFinite());
   if (const auto* hand = std::get_if<MoveHand>(&*command)) RC_ASSERT(hand->X_WH.translation.allFinite());

@@ -131,7 +131,7 @@ TEST(ViewServer, AWriterThatIsTornAwayHasLeft) {
 
 TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
   ViewServer server(scene());
-  std::vector<std::uint8_t> long_one(kLongestCommand + 1, 0);
+  std::vector<std::uint8_t> long_one(kMaxCommand + 1, 0);
   for (const auto& bytes :
        {std::vector<std::uint8_t>{}, {1, 2, 3}, {0xff, 1, 0, 0}, Bytes(CommandKind::look_at).bytes}) {
     Page page(server);
@@ -302,7 +302,7 @@ TEST(ViewServer, ServesTheFilesOfThePageAndNothingElse) {
 
 TEST(ViewServer, RefusesAPortInUseAndConnectionsBeyondItsNumber) {
   ViewServerOptions options;
-  options.most_connections = 3;
+  options.max_connections = 3;
   ViewServer server(scene(), options);
   ViewServerOptions same;
   same.port = server.port();

@@ -15,7 +15,7 @@ namespace {
 using test::arbitrary_rotation;
 using test::number_between;
 
-constexpr double kNarrowest = VoxelSection<double>::kLeastWidth;
+constexpr double kNarrowest = VoxelSection<double>::kMinWidth;
 
 double width(double largest) { return std::max(std::sqrt(std::max(0.0, 1 - largest * largest)), kNarrowest); }
 

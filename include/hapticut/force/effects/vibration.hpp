@@ -13,7 +13,7 @@ namespace hapticut {
 /// The vibration that the hand feels along the spindle's axis while the spinning head touches material (thesis 5.10).
 ///
 ///     F = A sin(phase),  phase advances by 2 pi f dt a step
-///     A = min(amplitude + amplitude_per_watt P, largest_amplitude),   P: power of the spindle
+///     A = min(amplitude + amplitude_per_watt P, max_amplitude),   P: power of the spindle
 ///
 /// The thesis's sin(f t) shakes at f/2pi, and at 500 Hz sampled with 1 kHz sin(2 pi f t) is zero at every sample:
 /// hence the phase that is accumulated, and the bound on the frequency (D9).
@@ -21,7 +21,7 @@ struct Vibration {
   double frequency = 150;
   double amplitude = 0.3;
   double amplitude_per_watt = 0;
-  double largest_amplitude = 0.5;
+  double max_amplitude = 0.5;
 };
 
 constexpr auto fields_of(Of<Vibration>) {
@@ -31,24 +31,24 @@ constexpr auto fields_of(Of<Vibration>) {
       field("amplitude", &V::amplitude, "N", Range::not_negative(), "without a load"),
       field("amplitude_per_watt", &V::amplitude_per_watt, "N/W", Range::not_negative(),
             "what it grows by with the power of the spindle"),
-      field("largest_amplitude", &V::largest_amplitude, "N", Range::not_negative(), "not below amplitude"),
+      field("max_amplitude", &V::max_amplitude, "N", Range::not_negative(), "not below amplitude"),
   };
 }
 
 /// [1] of the update rate: a sine sampled less than 1/0.45 times a period beats visibly, and at 0.5 it may vanish.
-inline constexpr double kFastestVibration = 0.45;
+inline constexpr double kMaxVibration = 0.45;
 
 /// @param update_rate  [Hz] of the step
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Vibration& vibration, double update_rate) {
   require_fields_within(vibration, "Vibration::");
-  if (vibration.amplitude > vibration.largest_amplitude)
+  if (vibration.amplitude > vibration.max_amplitude)
     throw Error("Vibration::amplitude = " + format_number(vibration.amplitude) +
-                " N; must not exceed largest_amplitude = " + format_number(vibration.largest_amplitude) +
-                " N. Lower it, or raise largest_amplitude.");
-  if (vibration.frequency >= kFastestVibration * update_rate)
+                " N; must not exceed max_amplitude = " + format_number(vibration.max_amplitude) +
+                " N. Lower it, or raise max_amplitude.");
+  if (vibration.frequency >= kMaxVibration * update_rate)
     throw Error("Vibration::frequency = " + format_number(vibration.frequency) + " Hz; must be below " +
-                format_number(kFastestVibration * update_rate) + " Hz, 0.45 of the update rate of " +
+                format_number(kMaxVibration * update_rate) + " Hz, 0.45 of the update rate of " +
                 format_number(update_rate) +
                 " Hz: sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower "
                 "it, or raise SimulationConfig::update_rate and call the step as often.");
@@ -63,13 +63,13 @@ class VibrationPhase {
   /// @param dt        [s] a step too long for the frequency gives no force
   /// @realtime no allocation, no lock; O(1)
   [[nodiscard]] double advance(const Vibration& vibration, bool touching, double power, double dt) noexcept {
-    if (!touching || vibration.frequency * dt >= kFastestVibration) {
+    if (!touching || vibration.frequency * dt >= kMaxVibration) {
       phase_ = 0;
       return 0;
     }
     phase_ = std::fmod(phase_ + 2 * units::kPi * vibration.frequency * dt, 2 * units::kPi);
     const double wanted = vibration.amplitude + vibration.amplitude_per_watt * std::max(0.0, power);
-    return std::min(wanted, vibration.largest_amplitude) * std::sin(phase_);
+    return std::min(wanted, vibration.max_amplitude) * std::sin(phase_);
   }
 
  private:

@@ -59,10 +59,10 @@ class FoundationLaw final : public ForceLaw {
   [[nodiscard]] bool integrates_parts() const noexcept override { return true; }
 
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
-  static constexpr float kLargestExponent = 1e30F;     ///< keeps the arithmetic finite; e^-80 is already nothing left
-  static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
-  static constexpr float kSmallestPart = 1e-6F;        ///< [1] fill below which a cut voxel is empty
-  static constexpr float kSmallestLoss = 1e-5F;        ///< [1] of a part, in a sub-step, of which no release is booked
+  static constexpr float kMaxExponent = 1e30F;         ///< keeps the arithmetic finite; e^-80 is already nothing left
+  static constexpr float kMinEnergyShare = 1e-6F;      ///< [1] of u that law G always has to pay
+  static constexpr float kMinPart = 1e-6F;             ///< [1] fill below which a cut voxel is empty
+  static constexpr float kMinLoss = 1e-5F;             ///< [1] of a part, in a sub-step, of which no release is booked
 
   /// [1] g_d of Hunt and Crossley's chi w_dot: smooth, and never less than nothing.
   [[nodiscard]] static float damping_factor(float x) { return x < 0 ? 1 / (1 - x) : 1 + x; }
@@ -201,7 +201,7 @@ class FoundationLaw final : public ForceLaw {
       float phi = b.fill[n];
       if (crushed) {
         phi = section.fill_below(height);
-        if (phi < kSmallestPart) phi = 0;
+        if (phi < kMinPart) phi = 0;
         b.fill_after[n] = phi;
       }
       float u = material.cutting_energy;
@@ -221,18 +221,18 @@ class FoundationLaw final : public ForceLaw {
               share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
         if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
           const float w0 = cut_depth.least, squared = w0 * w0 + share * cut_depth.excess;
-          price = std::max(u - 0.5F * k * squared, kLeastEnergyShare * u);
+          price = std::max(u - 0.5F * k * squared, kMinEnergyShare * u);
           rate = power / price,
           share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
         }
-        const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kLargestExponent);
+        const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kMaxExponent);
         const float mean = mean_of_decay(exponent);
         cut = k * l * part.cutting * share * mean;
         rubbing = k * l * std::max(0.0F, part.depth - part.cutting);
         const float loss = phi * exponent * mean;
         left = phi - loss;
         refused = loss - (phi - left);
-        if (left < kSmallestPart && exponent > 0) {
+        if (left < kMinPart && exponent > 0) {
           credit = std::max(0.0F, left);
           left = 0;
         }
@@ -250,7 +250,7 @@ class FoundationLaw final : public ForceLaw {
       };
       const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
       const float taken = phi - left, gone = b.fill[n] - left;
-      const bool releases = gone > kSmallestLoss * b.fill[n];
+      const bool releases = gone > kMinLoss * b.fill[n];
       // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered. What a
       // contact evaluated at the end pushes harder than on average was not stored before.
       const float stays = after - spring * advance, harder = k * part.volume * m.lead * advance * advance;

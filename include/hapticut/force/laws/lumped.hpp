@@ -81,7 +81,7 @@ class LumpedLaw : public ForceLaw {
       const double x = removes ? per_fill / u : 0.0;
       const double mean = double(mean_of_decay(float(std::min(x, 1e30))));
       const double loss = phi * std::min(x * mean, 1.0), left = phi - loss;
-      const bool finished = left < double(kSmallestFill) && x > 0;
+      const bool finished = left < double(kMinFill) && x > 0;
       b.fill_after[n] = finished ? 0.0F : float(left);
       totals.energies.cutting += u * (finished ? phi : loss) * l3;
       if (finished) totals.energies.credited += u * left * l3;

@@ -27,14 +27,14 @@ class TwistDrillLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.
   struct Constants {
-    double specific_energy = 1e8;         ///< [J/m^3] > 0, K_s
-    double largest_feed_per_turn = 1e-3;  ///< [m] > 0; a is cut off there, where the spindle turns too slowly to chip
+    double specific_energy = 1e8;           ///< [J/m^3] > 0, K_s
+    double max_feed_per_revolution = 1e-3;  ///< [m] > 0; a is cut off there, where the spindle turns too slowly to chip
   };
 
   /// @throws Error naming the constant, its value and the allowed range
   explicit TwistDrillLaw(const Constants& constants) : c_(constants) {
     require_positive(c_.specific_energy, "TwistDrillLaw::specific_energy [J/m^3]");
-    require_positive(c_.largest_feed_per_turn, "TwistDrillLaw::largest_feed_per_turn [m]");
+    require_positive(c_.max_feed_per_revolution, "TwistDrillLaw::max_feed_per_revolution [m]");
   }
 
   void require_head(const ToolHead& head) const override {
@@ -50,7 +50,7 @@ class TwistDrillLaw final : public LumpedLaw {
     const double feed = std::max(0.0, -double(m.velocity.z())), spin = double(m.spin);
     if (spin == 0 || feed == 0) return {};
     const double radius = std::min(moments.radius, head.cutting_radius());
-    const double a = std::min(2 * units::kPi * feed / std::abs(spin), c_.largest_feed_per_turn);
+    const double a = std::min(2 * units::kPi * feed / std::abs(spin), c_.max_feed_per_revolution);
     const double couple = torque(2 * radius, a);
     LumpedForce lumped;
     lumped.wrench_T.force.z() = thrust(2 * radius, a, point_angle(head));

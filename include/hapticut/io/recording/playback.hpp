@@ -11,7 +11,7 @@
 namespace hapticut {
 
 /// [steps] that one playback holds in memory at most, 0.2 kB each: 2 h 46 min at 1 kHz, 1.9 GB.
-inline constexpr std::uint64_t kMostPlayedSteps = 10'000'000;
+inline constexpr std::uint64_t kMaxPlayedSteps = 10'000'000;
 
 /// Which steps of a recording are played back. They are held in memory, so that the loop waits for no disk.
 struct PlaybackRange {
@@ -21,7 +21,7 @@ struct PlaybackRange {
 
 /// A device that plays a recording back: the readings of the device that was recorded, or, where there was none, the
 /// poses of the handle in the world (then the base B is the world W, and there is no force).
-/// @throws Error when the recording cannot be read, has no steps in the range, or more than kMostPlayedSteps
+/// @throws Error when the recording cannot be read, has no steps in the range, or more than kMaxPlayedSteps
 [[nodiscard]] std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& recording,
                                                             const PlaybackRange& range = {});
 

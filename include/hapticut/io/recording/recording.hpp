@@ -29,7 +29,7 @@ struct RecordedStep {
   double spindle_setting = 0;         ///< [rad/s] asked of the spindle
   std::uint64_t reserved_blocks = 0;  ///< that were asked for
   std::uint64_t free_blocks = 0;      ///< left of them before the step
-  bool let_go = false;                ///< the hand had let go before the step: see Simulation::let_go
+  bool hand_released = false;         ///< the hand had let go before the step: see Simulation::release_hand
   bool halted = false;                ///< the spindle had been halted before the step: see Simulation::halt_spindle
   OutputPath path = OutputPath::direct;
   HandOutput hand;  ///< of the coupling, where `path` is coupled

@@ -23,8 +23,8 @@ struct ReplayReport {
   std::uint64_t steps = 0;  ///< that were made again
   bool identical = false;   ///< every bit of every result, and of the workpiece at the end where it is known
   std::optional<ReplayDifference> first_difference;
-  double largest_force_difference = 0;  ///< [N] over all steps
-  std::uint64_t left_out = 0;           ///< recorded steps after the first lost one, which cannot be made again
+  double max_force_difference = 0;  ///< [N] over all steps
+  std::uint64_t left_out = 0;       ///< recorded steps after the first lost one, which cannot be made again
   std::uint64_t workpiece_hash = 0;
 };
 

@@ -44,10 +44,10 @@ void answer_all() {
   std::unique_ptr<Hdf5Source> source;
   std::uint64_t given = 0;
   for (Question q; take(reinterpret_cast<char*>(&q), sizeof q);) {
-    if (q.place_bytes > kLongestPlace || q.name_bytes > kLongestPlace) return;
+    if (q.place_bytes > kMaxPlace || q.name_bytes > kMaxPlace) return;
     std::string place(q.place_bytes, '\0'), name(q.name_bytes, '\0'), content;
     if (!take(place.data(), place.size()) || !take(name.data(), name.size())) return;
-    limit(RLIMIT_CPU, kMostReadingSeconds + given / kBytesPerSecond);
+    limit(RLIMIT_CPU, kMaxReadingSeconds + given / kBytesPerSecond);
     Answer answer;
     try {
       if (q.ask == Ask::open) {

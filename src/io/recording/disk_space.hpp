@@ -10,7 +10,7 @@ namespace hapticut {
 
 /// Asks for the disk space of a growing file before it is needed, for writers that cannot recover from a full disk.
 /// What was asked for beyond the end of the file is given back at the end.
-class RoomOnDisk {
+class DiskSpace {
  public:
   /// There is no room, or the file cannot be opened; in the words of the system.
   class Lacking : public Error {
@@ -19,10 +19,10 @@ class RoomOnDisk {
   };
 
   /// @throws Lacking
-  explicit RoomOnDisk(const std::filesystem::path& path);
-  ~RoomOnDisk();
-  RoomOnDisk(const RoomOnDisk&) = delete;
-  RoomOnDisk& operator=(const RoomOnDisk&) = delete;
+  explicit DiskSpace(const std::filesystem::path& path);
+  ~DiskSpace();
+  DiskSpace(const DiskSpace&) = delete;
+  DiskSpace& operator=(const DiskSpace&) = delete;
 
   /// Makes sure that the file can become so long.
   /// @throws Lacking

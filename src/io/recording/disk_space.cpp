@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/recording/room_on_disk.hpp"
+#include "io/recording/disk_space.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] asked for, so that it is not asked often
 
-[[noreturn]] void fail(int error_number) { throw RoomOnDisk::Lacking(std::generic_category().message(error_number)); }
+[[noreturn]] void fail(int error_number) { throw DiskSpace::Lacking(std::generic_category().message(error_number)); }
 
 std::uint64_t length_of(int file) {
   struct stat status {};
@@ -26,18 +26,18 @@ std::uint64_t length_of(int file) {
 
 }  // namespace
 
-RoomOnDisk::RoomOnDisk(const std::filesystem::path& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+DiskSpace::DiskSpace(const std::filesystem::path& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
   if (file_ < 0) fail(errno);
 }
 
-RoomOnDisk::~RoomOnDisk() {
+DiskSpace::~DiskSpace() {
   struct stat status {};
   // Setting the length that it has frees what lies beyond; where that is refused, the file is a little larger on disk.
   if (::fstat(file_, &status) == 0) (void)!::ftruncate(file_, status.st_size);
   ::close(file_);
 }
 
-void RoomOnDisk::require(std::uint64_t length) {
+void DiskSpace::require(std::uint64_t length) {
   if (length <= safe_) return;
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);

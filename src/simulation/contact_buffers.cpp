@@ -22,29 +22,29 @@ double thin_up_to(const ToolHead& head, double voxel_size) {
   return top - bottom > (kThin + kStep) * voxel_size ? top : bottom - voxel_size;
 }
 
-WorstCase worst_case_of(std::size_t most_voxels, std::size_t most_blocks, const SimulationConfig& config) noexcept {
-  const std::size_t budget = config.voxel_budget == 0 ? most_voxels : config.voxel_budget;
-  const std::size_t parts = (most_voxels + budget - 1) / budget;
-  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts), 1};
+WorstCase worst_case_of(std::size_t max_voxels, std::size_t max_blocks, const SimulationConfig& config) noexcept {
+  const std::size_t budget = config.voxel_budget == 0 ? max_voxels : config.voxel_budget;
+  const std::size_t parts = (max_voxels + budget - 1) / budget;
+  return {max_blocks, std::min(max_voxels, budget), config.max_sweep, int(parts), 1};
 }
 
 }  // namespace
 
 ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
-    : most_voxels(hapticut::most_voxels(head, voxel_size)),
-      most_blocks(hapticut::most_blocks(head, voxel_size)),
+    : max_voxels(hapticut::max_voxels(head, voxel_size)),
+      max_blocks(hapticut::max_blocks(head, voxel_size)),
       thin_up_to(hapticut::thin_up_to(head, voxel_size)) {
-  reserve_touched(blocks, most_blocks);
-  reserve_touched(emptied, most_blocks);
-  reserve_touched(changed, most_blocks * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
+  reserve_touched(blocks, max_blocks);
+  reserve_touched(emptied, max_blocks);
+  reserve_touched(changed, max_blocks * std::size_t(std::min(config.max_sweep, kListedSubSteps)));
 }
 
-void ContactStages::exchange_room(Room& room) noexcept {
+void ContactStages::exchange_buffers(Room& room) noexcept {
   forget_changes();
   emptied_.clear();
   blocks_.clear();
-  std::swap(most_voxels_, room.most_voxels);
-  std::swap(most_blocks_, room.most_blocks);
+  std::swap(max_voxels_, room.max_voxels);
+  std::swap(max_blocks_, room.max_blocks);
   std::swap(thin_up_to_, room.thin_up_to);
   std::swap(changed_, room.changed);
   std::swap(blocks_, room.blocks);
@@ -53,11 +53,11 @@ void ContactStages::exchange_room(Room& room) noexcept {
 }
 
 WorstCase ContactStages::Room::worst_case(const SimulationConfig& config) const noexcept {
-  return worst_case_of(most_voxels, most_blocks, config);
+  return worst_case_of(max_voxels, max_blocks, config);
 }
 
 WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
-  return worst_case_of(most_voxels_, most_blocks_, config);
+  return worst_case_of(max_voxels_, max_blocks_, config);
 }
 
 }  // namespace hapticut

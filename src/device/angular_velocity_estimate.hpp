@@ -10,7 +10,7 @@ namespace hapticut {
 
 /// Angular velocity as the filtered difference of orientations, for devices that report none that can be relied on.
 /// @realtime no allocation, no lock
-class TurningEstimate {
+class AngularVelocityEstimate {
  public:
   void restart() noexcept {
     started_ = false;
