@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The C++ code of pages is the code of compiled examples.
+
+    page_code.py [--root FOLDER]
+
+A page of PAGES names an example (examples/cpp/NAME.cpp) and then shows lines of it. Each block of C++ must be in the
+example that was named last, word for word but for its indentation.
+"""
+import argparse
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+PAGES = {"docs/tutorial.md": 8, "docs/your-own-loop.md": 6}  # and how many blocks each has at least
+EXAMPLE = re.compile(r"examples/cpp/\w+\.cpp")
+
+
+def without_indentation(lines: list[str]) -> str:
+    return textwrap.dedent("\n".join(lines))
+
+
+def is_in(block: str, example: str) -> bool:
+    lines, wanted = example.splitlines(), block.splitlines()
+    return any(without_indentation(lines[n:n + len(wanted)]) == without_indentation(wanted)
+               for n in range(len(lines) - len(wanted) + 1))
+
+
+def check(root: Path, page: str, at_least: int) -> tuple[list[str], int]:
+    wrong, blocks, example, block, fence = [], 0, "", [], ""
+    for number, line in enumerate((root / page).read_text(encoding="utf-8").splitlines(), 1):
+        if line.startswith("```"):
+            if fence == "cpp":
+                blocks += 1
+                if not example:
+                    wrong.append(f"{page}:{number - len(block)} shows code before it names an example")
+                elif not is_in("\n".join(block), (root / example).read_text(encoding="utf-8")):
+                    wrong.append(f"{page}:{number - len(block)} shows code that {example} does not have")
+            fence = "" if fence else line[3:] or "text"
+            block = []
+        elif fence:
+            block.append(line)
+        else:
+            example = (EXAMPLE.findall(line) or [example])[-1]
+    if blocks < at_least:
+        wrong.append(f"{page} has only {blocks} blocks of C++: the search for them is broken")
+    return wrong, blocks
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
+    options = parser.parse_args()
+    wrong, total = [], 0
+    for page, at_least in PAGES.items():
+        found, blocks = check(options.root, page, at_least)
+        wrong += found
+        total += blocks
+    for sentence in wrong:
+        print(sentence)
+    print(f"{total} blocks of C++, {len(wrong)} wrong")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
