@@ -4,7 +4,7 @@
 
     page_code.py [--root FOLDER]
 
-A page of PAGES names an example (examples/cpp/NAME.cpp) and then shows lines of it. Each block of C++ must be in the
+A page of PAGES names an example of examples/cpp and then shows lines of it. Each block of C++ must be in the
 example that was named last, word for word but for its indentation.
 """
 import argparse
