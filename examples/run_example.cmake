@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs an example, which ends with code 0 and prints what a regular expression matches:
+# Runs an example. Fails unless it ends with code 0 and its output matches a regular expression:
 # cmake -DPROGRAM=program -DPRINTS=expression -P run_example.cmake
 execute_process(COMMAND "${PROGRAM}" OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 message("${output}")

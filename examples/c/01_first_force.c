@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A ball sinks into bone at 2 mm/s, and bone leaves: the first example of the README, in C. */
+/* A ball cuts into bone at 2 mm/s: the first example of the README, in C. */
 #include <hapticut/c/hapticut.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 static const char scene[] =
@@ -20,7 +22,7 @@ int main(void) {
   hapticut_simulation simulation;
   hapticut_step_input input = {.struct_size = sizeof input};
   hapticut_step_result result = {.struct_size = sizeof result};
-  uint64_t gone = 0; /* voxels */
+  uint64_t removed = 0; /* voxels */
   int tick;
   if (hapticut_simulation_from_toml(scene, NULL, &simulation) < 0) {
     fprintf(stderr, "%s\n", hapticut_last_error());
@@ -36,10 +38,10 @@ int main(void) {
       fprintf(stderr, "%s\n", hapticut_last_error());
       return 1;
     }
-    gone += result.removed_voxels;
+    removed += result.removed_voxels;
     if (tick % 250 == 0)
-      printf("%d ms: %.6g N, spindle torque %.6g N mm, %llu voxels gone\n", tick, result.force[2],
-             1e3 * result.spindle_torque, (unsigned long long)gone);
+      printf("%d ms: %.6g N, spindle torque %.6g N mm, %llu voxels removed\n", tick, result.force[2],
+             1e3 * result.spindle_torque, (unsigned long long)removed);
   }
   return hapticut_release(simulation) == HAPTICUT_OK ? 0 : 1;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A device cuts bone behind a virtual coupling, in the real-time loop, while this thread looks on and sends commands:
+/* A device cuts bone through a virtual coupling in the real-time loop. This thread reads states and sends commands:
  *   09_device_in_the_loop [DEVICE]     mock:spiral,hand=nominal; replay:FILE; openhaptics; ... (docs/devices.md) */
 #include <hapticut/c/hapticut.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@
 static const char scene[] =
     "[workpiece]\nsource = 'block'\nsize_mm = [30, 30, 10]\nvoxel_mm = 0.25\nmaterial = 'cortical_bone'\n"
     "[tool]\nhead = 'sphere'\nradius_mm = 1.5\nspindle_rpm = 30000\n"
-    "[simulation]\nreserved_blocks = 16384\n"; /* there is no time to get more between the ticks */
+    "[simulation]\nreserved_blocks = 16384\n"; /* the loop cannot allocate blocks between ticks */
 
 static void must(int code) {
   if (code >= 0) return;
@@ -18,7 +19,7 @@ static void must(int code) {
   exit(1);
 }
 
-static void tell(hapticut_loop loop, uint32_t kind, double value) {
+static void send(hapticut_loop loop, uint32_t kind, double value) {
   hapticut_command command = {.struct_size = sizeof command};
   command.kind = kind;
   command.value = value;
@@ -35,8 +36,8 @@ int main(int argc, char** argv) {
   hapticut_simulation simulation;
   hapticut_device device;
   hapticut_loop loop;
-  double greatest = 0, force = 0;
-  int running = 1, slower = 0;
+  double max_force = 0, force = 0;
+  int running = 1, is_slower = 0;
 
   for_a_device.for_coupling = 1;
   for_a_device.undo_blocks = 4096;
@@ -44,24 +45,24 @@ int main(int argc, char** argv) {
   must(hapticut_device_open(name, &device));
   options.seconds = 6;
   options.up = is_mock ? HAPTICUT_UP_Z : HAPTICUT_UP_Y;
-  options.simulated_time = is_mock ? 1 : 0; /* as fast as it goes */
+  options.simulated_time = is_mock ? 1 : 0; /* a mock needs no real time */
   must(hapticut_loop_start(simulation, device, &options, &loop));
-  tell(loop, HAPTICUT_COMMAND_SET_UNDO_MARK, 0);
+  send(loop, HAPTICUT_COMMAND_SET_UNDO_MARK, 0);
   while (running) {
     must(hapticut_loop_is_running(loop, &running));
-    must(hapticut_loop_latest(loop, &state)); /* X_WT: where to draw the tool */
+    must(hapticut_loop_latest(loop, &state)); /* draw the tool at X_WT */
     force = sqrt(state.applied_force[0] * state.applied_force[0] + state.applied_force[1] * state.applied_force[1] +
                  state.applied_force[2] * state.applied_force[2]);
-    if (force > greatest) greatest = force;
-    if (state.time > 4 && !slower && running)
-      tell(loop, HAPTICUT_COMMAND_SET_SPINDLE_SPEED, 1500), slower = 1; /* rad/s */
+    if (force > max_force) max_force = force;
+    if (state.time > 4 && !is_slower && running)
+      send(loop, HAPTICUT_COMMAND_SET_SPINDLE_SPEED, 1500), is_slower = 1; /* rad/s */
   }
   must(hapticut_loop_stop(loop, &report));
   printf("%llu ticks (%s), guard %s, removed %.3f mm^3, at most %.2f N seen, spindle %.0f rad/s\n",
          (unsigned long long)report.ticks, report.end, state.arming == HAPTICUT_ARMING_ON ? "on" : "not on",
-         1e9 * state.removed_volume, greatest, state.spindle_speed);
+         1e9 * state.removed_volume, max_force, state.spindle_speed);
 
-  must(hapticut_undo(simulation)); /* between runs; in a run: HAPTICUT_COMMAND_UNDO */
+  must(hapticut_undo(simulation)); /* between runs; while the loop runs, send HAPTICUT_COMMAND_UNDO */
   {
     hapticut_material_info bone = {.struct_size = sizeof bone};
     must(hapticut_material(simulation, 1, &bone));

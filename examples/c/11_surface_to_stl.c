@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A groove is cut along the path of a scene, and its surface is written page by page, as a screen would draw it:
+/* Cuts a groove along the path of a scene, and writes its surface page by page, as a screen would draw it:
  *   11_surface_to_stl [FILE.stl] */
 #include <hapticut/c/hapticut.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -16,7 +18,7 @@ static void must(int code) {
   exit(1);
 }
 
-/** [m] in W */
+/** Position of a vertex in W [m]. */
 static void place(const hapticut_page* page, uint16_t index, double* p_W) {
   const int16_t* steps = page->vertices[index].position;
   int row;
@@ -29,7 +31,7 @@ static void place(const hapticut_page* page, uint16_t index, double* p_W) {
 static uint32_t write_page(FILE* file, const hapticut_page* page) {
   uint32_t n, corner;
   for (n = 0; n < page->index_count; n += 3) {
-    fputs("facet normal 0 0 0\nouter loop\n", file); /* readers take the normal from the corners */
+    fputs("facet normal 0 0 0\nouter loop\n", file); /* STL readers compute the normal from the corners */
     for (corner = 0; corner < 3; ++corner) {
       double p_W[3];
       place(page, page->indices[n + corner], p_W);
@@ -61,7 +63,7 @@ int main(int argc, char** argv) {
     must(hapticut_step(simulation, &input, &result));
     removed += result.removed_volume;
   }
-  must(hapticut_surface_catch_up(surface)); /* a screen would poll at every picture instead */
+  must(hapticut_surface_catch_up(surface)); /* a screen would poll once per picture instead */
   fputs("solid groove\n", file);
   while (hapticut_surface_poll(surface, &page) == HAPTICUT_OK) {
     triangles += write_page(file, &page);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures 7.1-7.3 of the thesis: three heads step into a cube, and whatever they touch goes. Voxels removed, force and
-// torque per step, by the model of the thesis and by the default model; three CSV files and the plots side by side.
-// Usage: 03_figures_of_the_thesis [folder]
+// Figures 7.1-7.3 of the thesis: three heads step into a cube and remove all voxels that they touch. Writes the removed
+// voxels, the force and the torque of each step as three CSV files and one plot, for the model of the thesis and for
+// the default model. Usage: 03_figures_of_the_thesis [folder]
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <hapticut/hapticut.hpp>
 #include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "line_plot.hpp"
 
@@ -31,17 +35,17 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   material.relative_stiffness = 0.4;
   SimulationConfig config;
   ThesisLaw::Constants constants;
-  constants.required_power = 0;  // whatever is touched goes
+  constants.required_power = 0;  // remove each voxel that is touched
   if (thesis) config.law = std::make_shared<ThesisLaw>(constants);
-  if (thesis) config.max_sweep = 1;  // its tool jumps from step to step; the first call takes it there
+  if (thesis) config.max_sweep = 1;  // the tool jumps from step to step
   const double voxel = 0.01 * mm, lowest = head.bounding_box().min.z();
   Simulation simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, voxel, material),
                         Tool(head, RayHandle{0}, Spindle{(thesis ? 1000.0 : 20000.0) * units::rad_per_s}),
                         config);  // [rad/s]
   Series series{name, {}};
-  (void)simulation.step(Pose::from_translation(Vec3(0, 0, -lowest)), {}, 1 * ms);  // touching, not yet in
+  (void)simulation.step(Pose::from_translation(Vec3(0, 0, -lowest)), {}, 1 * ms);  // touches the cube
   for (int i = 0; i < kSteps; ++i) {
-    const int ticks = thesis ? 1 : 20;  // the default model has no force for a jump: it is fed a step in 20 ms
+    const int ticks = thesis ? 1 : 20;  // the default model refuses jumps: it moves for 20 ms
     double volume = 0;
     Wrench mean;
     for (int tick = 1; tick <= ticks; ++tick) {

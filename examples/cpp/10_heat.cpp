@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bur drills into bone, dry and under water: the hottest bone over time, and a section through the hole.
+// A bur drills into bone, dry and with water. Plots the highest temperature over time, and a section through the hole.
 // Usage: 10_heat [folder]
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <hapticut/hapticut.hpp>
 #include <hapticut/heat/heat_collector.hpp>
 #include <hapticut/heat/heat_field.hpp>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "line_plot.hpp"
 #include "section_plot.hpp"
@@ -16,7 +19,7 @@ using namespace hapticut;
 using namespace hapticut::units;
 
 constexpr double kFeed = 0.05 * mm_per_s, kTick = 1 * ms;
-constexpr int kTicks = 12000, kFrame = 40;  // the field looks every 40 ms
+constexpr int kTicks = 12000, kFrame = 40;  // ticks; the field advances every 40 ms
 
 struct Course {
   Line hottest;                              // [deg C] every half second
@@ -30,7 +33,7 @@ Course drill(const std::string& name, double irrigation) {
                         Tool(round_head(2 * mm), RayHandle{0}, Spindle{10'000 * rpm}));
   HeatConfig config;
   config.irrigation = irrigation;
-  HeatCollector collector(simulation);  // observes every step; in a loop the field has a thread of its own
+  HeatCollector collector(simulation);  // observes every step; in a loop the field runs in another thread
   HeatField field(simulation.workpiece(), config);
 
   Course course = {{name, {}}, {}, {}};

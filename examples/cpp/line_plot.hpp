@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,13 +13,13 @@
 #include <string>
 #include <vector>
 
-/// Values over the same steps.
+/// One value for each step.
 struct Line {
   std::string name;
   std::vector<double> values;
 };
 
-/// Lines with a vertical axis of their own.
+/// Lines that share a vertical axis.
 struct Panel {
   std::string title;
   std::vector<Line> lines;
@@ -30,7 +31,7 @@ inline std::string shortened(double value) {
   return text.data();
 }
 
-/// The least round number such that four of it reach a value: 1, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
+/// The smallest round number q with 4 q >= value: 1, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
 inline double round_quarter(double value) {
   const double power = std::pow(10, std::floor(std::log10(value / 4)));
   for (const double digit : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
@@ -48,7 +49,7 @@ inline void write_csv(std::ostream& out, const std::string& x_label, const std::
   out << "\n";
 }
 
-/// Panels in rows of `columns`, as an SVG file.
+/// Writes panels as an SVG file, `columns` in each row.
 inline void write_svg(std::ostream& out, const std::string& x_label, const std::vector<Panel>& panels,
                       std::size_t columns) {
   constexpr double kWidth = 400, kHeight = 330, kLeft = 60, kTop = 40, kInner = 320, kInnerHeight = 220;
@@ -62,10 +63,10 @@ inline void write_svg(std::ostream& out, const std::string& x_label, const std::
       << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   for (std::size_t n = 0; n < panels.size(); ++n) {
     const std::vector<Line>& lines = panels[n].lines;
-    double largest = 0;
+    double max_value = 0;
     for (const Line& line : lines)
-      for (const double value : line.values) largest = std::max(largest, value);
-    const double quarter = largest > 0 ? round_quarter(largest) : 0.25;
+      for (const double value : line.values) max_value = std::max(max_value, value);
+    const double quarter = max_value > 0 ? round_quarter(max_value) : 0.25;
     const double x0 = kWidth * double(n % columns) + kLeft;
     const double top = kHeight * double(n / columns) + kTop, y0 = top + kInnerHeight;
     const std::size_t steps = lines.front().values.size();
@@ -92,7 +93,7 @@ inline void write_svg(std::ostream& out, const std::string& x_label, const std::
   out << "</svg>\n";
 }
 
-/// @param write  called with the stream
+/// Opens a file and calls `write` with the stream.
 template <class Write>
 void write_to(const std::filesystem::path& path, const Write& write) {
   std::ofstream out(path);

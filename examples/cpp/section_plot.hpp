@@ -4,19 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "line_plot.hpp"
 
-/// Values on a section, row by row from the top; what is not a number stays white.
+/// Values on a section, row by row from the top. NaN stays white.
 struct Section {
   std::string title;
   std::vector<std::vector<double>> values;
 };
 
-/// From blue over white, yellow and red to black in forty steps, as "#rrggbb".
+/// Colour from blue through white, yellow and red to black in forty steps, as "#rrggbb".
 inline std::string heat_color(double share) {
   struct Stop {
     double at;
@@ -36,7 +38,7 @@ inline std::string heat_color(double share) {
   return text.data();
 }
 
-/// Sections side by side with a scale of their colours, as an SVG file; neighbours of one colour are one rectangle.
+/// Writes sections side by side as an SVG file with a colour scale. Neighbours of one colour form one rectangle.
 inline void write_section_svg(std::ostream& out, const std::vector<Section>& sections, double low, double high,
                               const std::string& unit) {
   constexpr double kPixel = 4, kGap = 30, kTop = 40, kScale = 90;

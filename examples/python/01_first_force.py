@@ -8,4 +8,4 @@ simulation = hapticut.Simulation(bone, burr)
 heights = (1.5 + 20) * mm - 0.002 * mm * np.arange(1, 1001)  # the hand: one second downwards at 2 mm/s
 poses = hapticut.Pose.from_translation(np.outer(heights, [0, 0, 1]))
 trace = simulation.run(poses, np.tile([0, 0, -2 * mm, 0, 0, 0], (1000, 1)), 1 * ms)
-print(trace["force"][249::250, 2], "N;", len(simulation.removed_in_run), "voxels gone")
+print(trace["force"][249::250, 2], "N;", len(simulation.removed_in_run), "voxels removed")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 7.1-7.3 of the thesis: three heads step into a cube, and whatever they touch goes. Voxels removed, force and
-torque per step, by the model of the thesis and by the default model; the same scene as in C++."""
+"""Figures 7.1-7.3 of the thesis: three heads step into a cube and remove all voxels that they touch. Plots the removed
+voxels, the force and the torque of each step, for the model of the thesis and for the default model."""
 import sys
 from pathlib import Path
 
@@ -20,13 +20,13 @@ def step_down(head, thesis):
     """(steps, 3): voxels removed, force [N] and torque [N mm] of every step."""
     config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e17)  # a layer of 2 um
     if thesis:
-        config.law = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(required_power=0))  # whatever is touched goes
-        config.max_sweep = 1  # its tool jumps from step to step; the first call takes it there
+        config.law = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(required_power=0))  # remove all that is touched
+        config.max_sweep = 1  # the tool jumps from step to step
     spindle = hapticut.Spindle(1000.0 if thesis else 20000.0)  # [rad/s]
     simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=spindle), config)
     still, top = np.zeros(6), -hapticut.ToolHead(head).bounding_box().min[2]
-    simulation.step(hapticut.Pose.from_translation([0, 0, top]), still, 1 * ms)  # touching, not yet in
-    ticks = 1 if thesis else 20  # the default model has no force for a jump: it is fed a step in 20 ms
+    simulation.step(hapticut.Pose.from_translation([0, 0, top]), still, 1 * ms)  # touches the cube
+    ticks = 1 if thesis else 20  # the default model refuses jumps: it moves for 20 ms
     rows = []
     for i in range(STEPS):
         results = []

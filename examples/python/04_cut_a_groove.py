@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A groove through a layered slab: forces, what was removed, a section and the surface that is left."""
+"""Cuts a groove through a layered slab. Plots the force, the removed volume, a section and the remaining surface."""
 import sys
 from pathlib import Path
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A tooth from an array of CT grey values: thresholds make labels of them, labels materials, and a burr drills it.
+"""Builds a tooth from CT grey values and drills it. Thresholds turn grey values into labels, and labels into materials.
 
-The array is made here, from the built-in molar as a scanner would see it, so that the example needs no file; with a
-file it would be `hapticut.io.read_grey_volume("scan.nrrd").values`."""
+The example needs no file: it computes the grey values from the built-in molar. With a file, use
+`hapticut.io.read_grey_volume("scan.nrrd").values`."""
 import sys
 from pathlib import Path
 
@@ -19,8 +19,8 @@ rng = np.random.default_rng(1)
 hounsfield = np.array([-1000.0, 2600.0, 1500.0, 40.0])[np.pad(molar.material_array(), 4)]
 ct = (gaussian_filter(hounsfield, 0.6) + rng.normal(scale=40, size=hounsfield.shape)).astype(np.int16)
 
-# A scanner blurs: from enamel to air the values pass through those of dentin. So a sample that is not air belongs to
-# the densest tissue beside it.
+# A scanner blurs edges: between enamel and air the values pass through those of dentin. So each sample that is not air
+# gets the label of the densest tissue beside it.
 labels = np.where(ct > 600, np.where(maximum_filter(ct, 3) > 2050, 2, 1), 0).astype(np.uint8)
 materials = {1: hapticut.presets.dentin(), 2: hapticut.presets.enamel()}
 tooth = hapticut.Workpiece.from_labels(labels, [0.2 * mm] * 3, materials)
@@ -38,6 +38,6 @@ n = 1250
 hand = np.tile(surface + [0, 0, 1.1 * mm], (n, 1))
 hand[:, 2] -= 2.5 * mm * np.arange(1, n + 1) / n
 trace = simulation.run(hapticut.Pose.from_translation(hand), np.tile([0, 0, -2 * mm, 0, 0, 0], (n, 1)), 1 * ms)
-print(f"greatest force {trace['force'][:, 2].max():.2f} N, removed {trace['removed_volume'].sum() * 1e9:.1f} mm^3")
+print(f"max force {trace['force'][:, 2].max():.2f} N, removed {trace['removed_volume'].sum() * 1e9:.1f} mm^3")
 plots.slice_through(simulation.workpiece, axis=1, index=middle[1]).figure.savefig(folder / "tooth_section.png", dpi=120)
 plots.surface(simulation.workpiece, elevation=55).figure.savefig(folder / "tooth.png", dpi=120)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A mock device held by a simulated hand drills a block; every step goes into a file, and is made again from the file
-alone: the same bits."""
+"""A mock device drills a block, and a recorder writes every step to a file. The replay of the file gives the same bits."""
 import sys
 from pathlib import Path
 
@@ -15,19 +14,19 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 box = hapticut.Box([-12 * mm, -12 * mm, -8 * mm], [12 * mm, 12 * mm, 0])
 block = hapticut.build_block(box, 0.25 * mm, hapticut.presets.clay())
 tool = hapticut.Tool(hapticut.SphereHead(2 * mm), spindle=hapticut.Spindle(30_000 * rpm))
-# The device is driven directly, so the foundation may not be stiffer than it can render.
+# Without a coupling the foundation must not be stiffer than the device can render.
 config = hapticut.SimulationConfig(reference_stiffness=hapticut.stiffness_for_device(tool.head, 600.0))
 simulation = hapticut.Simulation(block, tool, config)
 device = open_device("mock:spiral,device=touch,hand=nominal")
 interlock = SpindleInterlock()
 file = folder / "recording.h5"
 
-# A mock is quicker than the disk; a real device may not wait, and need not.
+# A mock runs faster than the disk writes, so it must wait. A real device must never wait.
 options = io.RecorderOptions(wait_when_full=True)
 with io.Recorder(file, simulation, options, driven_by=device):
     def tick(state):
-        """One millisecond: from the reading to the force."""
-        interlock.turn(simulation, device.arming)  # nothing is cut that the hand does not feel
+        """Computes the force of one millisecond from a reading."""
+        interlock.turn(simulation, device.arming)  # the spindle stands while the guard holds the force
         result = simulation.step(state.X_BS, state.velocity, 1e-3)
         return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 

@@ -5,7 +5,7 @@
     python 07_sweep_and_response_surface.py FOLDER RUNS dask [tcp://scheduler:8786]  # on a cluster of dask
     mpiexec -n 65 python -m mpi4py.futures 07_sweep_and_response_surface.py FOLDER RUNS mpi
 
-The table is the same. Started again, it makes only the runs that are not in FOLDER yet."""
+All three give the same table. A second start computes only the runs that FOLDER does not have yet."""
 import sys
 from pathlib import Path
 
@@ -28,7 +28,7 @@ def drill(parameters, rng):
     tool = hapticut.Tool(head, spindle=hapticut.Spindle(parameters["speed"]))
     n = int(round(0.3 * mm / (parameters["feed"] * ms)))
     hand = np.zeros((n, 3))
-    hand[:, :2] = rng.uniform(-0.02 * mm, 0.02 * mm, 2)  # where the hand sets the burr down
+    hand[:, :2] = rng.uniform(-0.02 * mm, 0.02 * mm, 2)  # where the burr touches down
     hand[:, 2] = -0.3 * mm * np.arange(1, n + 1) / n
     simulation = hapticut.Simulation(block, tool)
     trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1 * ms)[n // 2:]
@@ -36,7 +36,7 @@ def drill(parameters, rng):
 
 
 def executor_of(name="processes", *address):
-    """Where the runs are made; None is a pool of processes."""
+    """The executor of the runs; None is a pool of processes."""
     if name == "dask":
         from dask.distributed import Client
         return Client(*address).get_executor()

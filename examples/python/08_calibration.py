@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""u and kappa from a published drilling test, the simulation of that test, and what it predicts at another speed.
+"""Computes u and kappa from a published drilling test, simulates the test, and predicts another spindle speed.
 
 Orelaja et al. 2020, J Healthc Eng 8817422, table 6: bovine bone, drill of 2.5 mm, 1000 rpm, 20.07 N and 41.2 N mm. The
-feed is not part of the summary used here: 0.1 mm per revolution is assumed, and u is proportional to 1 over it. No
-measurement at another speed is at hand, so the prediction stands beside the closed form (C20), not beside data."""
+summary that we used gives no feed: 0.1 mm per revolution is assumed, and u is proportional to 1/feed. We have no
+measurement at another speed, so the prediction is compared with the closed form (C20)."""
 import numpy as np
 
 import hapticut
@@ -13,9 +13,9 @@ from hapticut.units import N_mm, mm, ms, rpm
 RADIUS, SPEED = 1.25 * mm, 1000 * rpm
 FEED = 0.1 * mm * SPEED / (2 * np.pi)  # [m/s]
 test = DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
-found = calibrate([test], ChipTerm.edge_pressure)  # of which one test does not tell: it is taken as none
+found = calibrate([test], ChipTerm.edge_pressure)  # one test cannot tell the edge pressure: it is 0
 print(f"u = {found.specific_cutting_energy / 1e9:.3f} GJ/m^3, kappa = {found.cutting_ratio:.2f} "
-      "(the flutes of a drill rub, so this is not a burr's)")
+      "(the flutes of a drill rub: a burr has a smaller kappa)")
 bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_pressure=found.edge_pressure,
                          specific_cutting_energy=found.specific_cutting_energy)
 head = hapticut.ToolHead(hapticut.FlatHead(RADIUS, 4 * mm, hapticut.FlatRule.bottom_only))

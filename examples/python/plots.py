@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of runs and workpieces, for the other examples and to copy. Each function draws on the axes it is given, or
-on new ones, and returns them."""
+"""Plots of runs and workpieces, for the other examples and for you to copy. Each function draws on the given axes, or on
+new ones, and returns the axes."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import collections, patches
@@ -14,7 +14,7 @@ def axes_or_new(ax):
 
 
 def colors_of(workpiece):
-    """(n + 1, 3) by material id: white for none, the preset's colour, else one of a palette."""
+    """Colours (n + 1, 3) by material id: white for air, the colour of the preset, else one of a palette."""
     presets = {name: hapticut.preset_color(name) for name in hapticut.preset_names()}
     colors = [presets.get(material.name) for material in workpiece.materials.all()]
     return np.array([(1, 1, 1), *((c.red / 255, c.green / 255, c.blue / 255) if c else plt.cm.tab20(n % 20)[:3]
@@ -22,7 +22,7 @@ def colors_of(workpiece):
 
 
 def force(trace, ax=None):
-    """The force on the tool over time, by axis of W, of what `Simulation.run` returned."""
+    """Plots the force on the tool over time, for each axis of W. `trace` is the return value of `Simulation.run`."""
     ax = axes_or_new(ax)
     for axis, color in enumerate(("#c0392b", "#1e8449", "#2471a3")):
         ax.plot(trace["time"], trace["force"][:, axis], color=color, label="xyz"[axis])
@@ -33,7 +33,7 @@ def force(trace, ax=None):
 
 
 def removed_volume(simulation, ax=None):
-    """The volume that was taken away so far, by material."""
+    """Plots the removed volume of each material."""
     ax = axes_or_new(ax)
     names = [material.name for material in simulation.workpiece.materials.all()]
     volumes = simulation.removed_volume_by_material[1 : len(names) + 1] / mm**3
@@ -43,7 +43,7 @@ def removed_volume(simulation, ax=None):
 
 
 def slice_through(workpiece, axis, index=None, ax=None):
-    """The materials in one layer of voxels, by default the middle one; paler where voxels are partly cut."""
+    """Plots the materials in one layer of voxels, by default the middle one. Partly cut voxels are paler."""
     ax, colors = axes_or_new(ax), colors_of(workpiece)
     bounds = workpiece.bounds()
     low, high = list(bounds.min), list(bounds.max)
@@ -61,7 +61,7 @@ def slice_through(workpiece, axis, index=None, ax=None):
 
 
 def surface(workpiece, ax=None, elevation=35.0, azimuth=-60.0):
-    """What is left of a workpiece, in mm, seen from a camera at `elevation` and `azimuth` [deg]."""
+    """Plots the surface of a workpiece in mm, seen from a camera at `elevation` and `azimuth` [deg]."""
     ax = axes_or_new(ax)
     found, (el, az) = hapticut.extract_surface(workpiece), np.radians([elevation, azimuth])
     towards = np.array([np.cos(el) * np.cos(az), np.cos(el) * np.sin(az), np.sin(el)])  # the camera
@@ -69,7 +69,7 @@ def surface(workpiece, ax=None, elevation=35.0, azimuth=-60.0):
     corners = found.mesh.vertices[found.mesh.triangles] / mm
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     seen = np.flatnonzero(normals @ towards > 0)
-    seen = seen[np.argsort(corners[seen].mean(axis=1) @ towards)]  # the farthest first: the painter's way
+    seen = seen[np.argsort(corners[seen].mean(axis=1) @ towards)]  # farthest first
     slopes = normals[seen] @ (0.8 * towards - 0.35 * right + 0.5 * np.cross(towards, right))
     shades = 0.45 + 0.55 * np.clip(slopes / np.linalg.norm(normals[seen], axis=1), 0, 1)
     materials = np.median(found.materials[found.mesh.triangles[seen]], axis=1).astype(int)

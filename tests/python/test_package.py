@@ -182,7 +182,7 @@ def test_the_python_of_the_system_gives_the_first_force_too(tmp_path):
                    "PYTHONPATH": str(tmp_path)}
     outputs = [subprocess.run([python, "-s", str(example)], env=environment, capture_output=True, text=True,
                               check=True, cwd=tmp_path).stdout for python in (str(OTHER), sys.executable)]
-    assert outputs[0] == outputs[1] and "voxels gone" in outputs[0]
+    assert outputs[0] == outputs[1] and "voxels removed" in outputs[0]
 
 
 def test_cmake_installs_the_same_tree(tmp_path):

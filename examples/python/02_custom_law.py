@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The force laws of the library with constants of your own, side by side: the same ball pressed 0.5 mm into dentin.
+"""Compares the force laws of the library, with constants that you choose: a ball is pressed 0.5 mm into a block.
 
-A law itself is a class in C++ (examples/cpp/02_law_of_your_own.cpp): it works in the 1 kHz loop."""
+A new law is a class in C++ (examples/cpp/02_custom_law.cpp), because it runs inside the 1 kHz loop."""
 import sys
 from pathlib import Path
 
@@ -29,7 +29,7 @@ ax = plt.subplots(figsize=(7, 4), layout="constrained")[1]
 for name, (stiffness, law) in laws.items():
     simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=stiffness, law=law))
     force = simulation.run(poses, np.zeros((len(poses), 6)), 1 * ms)["force"][:, 2]
-    ax.plot(depths / mm, force, "--" if name.startswith("thesis") else "-", label=name)  # it lies on the foundation
+    ax.plot(depths / mm, force, "--" if name.startswith("thesis") else "-", label=name)  # equals the foundation
     print(f"{name}: {force[-1]:.3f} N at 0.5 mm")
 ax.set(xlabel="depth [mm]", ylabel="force on the tool [N]")
 ax.legend(frameon=False)

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// A force law of your own: one class, handed to the simulation in its configuration.
+// A custom force law: one class that the configuration passes to the simulation.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <hapticut/hapticut.hpp>
 #include <iostream>
+#include <memory>
 
 using namespace hapticut;
 using namespace hapticut::units;
 
-/// A foundation that stiffens as it is pressed: pressure k_v w (1 + w / w_s) instead of k_v w.
+/// A foundation that becomes stiffer with depth: its pressure is k_v w (1 + w / w_s) instead of k_v w.
 class StiffeningLaw final : public ForceLaw {
  public:
   explicit StiffeningLaw(double stiffening_depth) : inverse_depth_(1 / stiffening_depth) {
     require_positive(stiffening_depth, "StiffeningLaw::stiffening_depth [m]");
   }
 
-  // One block of samples in, a force on each out; nothing may be allocated here, and nothing thrown.
+  // Computes the force on each sample of a block. It must not allocate and must not throw.
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                      ContactBlock& block) const noexcept override {
     LawTotals totals;
-    totals.may_remove = false;  // this law only presses
+    totals.may_remove = false;  // this law never cuts
     const double voxel_volume = std::pow(double(motion.voxel_size), 3);
     for (int i = 0; i < block.lanes(); ++i) {
       const auto n = std::size_t(i);
       const double k = double(materials[block.material_of(i)].stiffness) * double(block.fill[n]) * voxel_volume;
       const double w = double(block.depth[n]);
-      const double force = k * w * (1 + w * inverse_depth_);  // 0 where the fill is 0
+      const double force = k * w * (1 + w * inverse_depth_);  // 0 if the voxel is empty
       block.force_x[n] = float(-force) * block.normal_x[n];
       block.force_y[n] = float(-force) * block.normal_y[n];
       block.force_z[n] = float(-force) * block.normal_z[n];
       block.fill_after[n] = block.fill[n];
 
-      // For the energy ledger: what is stored at the two ends of the step's motion.
+      // For the energy ledger: the elastic energy at the begin and at the end of the step.
       const Eigen::Vector3f at(block.x[n], block.y[n], block.z[n]);
       const Eigen::Vector3f normal(block.normal_x[n], block.normal_y[n], block.normal_z[n]);
       const double advance =
