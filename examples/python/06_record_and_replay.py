@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A mock device drills a block, and a recorder writes every step to a file. The replay of the file gives the same bits."""
+"""A mock device drills a block, and a recorder writes each step to a file. The replay of the file gives the same bits."""
 import sys
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plots of runs and workpieces, for the other examples and for you to copy. Each function draws on the given axes, or on
-new ones, and returns the axes."""
+"""Plots of runs and workpieces, for the other examples and for you to copy. Each function draws on the given axes, or
+on new ones, and returns the axes."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import collections, patches
