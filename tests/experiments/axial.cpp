@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // C20-C23, C30-C32, C34: a flat head fed along its axis into a half space. The closed forms hold for an engaged layer
-// that is thin against the head; what the layers of these cases leave is in the tolerances (docs/model.md, accuracy).
+// that is thin against the head; what the layers of these cases leave is in the tolerances (docs/validation.md).
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // C24-C29: steady cuts along a surface, and plunges. The closed forms hold for an engaged layer that is thin against
-// the head; what the layers of these cases leave is in the tolerances (docs/model.md, accuracy).
+// the head; what the layers of these cases leave is in the tolerances (docs/validation.md).
 #include <algorithm>
 #include <cmath>
 #include <string>

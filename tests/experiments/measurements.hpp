@@ -64,7 +64,7 @@ struct CarbideBur {
   static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
 };
 
-/// The page docs/measurements.md.
-[[nodiscard]] std::string measurements_page();
+/// Published measurements beside what the model predicts, in Markdown: `hapticut validate --measurements`.
+[[nodiscard]] std::string measurements_report();
 
 }  // namespace hapticut::experiments
