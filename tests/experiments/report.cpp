@@ -75,10 +75,10 @@ std::string rows_of(const std::string& experiment, const std::vector<Check>& che
 std::string validation_report(const std::string& rows) {
   return R"(# Validation
 
-Each row is one closed form of an experiment. It names all cases, the worst one in bold, and gives the error, the tolerance and the
-reason for the tolerance of this worst case. "Order" is the order in which the error falls with the voxel size, and the expected order.
-An error "over its bound" is relative to a bound that the reason names; 100 % is the bound. "grid" and "pushed" are the worst of seven
-directions of the grid and of three or more stiffnesses.
+Each row is one closed form of an experiment. It names all cases, the worst one in bold, and gives the error, the
+tolerance and the reason for the tolerance of this worst case. "Order" is the order in which the error falls with the
+voxel size, and the expected order. An error "over its bound" is relative to a bound that the reason names; 100 % is
+the bound. "grid" and "pushed" are the worst of seven directions of the grid and of three or more stiffnesses.
 
 | experiment | form | first case | cases | error | tolerance | reason | order |
 |---|---|---|---|---|---|---|---|
