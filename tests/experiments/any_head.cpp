@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every head whose depth vanishes on its surface has in common, with the spindle standing: C13, C16 and C19.
+// Closed forms of every standing head whose depth vanishes on its surface: C13, C16 and C19.
 #include <algorithm>
 #include <cmath>
 
@@ -11,16 +11,16 @@
 namespace hapticut::experiments {
 namespace any_head {
 
-/// A head, and its depth on the section at height z above its lowest point, from the distance to its axis.
+/// A head, and its depth on the section at height z above its lowest point as a function of the distance to its axis.
 struct HeadCase {
   ToolHead head;
   std::function<double(double rho, double z)> depth;
 
-  /// Place of the head's origin with its lowest point `below` the surface.
+  /// Origin of the head when its lowest point is `below` the surface.
   [[nodiscard]] Vec3 origin_at(double below) const { return {0, 0, -below - head.bounding_box().min.z()}; }
 };
 
-/// Ball, cone, flat head, and a round end from its profile.
+/// Ball, cone, flat head, and a round end made from a profile.
 const std::vector<HeadCase>& heads() {
   static const std::vector<HeadCase> all = [] {
     const double R = 0.9 * mm, r = 0.8 * mm, a = 35 * deg;
@@ -43,8 +43,8 @@ std::vector<Check> section() {
   Refined smooth("C16", "ball, cone, round end at 0.3 and 0.6 mm: axial force is the pressure on the section",
                  kSecondOrder, "0.7 (l/d)^2");
   // C5, C6: lattice points in the disk, 1.5th order, and the end of the springs at z = 0.
-  Refined rimmed("C16 flat", "the same of a flat head, rules nearest and bottom_only", kRimOrder,
-                 "lattice points in a disk", kOfRimOrder);
+  Refined rimmed("C16 flat", "flat head, rules nearest and bottom_only: axial force is the pressure on the section",
+                 kRimOrder, "lattice points in a disk", kOfRimOrder);
   std::vector<HeadCase> cases = heads();
   cases.push_back(bottom_only());
   for (const HeadCase& c : cases)
@@ -72,11 +72,11 @@ SimulationConfig swept() {
 
 const StepResult& step_well(Simulation& simulation, const Pose& pose) {
   const StepResult& result = simulation.step(pose, {}, kTick);
-  if (result.status != StepStatus::ok) throw Error("a step of a path says: " + describe(result.status));
+  if (result.status != StepStatus::ok) throw Error("a step of the path has the status " + describe(result.status));
   return result;
 }
 
-/// [1] Net over turned-over work around the edge of a quarter space, in and out and tilting, and back to the start.
+/// [1] Net work over turnover on a closed path around the edge of a quarter space, with a tilt.
 double work_around_an_edge(const HeadCase& c, double l, const Vec3& phase) {
   const Box quarter = {Vec3(-2.4 * mm, -2.4 * mm, -2 * mm), Vec3(0, 2.4 * mm, 0)};
   Simulation simulation(box_at_phase(quarter, l, phase), Tool(c.head, LHandle{3 * mm, 1 * mm, 0.7}), swept());
@@ -89,27 +89,27 @@ double work_around_an_edge(const HeadCase& c, double l, const Vec3& phase) {
         rotation_from_vector(Vec3(0.25 * std::sin(t), 0.2 * std::sin(2 * t), 0.9 * std::sin(t))),
         Vec3(-0.1 + 0.45 * std::cos(t), 0.2 * std::sin(t), 0.1 + 0.25 * std::sin(t)) * mm + c.origin_at(0.35 * mm)};
     const StepResult& result = step_well(simulation, X_WT * X_TH);
-    if (i == 0) start = before = result.energy.hand_work;  // what it found where it appeared
+    if (i == 0) start = before = result.energy.hand_work;  // stored energy at the place where the head appeared
     total += std::abs(result.energy.hand_work - before);
     before = result.energy.hand_work;
   }
-  if (!(total > 1e-7)) throw Error("the closed path of C13 turns no work over.");
+  if (!(total > 1e-7)) throw Error("the closed path of C13 does no work.");
   return (before - start - forms::kWorkOfAClosedPath) / total;
 }
 
-// A voxel's force is not the gradient of an energy where its section turns with the normal: what that leaves falls with
-// the voxel. Beside it stands the midpoint rule in time, 4e-6, and 2e-5 where the direction of the springs jumps inside
-// the material, on a cone's axis and between wall and bottom of a flat head.
+// The force of a voxel is not the gradient of an energy where its section turns with the normal; this error falls with
+// the voxel size. The midpoint rule in time adds 4e-6, and 2e-5 where the direction of the springs jumps inside the
+// material: on a cone's axis, and between wall and bottom of a flat head.
 std::vector<Check> closed_path() {
   Refined work("C13", "ball, cone, flat head, round end on a closed path around an edge: net work", kSecondOrder,
-               "1.2e-4 (l/0.05 mm)^2, sections that turn", {0.25, "and the rule in time"});
+               "1.2e-4 (l/0.05 mm)^2, sections that turn", {0.25, "and the midpoint rule in time"});
   for (const HeadCase& c : heads())
     work.add(converge(0.2 * mm, [&](double l, const Vec3& phase) { return work_around_an_edge(c, l, phase); }),
              second_order(1.2e-4, 0.05 * mm));
   return work.checks();
 }
 
-// C19 is an identity of what is computed, not of its limit: it holds to rounding on every grid.
+// C19 holds up to rounding on every grid, because it is an identity of the computed values.
 constexpr std::array kGrids = {0.16 * mm, 0.08 * mm, 0.04 * mm};
 constexpr double kRounding = 2e-6;  // [1] the two poses of the head agree to double precision; the samples are single
 const Box kBlock = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
@@ -147,7 +147,7 @@ struct Transported {
   }
 };
 
-/// [1] What the ledger books at the head over the work that is summed from what the hand feels and how it moves.
+/// [1] Work in the ledger, booked at the head, over the work summed from force and motion of the hand.
 double booked_work(const HeadCase& c, double l) {
   Simulation simulation(box_at_phase(kBlock, l, phase(5)), Tool(c.head, LHandle{8 * mm, 3 * mm, 1.2}), swept());
   const Pose X_TH = simulation.tool().X_HT().inverse();
@@ -182,7 +182,7 @@ std::vector<Check> handles() {
       felt.force.check("C19 force", "4 heads, 3 grids, 20 handles and poses: force at the handle, error", reason),
       felt.torque.check("C19 torque", "torque at the handle, transported, error", reason),
       felt.power.check("C19", "power at the handle is power at the head, error", reason),
-      felt.elsewhere.check("C19 elsewhere", "and at any other point, error", "1e-12, double precision"),
+      felt.elsewhere.check("C19 elsewhere", "power at any other point, error", "1e-12, double precision"),
       booked.check("C19 ledger", "work in the ledger against that of the hand along a path", "1e-6, single precision")};
 }
 

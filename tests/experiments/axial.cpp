@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// C20-C23, C30-C32, C34: a flat head fed along its axis into a half space. The closed forms hold for an engaged layer
-// that is thin against the head; what the layers of these cases leave is in the tolerances (docs/model.md, accuracy).
+// C20-C23, C30-C32, C34: a flat head fed along its axis into a half space. The closed forms hold for a thin engaged
+// layer; the tolerances include the error of the layers of these cases (docs/validation.md).
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -36,7 +36,7 @@ struct Axial {
     return {Vec3(0, 0, thrust()), Vec3(0, 0, forms::axial_cutting_torque_of_a_flat_head(form(), kR))};
   }
 
-  /// The block's grid is misaligned with the tool's axis and its top face on purpose.
+  /// The block's grid is deliberately misaligned with the tool's axis and the block's top face.
   [[nodiscard]] Simulation simulation() const {
     SimulationConfig config;
     config.reference_stiffness = stiffness;
@@ -51,7 +51,7 @@ struct Axial {
   }
 };
 
-/// With an engaged layer of a thickness, and two voxels to it, until the cut is steady and 20 layers more.
+/// A cut with an engaged layer of a given thickness, two voxels thick, until it is steady and 20 layers further.
 Axial axial_with_layer(double layer) {
   Axial cut;
   cut.stiffness = forms::stiffness_for_layer(cut.form(), layer, kR);
@@ -64,8 +64,7 @@ std::vector<Check> axial_constant_energy() {
   const Axial cut = axial_with_layer(kLayer);
   const SteadyState s = cut.run();
   const std::vector<Check> others = {
-      {"C20 aside", "its force across the axis", "N", 0, s.force.head<2>().cwiseAbs().maxCoeff(), kThinnest,
-       s.force.z()},
+      {"C20 aside", "force across the axis", "N", 0, s.force.head<2>().cwiseAbs().maxCoeff(), kThinnest, s.force.z()},
       {"C30", "power of motor and hand over the cutting energy of the removed volume", "J",
        s.energy.cutting + s.energy.elastic + s.energy.released + s.energy.rubbing - s.energy.credited,
        s.energy.motor_work + s.energy.hand_work, kInvariant},
@@ -85,7 +84,7 @@ std::vector<Check> axial_constant_energy() {
       {compared("C20", "flat head fed axially, law A", cut.wrench(), s, kThinnest), others, thinner.checks()});
 }
 
-/// What the cut costs and removes does not hang on voxels, steps and places.
+/// Energy and volume of the cut do not depend on voxel size, step and place in the grid.
 std::vector<Check> axial_invariance(FlatRule rule) {
   constexpr Tolerance kHalved = {0.01, "two voxels to a layer"}, kPlaced = {0.02, "slip of voxels on the axis"},
                       kLastOfVoxels = {1e-3, "last thousandth of a voxel"};
@@ -96,11 +95,11 @@ std::vector<Check> axial_invariance(FlatRule rule) {
   const SteadyState slow = cut.run();
   Axial quick = cut, coarse = cut;
   quick.dt /= 10;
-  coarse.stiffness = 0;  // which the grid has a part in
+  coarse.stiffness = 0;  // the default, which could depend on the grid
   Axial fine = coarse;
   fine.voxel /= 2;
   const SteadyState fast = quick.run(), whole = coarse.run(), halved = fine.run();
-  // The first place is the centre of a column of voxels, where the slip of the points vanishes. Measured spread: 1.5 %.
+  // At the first place the axis passes voxel centres, where the slip vanishes. Measured spread: 1.5 %.
   Axial placed = cut;
   placed.voxel = 0.05 * mm;
   placed.stiffness = 1e14;
@@ -114,21 +113,23 @@ std::vector<Check> axial_invariance(FlatRule rule) {
   }
   return {{id("invariance l"), "thrust of C20 with voxels of 0.05 instead of 0.1 mm", "N", whole.force.z(),
            halved.force.z(), kHalved},
-          {id("invariance l, volume"), "its volume", "m^3", whole.removed_volume, halved.removed_volume, kHalved},
+          {id("invariance l, volume"), "volume with voxels of 0.05 instead of 0.1 mm", "m^3", whole.removed_volume,
+           halved.removed_volume, kHalved},
           {id("invariance dt"), "thrust of C20 with steps of 0.1 instead of 1 ms", "N", slow.force.z(), fast.force.z(),
            kInvariant},
-          {id("invariance dt, volume"), "its volume", "m^3", slow.removed_volume, fast.removed_volume, kInvariant},
-          {id("invariance place"), "greatest over least thrust of C20 at four places in the grid", "1", 1, high / low,
+          {id("invariance dt, volume"), "volume with steps of 0.1 instead of 1 ms", "m^3", slow.removed_volume,
+           fast.removed_volume, kInvariant},
+          {id("invariance place"), "largest over smallest thrust of C20 at four places in the grid", "1", 1, high / low,
            kPlaced},
           {id("C30 volume"), "cutting energy over u times the removed volume", "1", 1,
            slow.energy.cutting / (cut.material.specific_cutting_energy * slow.removed_volume), kSinglePrecision},
-          {id("C30 power"), "what hand and motor paid and is not stored, over the cutting energy", "1", 1,
+          {id("C30 power"), "work of hand and motor that is not stored, over the cutting energy", "1", 1,
            (slow.energy.hand_work + slow.energy.motor_work - slow.energy.elastic - slow.energy.released) /
                slow.energy.cutting,
            kLastOfVoxels}};
 }
 
-/// With an edge and a damper, by both laws of removal.
+/// The ledger with an edge pressure and a damper, for both removal laws.
 std::vector<Check> axial_ledger() {
   Largest unbooked, negative;
   for (const FlatRule rule : {FlatRule::bottom_only, FlatRule::nearest})
@@ -144,11 +145,12 @@ std::vector<Check> axial_ledger() {
         negative.add(std::min(term, 0.0), 1e-12 * e.cutting);
       negative.add(std::min(e.released, 0.0), 1e-6 * e.cutting);
     }
-  return {unbooked.check("ledger, all terms", "edge, damper, laws A and G: what is in no term", "1e-4 of the turnover"),
-          negative.check("ledger, losses", "the same: terms that are negative", "1e-6 of the cutting energy")};
+  return {
+      unbooked.check("ledger, all terms", "edge, damper, laws A and G: unbooked energy", "1e-4 of the turnover"),
+      negative.check("ledger, losses", "edge, damper, laws A and G: negative losses", "1e-6 of the cutting energy")};
 }
 
-/// delta ~ 1/sqrt(k_v): four times the stiffness is half the layer, and so at most about half the error.
+/// delta ~ 1/sqrt(k_v): four times the stiffness halves the layer and about halves the error.
 std::vector<Check> axial_nearest() {
   const auto error = [](double stiffness) {
     Axial cut;
@@ -182,11 +184,11 @@ std::vector<Check> axial_edge_pressure() {
   const SteadyState below = stopped.run();
   const double rubbed = below.energy.rubbing > 0 ? 0 : 1;
   return joined({compared("C22", "flat head fed axially, with edge pressure", cut.wrench(), s, kThinnest),
-                 {error_of("C23 below", "below the edge pressure nothing is cut and work is rubbed: volume",
+                 {error_of("C23 below", "volume removed below the edge pressure, where work is only rubbed",
                            below.removed_volume + rubbed, {0, "nothing"}, "m^3")}});
 }
 
-/// So slow that the edge carries nineteen parts of twenty.
+/// A feed so slow that the edge carries 95 % of the force.
 std::vector<Check> axial_edge_dominated() {
   Axial cut;
   cut.voxel = 0.05 * mm;
@@ -199,7 +201,7 @@ std::vector<Check> axial_edge_dominated() {
            kThinLayer}};
 }
 
-/// [m/s] The feed under a constant force of the hand.
+/// The feed [m/s] under a constant force of the hand.
 /// @param expected  [m/s]
 double feed_under(double hand, const Axial& cut, double expected) {
   Simulation simulation = cut.simulation();
@@ -219,15 +221,15 @@ std::vector<Check> constant_hand_force() {
   for (const double share : {0.5, 1.0}) {
     const double hand = edge + share * (cut.thrust() - edge);
     const double expected = forms::feed_of_a_flat_head_under(hand, cut.form(), kR);
-    checks.push_back(
-        {share < 1 ? "C23 half" : "C23",
-         share < 1 ? "the same with half of what is above the edges" : "feed speed under a constant force of the hand",
-         "m/s", expected, feed_under(hand, cut, expected), kOfThinLayer});
+    checks.push_back({share < 1 ? "C23 half" : "C23",
+                      share < 1 ? "feed speed under half the force above the edge pressure"
+                                : "feed speed under a constant force of the hand",
+                      "m/s", expected, feed_under(hand, cut, expected), kOfThinLayer});
   }
   return checks;
 }
 
-/// The cone's slope is in its geometry, so that its cutting ratio is 1; a flat head stands for the drill with
+/// A cone has the slope of the drill in its geometry and needs the cutting ratio 1; a flat head replaces the drill with
 /// 1/sin(beta/2).
 std::vector<Check> twist_drill() {
   Axial cut;
@@ -247,7 +249,7 @@ std::vector<Check> twist_drill() {
   // Measured: thrust -4 %, torque +1 %: in a soft foundation the layer at the rim is nearer to the smooth side.
   return joined({compared("C31", "default law with kappa = 1/sin(beta/2): the twist drill's thrust", drill, s,
                           kPartialVoxels, kThinLayer),
-                 compared("C31 point", "a drill with its point of 118 deg", of_point, p, kOfThinLayer, kThickLayer)});
+                 compared("C31 point", "drill with a point of 118 deg", of_point, p, kOfThinLayer, kThickLayer)});
 }
 
 }  // namespace axial_cuts

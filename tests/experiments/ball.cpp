@@ -20,14 +20,13 @@ Simulation ball(double depth, double voxel_size, const Vec3& phase, const Handle
 
 Vec3 center_at(double depth) { return {0, 0, kR - depth}; }
 
-/// [1] The error of the force, over (l/d)^2: root mean square over the fills f of the voxels that the surface z = 0
-/// cuts.
+/// [1] Error of the force over (l/d)^2: root mean square over the fills f of the voxels that the surface z = 0 cuts.
 ///
-/// A whole voxel has the spring of its centre, not the mean over it; a cut one has the direction of its centre, not of
-/// its filled part, and that part is taken to lie beyond a plane across n. Together that is k_v l^2 (pi/12) d^2
-/// (1 - 6 f (1 - f)), which vanishes in the mean; 6 f (1 - f) deviates from 1 by sqrt(0.2). Where the ball's centre is
-/// below z = 0 the material lies on the near side of the plane, not beyond it: k_v l^2 f (1 - f) times the integral of
-/// |n_z| over the surface, 2 pi (d - R) (2 R - d), in the mean a sixth of that.
+/// A full voxel has the spring of its centre instead of its mean. A cut voxel has the direction of its centre instead
+/// of its filled part, and this part is assumed to lie beyond a plane across n. Together the error is k_v l^2 (pi/12)
+/// d^2 (1 - 6 f (1 - f)), with mean zero; 6 f (1 - f) deviates from 1 by sqrt(0.2). When the ball's centre is below z =
+/// 0, the material lies on the near side of the plane: the error is k_v l^2 f (1 - f) times the integral of |n_z| over
+/// the surface, 2 pi (d - R) (2 R - d), on average a sixth of it.
 double error_of_cap(double d) {
   const double error = d <= kR ? std::sqrt(0.2) * kPi / 12 * d * d : kPi / 3 * (d - kR) * (2 * kR - d);
   return error * d * d / forms::cap_force(1, kR, d);
@@ -37,7 +36,7 @@ constexpr std::array kDepths = {0.2 * kR, 0.5 * kR, 1.0 * kR, 1.4 * kR};
 
 std::vector<Check> force() {
   Refined error("C1", "ball in a half space at 0.2, 0.5, 1 and 1.4 R, force vector", kSecondOrder,
-                "1.2 of what the fills of cut voxels give");
+                "1.2 of the error by the fills of cut voxels");
   Largest off;
   for (const double depth : kDepths) {
     const double expected = forms::cap_force(kStiffness, kR, depth), constant = error_of_cap(depth);
@@ -48,17 +47,17 @@ std::vector<Check> force() {
     error.add(c, second_order(1.2 * constant, depth));
     off.add(c.error[2] / (constant * std::pow(c.size[2] / depth, 2)) - 1, 0.3);
   }
-  return joined(
-      {error.checks(), {off.check("C1 fills", "its error against that of the fills", "30 % of twelve phases")}});
+  return joined({error.checks(),
+                 {off.check("C1 fills", "error relative to the prediction by the fills", "30 % of twelve phases")}});
 }
 
-/// [1] rms error of the force over shifts of the grid against the surface, whose normal is given in the grid's axes.
+/// [1] Root mean square error of the force over shifts of the grid. @param n  normal of the surface in the grid's axes
 double error_on(const Vec3& normal, double voxel) {
   const double depth = 0.4 * kR;
   double square = 0;
   constexpr int kShifts = 6;
   for (int n = 0; n < kShifts; ++n) {
-    const Vec3 surface = voxel * Vec3(0.11, 0.37, 0.13) * n;  // a point of it
+    const Vec3 surface = voxel * Vec3(0.11, 0.37, 0.13) * n;  // a point of the surface
     const BodyDescription body = {{Vec3::Constant(-1.8 * mm), Vec3::Constant(1.8 * mm)},
                                   [&](const Vec3& p) { return normal.dot(p - surface); },
                                   [](const Vec3&) { return MaterialId(1); }};
@@ -70,7 +69,7 @@ double error_on(const Vec3& normal, double voxel) {
   return std::sqrt(square);
 }
 
-/// Two errors of second order, of curvature and of the part that lies on the far side, cancel where directions mix.
+/// Two errors of second order, of the curvature and of the assumed far side, cancel when directions mix.
 std::vector<Check> askew() {
   const Vec3 tilted = Vec3(0.3, 0.2, 1).normalized();
   const double coarse = error_on(tilted, 0.2 * mm), fine = error_on(tilted, 0.1 * mm),
@@ -78,13 +77,14 @@ std::vector<Check> askew() {
   return {error_of("C1 askew", "ball at 0.4 R in a surface askew to voxels of 0.2 mm, error", coarse,
                    {0.006, "errors that cancel"}),
           order_of("C1 askew", 3, std::log2(coarse / fine), {0.7 / 3, "of six shifts"}),
-          error_of("C1 along", "the same along the grid", coarse_along, {0.019, "curvature, far side"}),
+          error_of("C1 along", "ball at 0.4 R in a surface along the grid, error", coarse_along,
+                   {0.019, "curvature, far side"}),
           order_of("C1 along", 2, std::log2(coarse_along / fine_along), {0.1, "of six shifts"})};
 }
 
-/// Every spring points at the centre, on any grid.
+/// Every spring points to the centre, on any grid.
 std::vector<Check> torque() {
-  constexpr double kRounding = 1e-6;  // [1] of samples in single precision
+  constexpr double kRounding = 1e-6;  // [1] samples in single precision
   const Handle bent = LHandle{12 * mm, 5 * mm, 1.1};
   Largest at_center, at_hand;
   for (const double depth : kDepths)
@@ -102,7 +102,7 @@ std::vector<Check> torque() {
           at_hand.check("C14 hand", "torque at a bent handle, error", "1e-6 F 13 mm, single precision")};
 }
 
-/// Derivative of the force from five depths 0.1 R apart: exact for C1, a quartic, so that only voxels make errors.
+/// Derivative of the force from five depths 0.1 R apart. It is exact for C1, a quartic, so only voxels cause errors.
 double stiffness_at(Simulation& simulation, double depth) {
   const double h = 0.1 * kR;
   const auto force = [&](double d) { return hold_well(simulation, center_at(d)).force.z(); };
@@ -127,17 +127,18 @@ std::vector<Check> stiffness() {
     const double stiffness = stiffness_at(simulation, depth);
     if (stiffness > stiffest) stiffest = stiffness, at = depth;
   }
-  return joined({error.checks(),
-                 {{"C2 greatest", "its greatest stiffness", "N/m", forms::max_cap_stiffness(kStiffness, kR), stiffest,
-                   kCutVoxels},
-                  {"C2 place", "where it is, over R", "1", 2.0 / 3, at / kR, {0.05, "a flat maximum"}, 1}}});
+  return joined(
+      {error.checks(),
+       {{"C2 greatest", "largest stiffness of the ball", "N/m", forms::max_cap_stiffness(kStiffness, kR), stiffest,
+         kCutVoxels},
+        {"C2 place", "depth of the largest stiffness, over R", "1", 2.0 / 3, at / kR, {0.05, "a flat maximum"}, 1}}});
 }
 
 std::vector<Check> energy() {
   Refined error("C3", "ball at 0.2, 0.5 and 1 R, stored energy", kSecondOrder, "as C1, of cut voxels");
   for (const double depth : {0.2 * kR, 0.5 * kR, 1.0 * kR}) {
     const double expected = forms::cap_energy(kStiffness, kR, depth);
-    // As that of the force: k_v l^2 (pi/36) d^3 (1 - 6 f (1 - f)).
+    // Error of the energy, similar to that of the force: k_v l^2 (pi/36) d^3 (1 - 6 f (1 - f)).
     const double constant = std::sqrt(0.2) * kStiffness * kPi / 36 * std::pow(depth, 5) / expected;
     error.add(converge(kCoarsest,
                        [&](double l, const Vec3& phase) {
@@ -150,13 +151,13 @@ std::vector<Check> energy() {
   Simulation slow = ball(depth, kFinest, phase(3));
   for (int i = 0; i <= 500; ++i) (void)slow.step(Pose::from_translation(center_at(depth * i / 500)), {}, kTick);
   const EnergyLedger& spent = slow.last_result().energy;
-  // A section is at least 0.3 wide, and stores what its normal near the grid's axis must not.
+  // A section is at least 0.3 edges wide, so it stores too much when its normal is near an axis of the grid.
   Largest entered;
   entered.add(spent.entered, 0.01 * std::pow(kFinest / depth, 2) * spent.elastic);
   return joined({error.checks(),
                  {{"C3 work", "work of the hand down to R/2", "J", forms::cap_energy(kStiffness, kR, depth),
                    spent.hand_work, kFineVoxels},
-                  {"C3 paid", "what is stored is what the hand paid and what entered", "J",
+                  {"C3 paid", "stored energy is the work of the hand and `entered`", "J",
                    spent.hand_work + spent.entered, spent.elastic, kSinglePrecision},
                   entered.check("C3 entered", "energy that entered", "(l/d)^2/100 of what is stored")}});
 }
@@ -197,11 +198,11 @@ std::vector<Check> damping() {
     off.add(force / (forms::cap_force(kStiffness, kR, middle) + damping_force(middle)) - 1, 0.004);
   }
   const EnergyLedger& spent = descent.last_result().energy;
-  return joined(
-      {error.checks(),
-       {off.check("C15 descent", "force all along a descent from 0.3 to 0.8 R, error", "0.5 (l/d)^2 at 0.3 R"),
-        {"C15 work", "work of the damper in the ledger", "J", loss, spent.damping, kFineVoxels},
-        error_of("C15 ledger", "balance of the descent, over the turnover", test::unbooked(spent), kSinglePrecision)}});
+  return joined({error.checks(),
+                 {off.check("C15 descent", "force along a descent from 0.3 to 0.8 R, error", "0.5 (l/d)^2 at 0.3 R"),
+                  {"C15 work", "work of the damper in the ledger", "J", loss, spent.damping, kFineVoxels},
+                  error_of("C15 ledger", "energy balance of the descent, over the turnover", test::unbooked(spent),
+                           kSinglePrecision)}});
 }
 
 }  // namespace pressed_ball

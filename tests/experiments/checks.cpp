@@ -19,7 +19,7 @@ Check error_of(const std::string& id, const std::string& what, double value, con
 }
 
 Check order_of(const std::string& id, double least, double found, const Tolerance& tolerance) {
-  return {id + " order", "its order or more", "1", least, found, tolerance, 0, true};
+  return {id + " order", "order of convergence, at least", "1", least, found, tolerance, 0, true};
 }
 
 std::vector<Check> joined(std::initializer_list<std::vector<Check>> parts) { return one_list(parts); }

@@ -9,25 +9,25 @@ namespace hapticut::experiments {
 namespace pressed_edges {
 
 constexpr double kHeight = 1.2 * mm;
-constexpr double kTall = 3 * kHeight;  // so that the smooth end is farther than what cuts
+constexpr double kTall = 3 * kHeight;  // so that the smooth end is farther away than the cutting surface
 constexpr double kCoarsest = 0.1 * mm;
 
-/// [1] Relative error of the lattice points in a disk of radius R: 0.82 sqrt(R/l) of pi (R/l)^2, in the root mean
-/// square (Kendall). What is summed has this error where the spring does not vanish at the rim of the bottom.
+/// [1] Relative error of the number of lattice points in a disk of radius R: 0.82 sqrt(R/l) of pi (R/l)^2, root mean
+/// square (Kendall). A sum over springs that do not vanish at the rim of the bottom has this error.
 double rim_error(double l) { return 0.26 * std::pow(l / kR, 1.5); }
 
 /// [m^2] Error of the integral of z from 0 on a lattice: l^2/2 times the second Bernoulli polynomial of the place of
-/// the first point, 0.0745 in the root mean square. The springs of a bottom end at z = 0 with this error.
+/// the first point, 0.0745 root mean square. The springs of a bottom, which end at z = 0, have this error.
 double kink_error(double l) { return 0.0745 / 2 * l * l; }
 
-// Predictions are for all phases; twelve of them come within a factor of 1.5, and sums of two errors within 2.
+// Predictions are for all phases of the grid. Twelve phases are within a factor of 1.5, sums of two errors within 2.
 constexpr double kPhaseFactor = 2;
 
 std::vector<Check> cone() {
   const double depth = 0.8 * mm;
   Refined axial("C4", "cone at 0.8 mm, half-apex angle 15, 30, 45 deg, force", kSecondOrder,
-                "springs of voxels' centres");
-  Refined aside("C4 sideways", "its force across the axis", kSecondOrder, "springs that turn on the axis");
+                "springs at the centres of voxels");
+  Refined aside("C4 sideways", "cone: force across the axis", kSecondOrder, "springs that turn on the axis");
   for (const double angle : {15 * deg, 30 * deg, 45 * deg}) {
     const double expected = forms::cone_force(kStiffness, angle, depth);
     const auto press = [&](double l, const Vec3& phase) {
@@ -35,19 +35,19 @@ std::vector<Check> cone() {
                             Tool(ConeHead{angle, kHeight}), static_config());
       return hold_well(simulation, Vec3(0, 0, -depth)).force;
     };
-    // A whole voxel has the spring of its centre, without -l^2/24 of its Laplacian: 1/(2 tan(a)^2) (l/d)^2, of which
-    // the parts at the surface, taken to lie across n, give (1 - sin a)/sin(a) back; and some more by their fills.
+    // A full voxel has the spring of its centre, without -l^2/24 of its Laplacian: 1/(2 tan(a)^2) (l/d)^2. The parts at
+    // the surface, assumed to lie across n, return (1 - sin a)/sin(a) of this; their fills add a little.
     axial.add(converge(depth / 8, [&](double l, const Vec3& p) { return press(l, p).z() / expected - 1; }),
               second_order(0.5 / std::pow(std::tan(angle), 2) + 0.2, depth));
-    // Sideways the springs change their direction on the axis, where they are deepest: per layer an error l^2 w cos(a)
-    // that depends on the phase, in all (l/d)^2/tan(a)^3 of the small axial force.
+    // Sideways the springs change their direction on the axis, where they are deepest. Each layer has an error
+    // l^2 w cos(a) that depends on the phase; the sum is (l/d)^2/tan(a)^3 of the small axial force.
     aside.add(converge(depth / 8, [&](double l, const Vec3& p) { return press(l, p).head<2>().norm() / expected; }),
               second_order(1.1 / std::pow(std::tan(angle), 3), depth));
   }
   return joined({axial.checks(), aside.checks()});
 }
 
-/// Force of a flat head at depth d below the surface of a half space.
+/// Force of a flat head at depth d in a half space.
 Vec3 press_flat(FlatRule rule, double depth, double l, const Vec3& phase) {
   Simulation simulation(box_at_phase(half_space(kR, depth, l), l, phase), Tool(FlatHead{kR, kTall, rule}),
                         static_config());
@@ -57,7 +57,8 @@ Vec3 press_flat(FlatRule rule, double depth, double l, const Vec3& phase) {
 std::vector<Check> flat() {
   Refined bottom("C5", "flat head at 0.2, 0.6 and 1 mm, rule bottom_only, force", kRimOrder,
                  "lattice points at the rim", kOfRimOrder);
-  Refined nearest("C6", "the same, rule nearest", kRimOrder, "lattice points of the ridge", kOfRimOrder);
+  Refined nearest("C6", "flat head at 0.2, 0.6 and 1 mm, rule nearest, force", kRimOrder, "lattice points of the ridge",
+                  kOfRimOrder);
   Largest both_up, both_aside, side_up;
   for (const double d : {0.2 * mm, 0.6 * mm, 1.0 * mm}) {
     const double whole = forms::flat_bottom_force(kStiffness, kR, d),
@@ -67,12 +68,12 @@ std::vector<Check> flat() {
     };
     bottom.add(refined(FlatRule::bottom_only, whole),
                [&](double l) { return kPhaseFactor * std::hypot(rim_error(l), kink_error(l) / (d * d / 2)); });
-    // The direction jumps where wall and bottom are equally near: lattice points in a cone, whose normals meet those of
-    // the lattice's planes, so that its order is that of a disk (measured: 0.2 to 0.5 (l/R)^1.5).
+    // The direction jumps where wall and bottom are equally near. These places form a cone, some of whose normals are
+    // normals of the lattice's planes, so the order is that of a disk (measured: 0.2 to 0.5 (l/R)^1.5).
     nearest.add(refined(FlatRule::nearest, inner), [&](double l) {
       return 0.6 * std::pow(l / kR, 1.5) + 1.5 * kink_error(l) / (d * d / 2) * whole / inner;
     });
-    // A voxel that the bottom crosses has the section across the sum of both springs: second order.
+    // A voxel that the bottom crosses is cut across the sum of both springs: second order.
     for (const double l : {kCoarsest / 2, kCoarsest / 4}) {
       const Vec3 both = press_flat(FlatRule::both, d, l, phase(1));
       both_up.add(both.z() / press_flat(FlatRule::bottom_only, d, l, phase(1)).z() - 1, 0.2 * std::pow(l / d, 2));
@@ -80,14 +81,15 @@ std::vector<Check> flat() {
     }
     side_up.add(press_flat(FlatRule::side_only, d, kCoarsest / 2, phase(2)).z(), 1e-12 * whole);
   }
-  return joined({bottom.checks(),
-                 nearest.checks(),
-                 {both_up.check("C5 both", "rule both pushes up as the bottom alone, error", "0.2 (l/d)^2"),
-                  both_aside.check("C5 both, sideways", "and cancels sideways, rest", "1 %, asymmetry of the lattice"),
-                  side_up.check("C5 side_only", "rule side_only does not push up, force", "1e-12, nothing")}});
+  return joined(
+      {bottom.checks(),
+       nearest.checks(),
+       {both_up.check("C5 both", "rule both has the axial force of the bottom, error", "0.2 (l/d)^2"),
+        both_aside.check("C5 both, sideways", "rule both: remaining side force", "1 %, asymmetry of the lattice"),
+        side_up.check("C5 side_only", "rule side_only: axial force", "1e-12, none")}});
 }
 
-/// A wall x > R - d beside the head, that reaches from z0 to z1 above its bottom.
+/// A wall x > R - d beside the head, from z0 to z1 above its bottom.
 struct Wall {
   double depth;                           // [m] d
   double z0 = 0.35 * mm, z1 = 0.85 * mm;  // [m]
@@ -99,8 +101,8 @@ struct Wall {
   [[nodiscard]] double area() const { return forms::disk_area_before(kR, depth - kR); }  // of the segment
   [[nodiscard]] double force() const { return forms::side_wall_force(kStiffness, kR, depth, z1 - z0); }
 
-  /// [1] of the force, over (l/d)^2. At the wall's ends n lies in their faces, and a part that is taken to lie across n
-  /// is l/12 too shallow in the mean over all fills: k_v l^2/6 times the integral of n_x over the segment.
+  /// [1] Error of the force over (l/d)^2. At the wall's ends n lies in the end faces. A part that is assumed to lie
+  /// across n is l/12 too shallow on average over all fills: k_v l^2/6 times the integral of n_x over the segment.
   [[nodiscard]] double error() const {
     const double c = kR - depth, a = std::sqrt(kR * kR - c * c);
     const double along = kR * a - c * c * std::log((kR + a) / c);
@@ -118,7 +120,8 @@ constexpr std::array kWallDepths = {0.1 * mm, 0.3 * mm, 0.6 * mm, 0.9 * mm};
 std::vector<Check> wall() {
   Refined force("C7", "side of a cylinder 0.1, 0.3, 0.6, 0.9 mm in a wall, force vector", kSecondOrder,
                 "1.3 of the fills at the wall's ends");
-  Refined torque("C8", "its torque about a point of the handle", kSecondOrder, "1.3 of the fills at the wall's ends");
+  Refined torque("C8", "torque of this wall about a point of the handle", kSecondOrder,
+                 "1.3 of the fills at the wall's ends");
   for (const double depth : kWallDepths) {
     const Wall wall = {depth};
     const double reference = 1.5 * mm;
@@ -146,9 +149,9 @@ std::vector<Check> wall_rules() {
     const Vec3 side = wall.press(FlatRule::side_only, fine, phase(3)).force;
     const Vec3 both = wall.press(FlatRule::both, fine, phase(3)).force;
     both_aside.add(both.x() / side.x() - 1, 0.5 * std::pow(fine / depth, 2));  // as C5 with both
-    // lattice points in a circular segment, which is at least 0.1 mm = 8 voxels deep here
+    // Lattice points in a circular segment, which is at least 0.1 mm = 8 voxels deep here.
     both_up.add(both.z() / (kStiffness * wall.area() * (wall.z1 * wall.z1 - wall.z0 * wall.z0) / 2) - 1, 0.02);
-    // A thin ledge, so high above the bottom that the wall is nearer at all of these depths.
+    // A thin ledge so high above the bottom that the wall is nearer at all these depths.
     const Wall ledge = {depth, 0.95 * mm, 1.1 * mm};
     const StepResult by_side = ledge.press(FlatRule::side_only, kCoarsest / 4, phase(4));
     const StepResult by_nearest = ledge.press(FlatRule::nearest, kCoarsest / 4, phase(4));
@@ -158,17 +161,19 @@ std::vector<Check> wall_rules() {
     bottom.add(of_bottom.head<2>().norm(), 1e-12 * side.norm());
   }
   return {
-      both_aside.check("C7 both", "rule both pushes aside as the side alone, error", "0.5 (l/d)^2"),
-      both_up.check("C7 both, up", "and up by its bottom over the segment, error", "2 %, lattice points in a segment"),
-      nearest.check("C7 nearest", "rule nearest high above the bottom is the side, error", "1e-12, the same"),
-      bottom.check("C7 bottom_only", "rule bottom_only does not push aside, force", "1e-12, nothing")};
+      both_aside.check("C7 both", "rule both has the side force of the side, error", "0.5 (l/d)^2"),
+      both_up.check("C7 both, up", "rule both: axial force of the bottom over the segment, error",
+                    "2 %, lattice points in a segment"),
+      nearest.check("C7 nearest", "rule nearest, high above the bottom, has the side force, error", "1e-12, identical"),
+      bottom.check("C7 bottom_only", "rule bottom_only: side force", "1e-12, none")};
 }
 
 std::vector<Check> edge() {
   const double d = 0.3 * mm;
   Refined force("C9", "flat bottom over an edge at -0.5, 0 and 0.4 mm, force", kRimOrder, "lattice points at the rim",
                 kOfRimOrder);
-  Refined torque("C9 torque", "its torque", kRimOrder, "lattice points at half of the rim", kOfRimOrder);
+  Refined torque("C9 torque", "flat bottom over an edge, torque", kRimOrder, "lattice points at half of the rim",
+                 kOfRimOrder);
   for (const double x0 : {-0.5 * mm, 0.0, 0.4 * mm}) {
     const auto press = [&](double l, const Vec3& phase) {
       Box box = half_space(kR, d, l);
@@ -177,7 +182,7 @@ std::vector<Check> edge() {
                             static_config());
       return StepResult(hold_well(simulation, Vec3(0, 0, -d)));
     };
-    // The rim counts lattice points as in C5, over an area that may be a fifth of the disk.
+    // The rim has the error of lattice points, as in C5, over an area of down to a fifth of the disk.
     const auto bound = [d](double covered) {
       return [=](double l) {
         return kPhaseFactor * std::hypot(rim_error(l) * kPi * kR * kR / covered, kink_error(l) / (d * d / 2));
@@ -186,8 +191,8 @@ std::vector<Check> edge() {
     const double push = forms::edge_force(kStiffness, kR, d, x0), turn = forms::edge_torque(kStiffness, kR, d, x0);
     force.add(converge(kCoarsest, [&](double l, const Vec3& p) { return press(l, p).force.z() / push - 1; }),
               bound(forms::disk_area_before(kR, x0)));
-    // Half of the rim at most, and its mean square lever is R^2/2.
-    const double moment = 2.0 / 3 * std::pow(kR * kR - x0 * x0, 1.5);  // [m^3] of the area about the axis
+    // At most half of the rim counts; its mean square lever is R^2/2.
+    const double moment = 2.0 / 3 * std::pow(kR * kR - x0 * x0, 1.5);  // [m^3] moment of the area about the axis
     torque.add(converge(kCoarsest, [&](double l, const Vec3& p) { return press(l, p).torque.y() / turn - 1; }),
                bound(2 * moment / kR));
   }

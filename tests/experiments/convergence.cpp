@@ -45,7 +45,7 @@ void Largest::add(double value, double bound) {
 }
 
 Check Largest::check(const std::string& id, const std::string& what, const char* reason) const {
-  return error_of(id, what + " over its bound, the largest", of_bound, {1, reason});
+  return error_of(id, what + " (largest, over its bound)", of_bound, {1, reason});
 }
 
 }  // namespace hapticut::experiments

@@ -10,7 +10,7 @@
 #include "support/static_contact.hpp"
 
 /// @file
-/// A standing head in a workpiece whose grid is misaligned with it, and how the error of what it feels falls with the
+/// A standing head in a workpiece with a misaligned grid, and the order in which the error of its force falls with the
 /// voxel size.
 namespace hapticut::experiments {
 
@@ -22,7 +22,7 @@ using test::MaterialAt;
 using test::materials_of_stiffness;
 using test::phase;
 
-/// Errors at three sizes, each half of the one before: of voxels, or of whatever else is refined.
+/// Errors at three sizes, each half of the one before: of voxels, or of another quantity that is refined.
 struct Convergence {
   std::array<double, 3> size;   // [m]
   std::array<double, 3> error;  // [1] relative, root mean square over the grid phases
@@ -31,7 +31,7 @@ struct Convergence {
   [[nodiscard]] double order() const;
 };
 
-/// @param relative_error  of one voxel size [m] and phase
+/// @param relative_error  for a voxel size [m] and a phase of the grid
 [[nodiscard]] Convergence converge(double coarsest, const std::function<double(double, const Vec3&)>& relative_error);
 
 /// The bound `constant * (l / length)^2`.
@@ -43,7 +43,7 @@ inline constexpr double kSecondOrder = 2;  ///< [1]
 inline constexpr double kRimOrder = 1.5;   ///< [1] of lattice points in a disk
 inline constexpr Tolerance kOfRimOrder = {1.0 / 6, "of twelve phases"};
 
-/// What must stay below a bound: the largest of all over it.
+/// The largest of several errors, each over its own bound.
 struct Largest {
   double of_bound = 0;  // [1]
 
@@ -51,13 +51,13 @@ struct Largest {
   [[nodiscard]] Check check(const std::string& id, const std::string& what, const char* reason) const;
 };
 
-/// Several cases of one closed form: the largest error over what is predicted for its voxel size, and the least order.
+/// Several cases of one closed form: the largest error over the bound for its voxel size, and the lowest order.
 class Refined {
  public:
-  /// @param reason  what the bound of the error is made of
+  /// @param reason  formula or cause of the bound
   Refined(std::string id, std::string what, double order, const char* reason, Tolerance of_order = kOrder);
 
-  /// @param bound  [1] of the relative error, for a size [m]
+  /// @param bound  [1] bound of the relative error for a size [m]
   void add(const Convergence& c, const std::function<double(double)>& bound);
   [[nodiscard]] std::vector<Check> checks() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// C24-C29: steady cuts along a surface, and plunges. The closed forms hold for an engaged layer that is thin against
-// the head; what the layers of these cases leave is in the tolerances (docs/model.md, accuracy).
+// C24-C29: steady cuts along a surface, and plunges. The closed forms hold for a thin engaged layer; the tolerances
+// include the error of the layers of these cases (docs/validation.md).
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -15,9 +15,9 @@ constexpr forms::SteadyCut cut_of(double feed_speed, double spin) { return {3e8,
 
 constexpr double kLayer = kR / 40;  // engaged layer of C24, on voxels of half of it
 
-// On voxels of a tenth of the radius, in the layer that the simulation chooses:
-constexpr Tolerance kWall = {0.03, "layer of the default"};
-constexpr Tolerance kBall = {0.03, "layer of the default"};             // where depths meet the surface at all angles
+// Tolerances with voxels of a tenth of the radius and the default layer:
+constexpr Tolerance kWall = {0.03, "default layer"};
+constexpr Tolerance kBall = {0.03, "default layer"};                    // the surface has all angles
 constexpr Tolerance kBottom = {0.06, "layer, thickest at the bottom"};  // thrust of a ball; plunges near d = R
 
 constexpr double kFeed = 5e-3, kSpin = 1000;
@@ -30,7 +30,7 @@ struct Mill {
   Box box;
   Vec3 start;
   double travel, from;
-  double layer = 0;  // [m] engaged; 0: that of the default
+  double layer = 0;  // [m] engaged layer; 0: the default
   double voxel = kGrid;
   double spin = kSpin;
 
@@ -56,7 +56,7 @@ std::vector<Check> milling() {
                                 kLayer,
                                 kLayer / 2}
                                .run();
-  // Half immersion: material only at y > 0, so the engaged angles go from the feed to +y.
+  // Half immersion: the material is at y > 0, so the engaged angles go from the feed to +y.
   const SteadyState side =
       Mill{cylinder, {Vec3(0, 0, -0.5) * mm, Vec3(3.5, 1.3, 0) * mm}, Vec3(-1.023, 0, -1.5) * mm, 3.3 * mm, 0.75}.run();
   Mill turned = {cylinder, {Vec3(0, -1.3, -0.5) * mm, Vec3(3, 1.3, 0) * mm}, Vec3(-1.023, 0, -1.5) * mm, 2.5 * mm, 0.7,
@@ -69,8 +69,8 @@ std::vector<Check> milling() {
       {compared("C24", "slotting with a cylinder", in_slot, slot, kOfThinLayer),
        {{"C24 other way", "spin the other way: force against the feed", "N", right.force.x(), left.force.x(),
          kMirrored},
-        {"C24 other way, across", "the side force turns round", "N", -right.force.y(), left.force.y(), kMirrored},
-        {"C24 other way, torque", "and the torque", "N m", -right.torque.z(), left.torque.z(), kMirrored}},
+        {"C24 other way, across", "spin the other way: side force", "N", -right.force.y(), left.force.y(), kMirrored},
+        {"C24 other way, torque", "spin the other way: torque", "N m", -right.torque.z(), left.torque.z(), kMirrored}},
        compared("C25", "side milling, engaged over a quarter turn", at_side, side, kWall)});
 }
 
@@ -91,12 +91,12 @@ std::vector<Check> balls() {
   const SteadyState buried = deep.run();
   deep.layer = 0.1 * mm;
   const SteadyState soft = deep.run();
-  return joined(
-      {compared("C26", "ball in a groove of depth 0.6 R", in_groove, groove, kBall, kBottom),
-       compared("C27", "buried ball fed sideways", below, buried, kBall),
-       {{"C30 ball", "its cutting energy over u times the removed volume, layer of R/10", "1", 1,
-         soft.energy.cutting / (plain_material().specific_cutting_energy * soft.removed_volume), kFineSteps},
-        error_of("C30 ball, ledger", "and its balance, over the turnover", test::unbooked(soft.energy), kFineSteps)}});
+  return joined({compared("C26", "ball in a groove of depth 0.6 R", in_groove, groove, kBall, kBottom),
+                 compared("C27", "buried ball fed sideways", below, buried, kBall),
+                 {{"C30 ball", "ball: cutting energy over u times the removed volume, layer of R/10", "1", 1,
+                   soft.energy.cutting / (plain_material().specific_cutting_energy * soft.removed_volume), kFineSteps},
+                  error_of("C30 ball, ledger", "ball: energy balance over the turnover", test::unbooked(soft.energy),
+                           kFineSteps)}});
 }
 
 std::vector<Check> plunges() {
@@ -104,7 +104,7 @@ std::vector<Check> plunges() {
   const auto plunge = [&](const ToolHead& head, double tip) {
     Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kGrid, plain_material()),
                           Tool(head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
-    // The last 0.06 mm, centred on the depth.
+    // The mean over the last 0.06 mm, centred on the depth.
     const double travel = depth + 0.03 * mm;
     return feed(simulation, Vec3(0.029 * mm, 0.013 * mm, tip), Vec3(0, 0, -speed), travel, kTick,
                 1 - 0.06 * mm / travel);

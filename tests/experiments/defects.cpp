@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with the model of the thesis, measured in it and in the default model on the same case. Each defect has
-// a row "thesis", which expects the defect, and a row "cured", which expects that it is gone.
+// Defects of the thesis's model. Both models compute the same case: a check "thesis" expects the defect, a check
+// "cured" expects its absence in the default model.
 #include <cmath>
 #include <memory>
 
@@ -14,15 +14,15 @@
 namespace hapticut::experiments {
 namespace defects {
 
-/// Which of the two models.
+/// The two models.
 enum class Model { thesis, cured };
 
-/// A ball that stands, or moves for its damper only, with its tip `depth` below the surface: [N] vertical force.
+/// A ball at rest, or moving only for its damper, with its tip `depth` below the surface.
 struct PressedBall {
   double voxel = 0.1 * mm;
   double depth = 0.5 * kR;
   double speed = 0;                              // [m/s] upwards
-  double damping = 0;                            // [N s/m] of a voxel, and [s/m] of the default model
+  double damping = 0;                            // [N s/m] per voxel in the thesis, [s/m] in the default model
   Quadrature quadrature = Quadrature::centroid;  // of the thesis
   double block_height = 0.8 * mm;                // below the surface
 
@@ -49,18 +49,19 @@ std::vector<Check> refinement() {
   PressedBall coarse, fine;
   fine.voxel = coarse.voxel / 2;
   const auto ratio = [&](Model model) { return fine.force(model) / coarse.force(model); };
-  // Summed voxel by voxel on paper (docs/model.md, D1), with k = 1 and lengths in radii.
+  // D1: sums over all voxels on paper, with k = 1 and lengths in radii.
   constexpr Tolerance kPrinted = {1e-3, "four printed digits"};
   const double unit = kStiffness * std::pow(0.1 * mm, 2) * kR * kR;
-  return {{"D1 thesis", "force of a ball when voxels halve: four times", "1", 32.690 / 8.148, ratio(Model::thesis),
-           kPartialVoxels},
+  return {{"D1 thesis", "force of a ball when voxels halve: four times as large", "1", 32.690 / 8.148,
+           ratio(Model::thesis), kPartialVoxels},
           {"D1 thesis, l = R/10", "force over k R^2, summed on paper", "1", 8.148, coarse.force(Model::thesis) / unit,
            kPrinted},
-          {"D1 thesis, l = R/20", "the same", "1", 32.690, fine.force(Model::thesis) / unit, kPrinted},
-          {"D1 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels}};
+          {"D1 thesis, l = R/20", "force over k R^2, summed on paper", "1", 32.690, fine.force(Model::thesis) / unit,
+           kPrinted},
+          {"D1 cured", "force of a ball when voxels halve: unchanged", "1", 1, ratio(Model::cured), kPartialVoxels}};
 }
 
-/// [1] of its force at rest that a ball keeps which leaves: `Int w c/(1 + x c)` over that of `w c`, c = -n_z.
+/// [1] Fraction of the force at rest that a retreating ball keeps: `Int w c/(1 + x c)` over `Int w c`, c = -n_z.
 /// @param depth  [1] of the radius
 /// @param x      [1] chi times its speed
 double share_on_retreat(double depth, double x) {
@@ -97,19 +98,21 @@ std::vector<Check> damper() {
   const double pull = 1 - 0.01 * 0.1 * 656 / still.force(Model::thesis);  // b V of each of the 656 voxels inside
   constexpr Tolerance kCounted = {7e-4, "half of a counted voxel"};
   std::vector<Check> checks = {
-      {"D2 thesis", "damping force of a ball when voxels halve: the number of voxels", "1", 5252.0 / 656,
+      {"D2 thesis", "damping force of a ball when voxels halve: as the number of voxels", "1", 5252.0 / 656,
        ratio(Model::thesis), kPartialVoxels},
       {"D2 thesis, l = R/10", "damping force over that of a voxel", "1", 656, damped(Model::thesis, 0.1 * mm) / 0.01,
        kCounted},
-      {"D2 thesis, l = R/20", "the same", "1", 5252, damped(Model::thesis, 0.05 * mm) / 0.01, kCounted},
-      {"D2 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels},
+      {"D2 thesis, l = R/20", "damping force over that of a voxel", "1", 5252, damped(Model::thesis, 0.05 * mm) / 0.01,
+       kCounted},
+      {"D2 cured", "damping force of a ball when voxels halve: unchanged", "1", 1, ratio(Model::cured), kPartialVoxels},
       {"D2 thesis, retreat", "force over that at rest, 0.1 m/s outwards: it pulls the tool in", "1", pull,
        on_retreat(Model::thesis, 0.1), kPartialVoxels}};
   Largest pushes;
   for (const double speed : {0.01, 0.05, 0.1, 1.0})
     pushes.add(on_retreat(Model::cured, speed) / share_on_retreat(still.depth / kR, kDamping * speed) - 1,
                kPartialVoxels.share);
-  checks.push_back(pushes.check("D2 cured, retreat", "at 0.01 ... 1 m/s it pushes on, the less the faster; error",
+  checks.push_back(pushes.check("D2 cured, retreat",
+                                "retreat at 0.01 ... 1 m/s: it still pushes, less at higher speed; error",
                                 "1 %, cut voxels"));
   return checks;
 }
@@ -120,7 +123,7 @@ struct AxialFeed {
   double speed = 2e-3;    // [m/s]
   double dt = 1e-3;       // [s]
   double spin = 2000;     // [rad/s]
-  double removed_at = 0;  // [m] depth at which the thesis's threshold takes a voxel away, at 2000 rad/s
+  double removed_at = 0;  // [m] depth at which the thesis's threshold removes a voxel, at 2000 rad/s
   static constexpr double kRadius = 0.5 * mm, kVoxel = 0.025 * mm, kLambda = 0.3;
 
   [[nodiscard]] SteadyState run(Model model) const {
@@ -136,7 +139,7 @@ struct AxialFeed {
         Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
     return feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -speed), 0.6 * mm, dt);
   }
-  /// [J/m^3] power of hand and motor over the volume that is cut in a second.
+  /// [J/m^3] Power of hand and motor over the volume removed per second.
   [[nodiscard]] double energy_of_a_volume(Model model) const {
     const SteadyState steady = run(model);
     return (steady.force.z() * speed - steady.torque.z() * spin) / (kPi * kRadius * kRadius * speed);
@@ -148,23 +151,24 @@ std::vector<Check> threshold() {
   slow.removed_at = fast.removed_at = 0.1 * mm;
   slow.speed = 0.5e-3;
   const auto ratio = [&](Model model) { return fast.run(model).force.z() / slow.run(model).force.z(); };
-  const double k_v = 1e13 * std::pow(0.1 * mm / AxialFeed::kVoxel, 2);  // of the springs of the thesis
-  constexpr Tolerance kLayers = {0.25, "layers that are met or not"};
+  const double k_v = 1e13 * std::pow(0.1 * mm / AxialFeed::kVoxel, 2);  // of the thesis's springs
+  constexpr Tolerance kLayers = {0.25, "layers met or missed"};
   return {
-      {"D5 thesis", "thrust at four times the feed: the same", "1", 1, ratio(Model::thesis), kThickLayer},
-      {"D5 thesis, depth", "it is that of the depth of the threshold", "N",
+      {"D5 thesis", "thrust at four times the feed: unchanged", "1", 1, ratio(Model::thesis), kThickLayer},
+      {"D5 thesis, depth", "thrust is that at the depth of the threshold", "N",
        forms::flat_bottom_force(k_v, AxialFeed::kRadius, slow.removed_at), slow.run(Model::thesis).force.z(), kLayers},
-      {"D5 cured", "the same: proportional to the feed", "1", 4, ratio(Model::cured), kThickLayer}};
+      {"D5 cured", "thrust at four times the feed: proportional", "1", 4, ratio(Model::cured), kThickLayer}};
 }
 
 std::vector<Check> step_size() {
   AxialFeed whole, half;
-  whole.speed = half.speed = AxialFeed::kVoxel / 12.618 / whole.dt;  // layers are met at ever new parts of a step
+  whole.speed = half.speed =
+      AxialFeed::kVoxel / 12.618 / whole.dt;  // so that layers are met at varying parts of a step
   half.dt = whole.dt / 2;
   const auto ratio = [&](Model model) { return whole.run(model).force.z() / half.run(model).force.z(); };
-  return {{"D6 thesis", "thrust over that at half the step, whatever is touched goes: its square", "1", 4,
+  return {{"D6 thesis", "thrust over that at half the step, all touched voxels go: the square of the step", "1", 4,
            ratio(Model::thesis), kWholeVoxels},
-          {"D6 cured", "the same", "1", 1, ratio(Model::cured), kInvariant}};
+          {"D6 cured", "thrust over that at half the step: unchanged", "1", 1, ratio(Model::cured), kInvariant}};
 }
 
 std::vector<Check> energy() {
@@ -175,26 +179,26 @@ std::vector<Check> energy() {
   const EnergyLedger spent = once.run(Model::thesis).energy;
   const double lost = (spent.released + spent.rubbing) / (spent.hand_work + spent.motor_work);
   constexpr Tolerance kStored = {0.1, "what is stored"};
-  return {{"D7 thesis, ledger", "work that is released or rubbed, of all; none pays for a volume", "1", 1,
+  return {{"D7 thesis, ledger", "fraction of the work that is released or rubbed; none pays for a volume", "1", 1,
            spent.cutting == 0 ? lost : 0, kStored, 0, true},
-          {"D7 thesis", "energy to cut a volume at twice the spindle speed: half, by no law of the material", "1", 0.5,
+          {"D7 thesis", "energy per volume at twice the spindle speed: half, without a physical reason", "1", 0.5,
            ratio(Model::thesis), kThickLayer},
-          {"D7 cured", "the same: u", "1", 1, ratio(Model::cured), kRim}};
+          {"D7 cured", "energy per volume at twice the spindle speed: u", "1", 1, ratio(Model::cured), kRim}};
 }
 
 // --- output ----------------------------------------------------------------------------------------------------------
 
-constexpr int kTouched = 1000;  // [ticks] until the ball is taken away
+constexpr int kTouched = 1000;  // [ticks] until the ball is lifted
 constexpr int kReleased = 250;  // [ticks] after that
 
-/// What a loop on a Touch holds to: 3.3 N, 437.5 N/s.
+/// Limits of a loop on a Touch: 3.3 N, 437.5 N/s.
 OutputLimits touch_limits() { return output_limits(capabilities(device_model("touch"))); }
 
-/// What the hand feels of a standing ball that touches a block with about 3 N, and is taken away again.
+/// Force on the hand when a standing ball touches a block with about 3 N and is lifted again.
 struct Touch {
-  double pressed = 0;  // [N] of the model
-  double rise = 0;     // [s] until all of it is felt
-  double left = 0;     // [N] that is felt after it was taken away
+  double pressed = 0;  // [N] force of the model
+  double rise = 0;     // [s] until the hand gets the full force
+  double left = 0;     // [N] on the hand after the ball was lifted
 
   explicit Touch(Model model) {
     SimulationConfig config;
@@ -225,21 +229,22 @@ std::vector<Check> filter() {
   const DeltaFilter constants;
   const double growth = touch_limits().force_growth;
   const Tolerance of_tick = {kTick * growth / cured.pressed, "a tick"};
-  return {{"D8 thesis", "force 0.25 s after 3 N were released: felt still", "N",
+  return {{"D8 thesis", "force on the hand 0.25 s after a release of 3 N: not zero", "N",
            thesis.pressed - kReleased * constants.epsilon, thesis.left, kInvariant},
-          {"D8 cured", "the same: nothing", "N", 0, cured.left, kDoublePrecision, cured.pressed},
-          {"D8 thesis, rise", "time until a force of 3 N is felt", "s",
+          {"D8 cured", "force on the hand 0.25 s after a release of 3 N: none", "N", 0, cured.left, kDoublePrecision,
+           cured.pressed},
+          {"D8 thesis, rise", "time until the hand gets a force of 3 N", "s",
            (thesis.pressed - constants.delta) / constants.epsilon * kTick, thesis.rise, kPartialVoxels},
-          {"D8 cured, rise", "the same within the limits of a Touch, 437.5 N/s; within a tick", "s",
+          {"D8 cured, rise", "time until the hand gets 3 N with the limits of a Touch, 437.5 N/s; within a tick", "s",
            cured.pressed / growth, cured.rise, of_tick}};
 }
 
 // --- static ----------------------------------------------------------------------------------------------------------
 
-/// The surface half-way through a layer of voxels. Those that it cuts count whole in the thesis, so it seems to lie
+/// The surface lies in the middle of a layer of voxels. The thesis counts cut voxels as whole, so the surface appears
 /// half a voxel higher.
 std::vector<Check> binary_voxels() {
-  constexpr double kLayers = 24;  // below the surface: half a radius or more
+  constexpr double kLayers = 24;  // of voxels below the surface: half a radius or more
   std::vector<Check> checks;
   for (const int parts : {25, 50}) {
     PressedBall ball;
@@ -247,12 +252,12 @@ std::vector<Check> binary_voxels() {
     ball.depth = 0.2 * kR;
     ball.block_height = (kLayers + 0.5) * ball.voxel;
     ball.quadrature = Quadrature::voxel_center;
-    const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // of the springs of the thesis
+    const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // of the thesis's springs
     const std::string of = ", l = R/" + std::to_string(parts);
     checks.push_back({"D11 thesis" + of, "ball, d = 0.2 R, over the force of C1: half a voxel too deep", "1",
                       forms::cap_force(1, kR, ball.depth + ball.voxel / 2) / forms::cap_force(1, kR, ball.depth),
                       ball.force(Model::thesis) / forms::cap_force(k_v, kR, ball.depth), kRim});
-    checks.push_back({"D11 cured" + of, "the same", "1", 1,
+    checks.push_back({"D11 cured" + of, "ball, d = 0.2 R, over the force of C1", "1", 1,
                       ball.force(Model::cured) / forms::cap_force(kStiffness, kR, ball.depth), kPartialVoxels});
   }
   return checks;
@@ -276,10 +281,10 @@ std::vector<Check> pop_through() {
     }
     return std::pair(last / at_radius, least / at_radius);
   };
-  return {
-      {"D15 thesis", "ball pushed to 1.6 R, force over that at R: C1, it falls", "1",
-       forms::cap_force(1, kR, 1.6 * kR) / forms::cap_force(1, kR, kR), pushed(Model::thesis).first, kRim},
-      {"D15 cured", "least force from R to 1.6 R over that at R", "1", 1, pushed(Model::cured).second, kPartialVoxels}};
+  return {{"D15 thesis", "ball pushed to 1.6 R, force over that at R: it falls, by C1", "1",
+           forms::cap_force(1, kR, 1.6 * kR) / forms::cap_force(1, kR, kR), pushed(Model::thesis).first, kRim},
+          {"D15 cured", "smallest force from R to 1.6 R over that at R", "1", 1, pushed(Model::cured).second,
+           kPartialVoxels}};
 }
 
 }  // namespace defects

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures 7.1-7.3 of the thesis, C33: stepping into a cube, where everything engaged is removed in each step; by the
-// thesis's model and by the default one.
+// Figures 7.1-7.3 of the thesis, C33: a head steps into a cube, and each step removes all engaged material; with the
+// thesis's model and with the default model.
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -32,7 +32,7 @@ Simulation cube(const ToolHead& head, const SimulationConfig& config, double spi
                     Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
 }
 
-/// Thesis mode: the tool jumps a step, rests for a tick, and whatever it touches goes.
+/// Thesis mode: the tool jumps by a step and rests for a tick; all touched voxels are removed.
 Stepping step_down(const ToolHead& head) {
   SimulationConfig config;
   config.max_sweep = 1;
@@ -53,10 +53,10 @@ Stepping step_down(const ToolHead& head) {
   return stepping;
 }
 
-/// Energy mode: the tool is fed a step in 20 ms, with a thin engaged layer; means over the step.
+/// Default model: the tool is fed by a step in 20 ms with a thin engaged layer; means over the step.
 Stepping feed_down(const ToolHead& head) {
   SimulationConfig config;
-  config.reference_stiffness = 1e17;  // 2 um, a tenth of a step
+  config.reference_stiffness = 1e17;  // a layer of 2 um, a tenth of a step
   Simulation simulation = cube(head, config, 20000);
   Stepping stepping;
   for (int i = 0; i < kSteps; ++i) {
@@ -76,7 +76,7 @@ Stepping feed_down(const ToolHead& head) {
   return stepping;
 }
 
-/// [1] how many steps do not rise above the one before, by a share at least.
+/// Number of steps whose value is not above the one before. @param share  [1] of the value before that must be exceeded
 int falls(const std::vector<double>& values, double share = 1) {
   int count = 0;
   for (std::size_t i = 1; i < values.size(); ++i) count += values[i] > share * values[i - 1] ? 0 : 1;
@@ -100,28 +100,29 @@ std::vector<Check> of_the_thesis() {
     cone_volume.add(total_cone / forms::step_volume_of_a_cone(45 * deg, d, d) - 1, i + 1 < 14 ? kSlope : 0.05);
     ball_volume.add(total_ball / forms::step_volume_of_a_ball(kHead, d, d) - 1, kRound);
   }
-  // The springs of the thesis at voxel size l are those of k_v = k / l0^2 times (l0/l)^2.
+  // At voxel size l the thesis's springs are those of k_v = k / l0^2 times (l0/l)^2.
   const double k_v = kRelative * 1e13 * std::pow(0.1 * mm / kVoxel, 2);
   const int falling = falls(cone.volume) + falls(cone.force) + falls(cone.torque) + falls(ball.volume, 0.98);
   return {
       volume.check("C33 flat volume", "thesis 7.1: volume per step of the flat head, error", kVoxels),
-      constant.check("C33 flat is constant", "its force and torque over those of the first step", "0.1 %, the same"),
-      {"C33 flat force", "its force per step", "N", forms::step_force_of_a_flat_head(k_v, kHead, kStep), flat.force[5],
-       kRim},
+      constant.check("C33 flat is constant", "flat head: force and torque over those of the first step",
+                     "0.1 %, constant"),
+      {"C33 flat force", "flat head: force per step", "N", forms::step_force_of_a_flat_head(k_v, kHead, kStep),
+       flat.force[5], kRim},
       cone_volume.check("C33 cone volume", "7.2: volume of the cone until each step, error", kVoxels),
-      // A layer two voxels thick: the sum over whole voxels is off by a few percent.
-      {"C33 cone force", "its thirteenth step", "N", forms::step_force_of_a_cone(k_v, 45 * deg, 12.5 * kStep, kStep),
-       cone.force[12], kWholeVoxels},
+      // The layer is two voxels thick, so the sum over whole voxels is off by a few percent.
+      {"C33 cone force", "cone: force of the thirteenth step", "N",
+       forms::step_force_of_a_cone(k_v, 45 * deg, 12.5 * kStep, kStep), cone.force[12], kWholeVoxels},
       ball_volume.check("C33 sphere volume", "7.3: volume of the sphere until each step, error", kVoxels),
-      {"C33 sphere force", "its seventh step", "N", forms::step_force_of_a_ball(k_v, kHead, 6.5 * kStep, kStep),
-       ball.force[6], kWholeVoxels},
+      {"C33 sphere force", "sphere: force of the seventh step", "N",
+       forms::step_force_of_a_ball(k_v, kHead, 6.5 * kStep, kStep), ball.force[6], kWholeVoxels},
       error_of("C33 rise", "steps in which the cone's volume, force and torque, or the sphere's volume, do not rise",
                falling, {0, "none"})};
 }
 
-/// The volume of a step is the same, and its force the steady one: of C20 for the flat head, of C29 for the cone and of
-/// C28 for the ball in the middle of the step. The first step builds up the engaged layer; where the surface is a slope
-/// it lags behind.
+/// The volume of a step is that of the thesis, and its force is that of the steady cut in the middle of the step: C20
+/// for the flat head, C29 for the cone, C28 for the ball. The first step builds up the engaged layer, which lags on
+/// slopes.
 std::vector<Check> of_the_default() {
   const forms::SteadyCut cut{3e8, 0.5, 20000, kStep / 0.02};
   const Stepping flat = feed_down(kFlat), cone = feed_down(kCone), ball = feed_down(kBall);
@@ -141,9 +142,10 @@ std::vector<Check> of_the_default() {
   }
   const int falling =
       falls(cone.volume) + falls(cone.force) + falls(cone.torque) + falls(ball.force) + falls(ball.torque);
-  return {volume.check("C33 energy flat", "the same by the default model: volume of the flat head, error", kVoxels),
-          thrust.check("C33 energy thrust", "its force against C20, error", "5 %, layer of R/20"),
-          torque.check("C33 energy torque", "its torque against C20, error", kVoxels),
+  return {volume.check("C33 energy flat", "default model: volume of the flat head, error", kVoxels),
+          thrust.check("C33 energy thrust", "default model: force of the flat head against C20, error",
+                       "5 %, layer of R/20"),
+          torque.check("C33 energy torque", "default model: torque of the flat head against C20, error", kVoxels),
           {"C33 energy flat is constant", "volume of the last step over the second", "1", 1,
            flat.volume[13] / flat.volume[1], kInvariant},
           cones.check("C33 energy cone", "volume of the cone and force against C29, error", kVoxels),

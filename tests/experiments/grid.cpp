@@ -8,17 +8,17 @@
 namespace hapticut::experiments {
 namespace in_the_grid {
 
-/// [1] Ripple in a slot through ten voxels of a plate whose faces go through voxels.
+/// [1] Ripple of a slot through a plate of ten voxels whose faces lie inside voxels.
 constexpr double kOtherFaces = 0.02;
 
-/// [1] Ripple where a face along the grid recedes by half a voxel, ten layers, in a step: all its voxels in phase.
+/// [1] Ripple when a face along the grid recedes by half a voxel, ten layers, in a step: all voxels are in phase.
 constexpr double kInPhase = 0.12;
 
-/// [1] Thrust in a groove that edges cut: its floor behind the middle, cut no further than to w0, presses up as well.
+/// [1] Thrust in a groove cut by edges: the floor behind the middle, cut down to w0 only, presses up as well.
 constexpr double kBehind = 0.12;
 
-/// [1] What a layer that is not thin adds, in layer/R. Where a surface turns slowly, at the pole of a ball and the tip
-/// of a cone, the pressure and with it the layer are larger than at the radius; chips cost twice as much there.
+/// [1] Additional error of a layer that is not thin, over layer/R. Where the slip is low, at the pole of a ball and the
+/// tip of a cone, pressure and layer are larger than at the radius; chips cost twice as much there.
 constexpr double kEvenLayer = 0.1, kRoundLayer = 1, kChipLayer = 1.7, kTipLayer = 3.5;
 
 GridCut drilled(double edge_pressure) {
@@ -37,7 +37,7 @@ GridCut drilled(double edge_pressure) {
           cut};
 }
 
-/// Straight down until the tip is at the depth in the middle of what is measured.
+/// A plunge; the tip is at the given depth in the middle of the measured part.
 GridCut plunged(const char* id, const char* what, const ToolHead& head, double depth, const Wrench& expected) {
   const double top = -head.bounding_box().min.z();
   return {id,
@@ -51,7 +51,7 @@ GridCut plunged(const char* id, const char* what, const ToolHead& head, double d
           expected};
 }
 
-/// A feed whose chips cost about as much again as what they take away, by edges or by being thin, or by both.
+/// A feed whose chips double the energy, by edges, by the size effect, or by both.
 struct Chips {
   const char* name;
   double edge, size;  // [1] lengths over the chip
@@ -60,7 +60,7 @@ struct Chips {
 };
 constexpr Chips kEdges = {"chips of edges", 2, 0}, kThin = {"thin chips", 0, 4}, kBoth = {"chips", 1, 2};
 
-/// The same cut at another speed, of feed and spin alike, or in other steps.
+/// A cut at another speed, of feed and spin alike, or with other steps.
 GridCut hurried(GridCut cut, const char* id, const char* what, double factor, double tick) {
   cut.id = id;
   cut.what = what;
@@ -96,7 +96,7 @@ std::vector<Check> drilled_chips() {
                  tilted(drill(kThin), {0.03, 0.03, 0.013}, {1e15, 1e16, 1e17})});
 }
 
-/// Behind the middle the slot's walls press with what is too little to cut them, a layer of w0, and rub.
+/// Behind the middle the slot's walls press and rub with a layer of w0, too little to be cut.
 std::vector<Check> slotted_chips() {
   const auto slot = [](const char* id, const Chips& chips) {
     return with_chips(id, "slotting", chips, slotted(), forms::slotting_chip_wrench(chips.cut(), kR, kSlot));
@@ -126,8 +126,8 @@ std::vector<Check> plunged_chips() {
                  in_every_direction(groove, {kBehind, 0.07, 0.015, kChipLayer}, 0.1 * mm)});
 }
 
-/// Half a voxel a tick, ten times the layer; the spin is such that the feed is a 400th of the rim's speed, as the
-/// closed forms ask for.
+/// A feed of half a voxel per tick, ten times the layer. The rim is 400 times as fast as the feed, as the closed forms
+/// require.
 std::vector<Check> hurried_cuts() {
   const GridCut drill = hurried(drilled(0), "C20 50 mm/s", "flat head fed axially at 50 mm/s", 25, kTick),
                 slot = hurried(slotted(), "C24 50 mm/s", "slotting at 50 mm/s", 25, kTick);

@@ -12,9 +12,9 @@ namespace {
 using units::deg;
 using units::mm;
 
-constexpr double kQuick = 10 * mm;  // [m/s] on the way to where a cut begins
+constexpr double kQuick = 10 * mm;  // [m/s] on the way to the beginning of a cut
 
-/// Steps along a line and calls `see` with what each step gave.
+/// Steps along a line and calls `see` with the result of each step.
 template <class See>
 void go(Simulation& simulation, const Way& way, const Vec3& from, const Vec3& to, double speed, double tick,
         const See& see) {
@@ -26,11 +26,11 @@ void go(Simulation& simulation, const Way& way, const Vec3& from, const Vec3& to
   }
 }
 
-/// The worst of all ways and stiffnesses.
+/// The worst errors of all directions and stiffnesses.
 struct Worst {
   double mean = 0, torque = 0, ripple = 0, closure = 0;  // [1]
 
-  void take(const Worst& other) {
+  void include(const Worst& other) {
     mean = std::max(mean, other.mean);
     torque = std::max(torque, other.torque);
     ripple = std::max(ripple, other.ripple);
@@ -51,7 +51,7 @@ Worst worst_of(const GridCut& cut, const std::vector<Way>& ways, double voxel, c
     const Workpiece block = oriented_block(way, cut.box, voxel, cut.material());
     for (const double stiffness : foundations) {
       Simulation simulation = cut.at_begin(way, block.clone(), stiffness);
-      worst.take(errors_of(follow(simulation, cut, way), cut.expected));
+      worst.include(errors_of(follow(simulation, cut, way), cut.expected));
     }
   }
   return worst;
@@ -66,7 +66,7 @@ std::vector<Check> checks_of(const std::string& id, const std::string& of, const
           error_of(id + " ledger", of + "closure", worst.closure, kSinglePrecision)};
 }
 
-/// By how much more a cut is off where its layer is not thin, over layer/R.
+/// Additional error of a cut on soft foundations, whose layer is not thin, over layer/R.
 Check on_soft_foundations(const GridCut& cut, const Limits& limits, double voxel, double& closure) {
   double more = 0;
   for (const double stiffness : {1e14, 1e15}) {
@@ -77,8 +77,8 @@ Check on_soft_foundations(const GridCut& cut, const Limits& limits, double voxel
     closure = std::max(closure, worst.closure);
   }
   const char* which = limits.stiff_from > 1e15 ? "; k_v = 1e14, 1e15; " : "; k_v = 1e14; ";
-  return error_of(cut.id + " soft", cut.what + which + "off by more than stiff, in layer/R", more,
-                  {limits.soft, "a layer that is not thin"});
+  return error_of(cut.id + " soft", cut.what + which + "additional error to that on stiff foundations, over layer/R",
+                  more, {limits.soft, "a layer that is not thin"});
 }
 
 }  // namespace

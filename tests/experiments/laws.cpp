@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The alternative force laws: Table 5.1, C31 by its own law.
+// The alternative force laws: Table 5.1, and C31 by the law of the twist drill.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -15,7 +15,7 @@
 namespace hapticut::experiments {
 namespace other_laws {
 
-/// What a standing head feels at a depth, on a grid that matches neither the surface nor the head.
+/// Force on a standing head at a depth, on a grid that matches neither the surface nor the head.
 StepResult pressed(const std::shared_ptr<const ForceLaw>& law, const ToolHead& head, double depth) {
   constexpr double kVoxel = 0.05 * mm;
   SimulationConfig config = static_config();
@@ -25,8 +25,8 @@ StepResult pressed(const std::shared_ptr<const ForceLaw>& law, const ToolHead& h
   return hold_well(simulation, Vec3(0, 0, -depth - head.bounding_box().min.z()));
 }
 
-// Voxels of an eighth of the depth: on a misaligned grid a volume of 2 % off makes a force of up to 3 %, and a side
-// force.
+// With voxels of an eighth of the depth on a misaligned grid, a volume error of 2 % gives a force error of up to 3 %
+// and a side force.
 std::vector<Check> contact_mechanics() {
   constexpr Tolerance kVolume = {0.03, "volume on voxels of d/8"}, kFifth = {0.02, "voxels of d/4 and d/10"};
   const double E = 3e6, d = 0.4 * mm, C = 2e6;
@@ -43,7 +43,7 @@ std::vector<Check> contact_mechanics() {
   std::vector<Check> checks = {{"Table 5.1 flat", "2 R E* d", "N", on_flat, up(flat), kVolume},
                                {"Table 5.1 sphere", "4/3 E* sqrt(R) d^1.5", "N", on_ball, up(ball), kVolume},
                                {"Table 5.1 cone", "2/pi E* tan(alpha) d^2", "N", on_cone, up(cone), kVolume}};
-  checks.push_back(aside.check("Table 5.1 aside", "their forces across the axis", "2 % of the force"));
+  checks.push_back(aside.check("Table 5.1 aside", "forces across the axis", "2 % of the force"));
   for (const double depth : {0.2 * mm, 0.5 * mm}) {
     const StepResult result = pressed(std::make_shared<HertzianBurrLaw>(C), ball, depth);
     turned.add(result.torque.norm(), 0.01 * kR * result.force.z());
@@ -71,16 +71,17 @@ std::vector<Check> twist_drill_law() {
   const Wrench expected = forms::twist_drill_wrench(cut, 2 * kR, 2 * half_angle);
   const SteadyState f = drilled(FlatHead{kR, 4 * mm}, 0.1 * mm, Vec3(0.029, 0.011, 0.01) * mm, travel);
   const Wrench of_flat = forms::twist_drill_wrench(cut, 2 * kR, kPi);
-  // The drill takes as its radius that of the outermost voxel centre in material, up to a voxel too little.
+  // The law uses the radius of the outermost voxel centre in material, which is up to a voxel too small.
   constexpr Tolerance kVoxelOfRadius = {0.1, "radius of whole voxels"}, kItsSquare = {0.2, "radius of whole voxels"};
   return joined(
-      {compared("twist drill", "its own law, point angle 118 deg", expected, s, kWholeVoxels, kThickLayer),
-       {{"twist drill power", "M omega is what the fed volume costs", "W",
+      {compared("twist drill", "law of the twist drill, point angle 118 deg", expected, s, kWholeVoxels, kThickLayer),
+       {{"twist drill power", "M omega is the cutting energy of the fed volume", "W",
          forms::cutting_power(cut, kPi * kR * kR * cut.feed_speed), -of_flat.torque.z() * cut.spin, kDoublePrecision}},
-       compared("twist drill flat,", "its own law, a flat head", of_flat, f, kItsSquare, kVoxelOfRadius),
-       {{"twist drill flat, most", "and no more than that", "N", 0, std::max(0.0, f.force.z() - of_flat.force.z()),
-         kDoublePrecision, of_flat.force.z()},
-        {"twist drill flat, volume", "its volume", "m^3", kPi * kR * kR * travel, f.removed_volume, kItsSquare}}});
+       compared("twist drill flat,", "law of the twist drill, flat head", of_flat, f, kItsSquare, kVoxelOfRadius),
+       {{"twist drill flat, most", "thrust of the flat head above the formula", "N", 0,
+         std::max(0.0, f.force.z() - of_flat.force.z()), kDoublePrecision, of_flat.force.z()},
+        {"twist drill flat, volume", "removed volume of the flat head", "m^3", kPi * kR * kR * travel, f.removed_volume,
+         kItsSquare}}});
 }
 
 std::vector<Check> damping_matrix() {
@@ -101,9 +102,9 @@ std::vector<Check> damping_matrix() {
     const std::string way = spin > 0 ? "" : " other way";
     checks.push_back({"damping matrix" + way, "m V along the motion", "N",
                       -kM * result.contact.volume / result.contact.depth * kSpeed, result.force.x(), kInvariant});
-    checks.push_back({"damping matrix across" + way, "mu of it across, -m mu omega x V", "1", std::copysign(kMu, spin),
-                      result.force.y() / result.force.x(), kExact});
-    checks.push_back(error_of("damping matrix rest" + way, "force along the axis, and where nothing moves",
+    checks.push_back({"damping matrix across" + way, "force across, -m mu omega x V, over m V", "1",
+                      std::copysign(kMu, spin), result.force.y() / result.force.x(), kExact});
+    checks.push_back(error_of("damping matrix rest" + way, "force along the axis, and at rest",
                               std::abs(result.force.z()) + still, {1e-9, "nothing"}, "N"));
   }
   return checks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ball pressed into layers and into stiffness that grows: C10 and C12.
+// A ball pressed into layers and into graded stiffness: C10 and C12.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ double force_at(Workpiece workpiece) {
   return hold_well(simulation, kCenter).force.z();
 }
 
-/// [N] `second` is the relative stiffness below the first layer; 0: there is nothing.
+/// [N] Force by C10. @param second  [1] relative stiffness below the first layer; 0: air
 double expected_force(double second, double thickness = kThickness) {
   return forms::layered_cap_force(kStiffness, second * kStiffness, thickness, kR, kDepth);
 }
@@ -36,7 +36,7 @@ Convergence into_layers(double second, bool on_grid) {
   });
 }
 
-/// The library's slab starts at the box's lower corner: the layers meet on the face of a voxel, 16 above it.
+/// The library's slab starts at the box's lower corner, so the layers meet on a face of voxels, 16 voxels above it.
 double force_of_slab(double thickness) {
   Material hard, soft;
   hard.name = "hard", soft.name = "soft", soft.relative_stiffness = 0.2;
@@ -46,24 +46,26 @@ double force_of_slab(double thickness) {
 }
 
 std::vector<Check> layers() {
-  // By the fluxes of C1, which no longer cancel where the stiffness changes: 0.33 (l/d)^2.
+  // The errors of C1 do not cancel where the stiffness changes: 0.33 (l/d)^2.
   Refined on_face("C10", "ball through a layer that ends on a face of the voxels, force", kSecondOrder, "0.4 (l/d)^2");
   on_face.add(into_layers(0.2, true), second_order(0.4, kDepth));
-  // A voxel is of one material: the interface is off by up to half a voxel, l/4 in the root mean square times the
-  // change of stiffness there.
-  Refined inside("C10 inside voxels", "the same, ending inside voxels", 1, "0.8 l/d, a voxel has one material",
-                 {0.3, "of twelve phases"});
+  // A voxel has one material, so the interface is off by up to half a voxel: l/4 root mean square, times the change of
+  // stiffness.
+  Refined inside("C10 inside voxels", "ball through a layer that ends inside voxels, force", 1,
+                 "0.8 l/d, a voxel has one material", {0.3, "of twelve phases"});
   inside.add(into_layers(0.2, false), [](double l) { return 0.8 * l / kDepth; });
-  // Of the plate's lower face the material lies on the near side, as in C1 beyond R.
+  // At the plate's lower face the material lies on the near side, as in C1 beyond R.
   const double below = kR - kDepth + kThickness;
   const double near_side = kPi / 3 * below * (kR - below) * kStiffness;
-  Refined breakthrough("C10 breakthrough", "ball through a plate", kSecondOrder, "1.2 of the fills at the lower face");
+  Refined breakthrough("C10 breakthrough", "ball through a plate", kSecondOrder,
+                       "1.2 of the error by the fills at the lower face");
   breakthrough.add(into_layers(0, false),
                    second_order(1.2 * near_side * kThickness * kThickness / expected_force(0), kThickness));
   const double thickness = 0.2675 * kR;
   constexpr Tolerance kVoxels = {1e-3, "voxels of d/28"};
   const Check slab = {
-      "C10 slab", "the library's own layers", "N", expected_force(0.2, thickness), force_of_slab(thickness), kVoxels};
+      "C10 slab", "layers built by the library", "N", expected_force(0.2, thickness), force_of_slab(thickness),
+      kVoxels};
   return joined({on_face.checks(), inside.checks(), breakthrough.checks(), {slab}});
 }
 
@@ -80,7 +82,7 @@ Convergence into_grade(const Vec3& slope, const Press& press) {
   });
 }
 
-/// One material for each layer of voxels, as stiff as the grade is at the middle of the layer.
+/// One material for each layer of voxels, with the stiffness of the grade at the middle of the layer.
 Convergence into_depth_grade() {
   const Vec3 slope(0, 0, -2 / mm);
   return into_grade(slope, [&](double l, const Vec3& phase) {
@@ -94,8 +96,8 @@ Convergence into_depth_grade() {
   });
 }
 
-/// A whole table of materials, in equal steps of stiffness from 0 to 3: half a step is 0.006, with either sign all over
-/// the contact, so that it averages out.
+/// A full table of materials, in equal steps of stiffness from 0 to 3. Half a step is 0.006, with both signs all over
+/// the contact, so it averages out.
 Convergence into_side_grade() {
   const Vec3 slope(0.6 / mm, -0.3 / mm, -0.5 / mm);
   constexpr int kSteps = kMaxMaterials;
@@ -113,8 +115,8 @@ Convergence into_side_grade() {
 std::vector<Check> grades() {
   Refined down("C12", "stiffness that grows with depth, force vector", kSecondOrder, "0.5 (l/d)^2");
   down.add(into_depth_grade(), second_order(0.5, kDepth));
-  // A whole voxel has the stiffness of its centre and lacks -l^2/12 of grad(k) . grad(w n) too: 0.19 (l/d)^2 with the
-  // fills of C1.
+  // A full voxel has the stiffness of its centre and lacks -l^2/12 of grad(k) . grad(w n): 0.19 (l/d)^2 with the fills
+  // of C1.
   Refined aside("C12 sideways", "stiffness that grows sideways too", kSecondOrder, "0.21 (l/d)^2");
   aside.add(into_side_grade(), second_order(0.21, kDepth));
   return joined({down.checks(), aside.checks()});

@@ -9,9 +9,9 @@
 namespace hapticut::experiments {
 namespace {
 
-constexpr double kSluggish = 0.1;  // [1] inertia of a hand, in load over speed: it settles in a few tenths of a second
+constexpr double kSluggish = 0.1;  // [1] inertia of a hand over load/speed: it settles in a few tenths of a second
 
-/// The library with constants from one drilling test, on that test again: a round trip, no prediction.
+/// Runs a drilling test with constants fitted to this test: a round trip, not a prediction.
 std::vector<Check> drillings() {
   std::vector<Check> checks;
   for (const PublishedDrilling& published : kPublishedDrillings) {
@@ -37,19 +37,19 @@ std::vector<Check> drillings() {
   return checks;
 }
 
-/// A plate of enamel whose edge the side of the bur wears down: 0.3 mm thick, 1 mm of the bur long.
+/// A plate of enamel, 0.3 mm thick, whose edge is cut by the side of the bur over 1 mm.
 class Plate {
  public:
   static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] of contact
 
-  /// @param layer  [m] of material that is engaged at the removal of DC4
+  /// @param layer  [m] engaged layer at the removal rate of DC4
   Plate(const Material& material, double layer)
       : simulation_(build_block({Vec3(0, -0.15, -0.5) * mm, Vec3(0.8, 0.15, 0.5) * mm}, 0.0125 * mm, material),
                     Tool(FlatHead{DiamondBur::kRadius, 3 * mm, FlatRule::side_only}, RayHandle{0},
                          Spindle{DiamondBur::kSpeed * units::rad_per_s}),
                     with_layer(material, layer)) {}
 
-  /// [N] against the feed.
+  /// [N] Force against the feed.
   [[nodiscard]] double load_at(double removal) {
     const double speed = removal / kArea;
     double load = 0;
@@ -60,7 +60,7 @@ class Plate {
     }
     return load;
   }
-  /// [m^3/s] under a constant load of the hand.
+  /// [m^3/s] Removal rate under a constant load of the hand.
   [[nodiscard]] double removal_under(double load) {
     const Hand hand = {load, kSluggish * load * kArea / DiamondBur::kRemoval, 3000, 1500};
     return hand.mean_speed([this](double depth, double /*speed*/) { return feed_to(depth); }) * kArea;
@@ -82,7 +82,7 @@ class Plate {
   Simulation simulation_;
 };
 
-/// [m/s] of a carbide bur that is pushed along its axis.
+/// [m/s] Speed of a carbide bur pushed along its axis.
 double carbide_rate(const Material& material) {
   Simulation simulation(build_block({Vec3(-0.6, -0.6, -1.2) * mm, Vec3(0.6, 0.6, 0) * mm}, 0.04 * mm, material),
                         Tool(FlatHead{CarbideBur::kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0},
@@ -95,12 +95,12 @@ double carbide_rate(const Material& material) {
   });
 }
 
-/// The preset for a diamond bur under the load of DC4, and those for a carbide bur under the load of White's.
+/// The preset of a diamond bur under the load of DC4, and the presets of a carbide bur under White's load.
 std::vector<Check> tooth() {
   const Material diamond = presets::enamel(CutterKind::fine_diamond);
   const auto plate = [&] { return Plate(diamond, 0.025 * mm); };
   const double load = plate().load_at(DiamondBur::kRemoval);
-  // A load that the edges carry cuts nothing.
+  // A load below the threshold of the edges cuts nothing.
   Material carbide = diamond;
   carbide.specific_cutting_energy = 1.75e9;
   carbide.edge_pressure = 200e3;
@@ -108,20 +108,20 @@ std::vector<Check> tooth() {
   constexpr Tolerance kScatter = {CarbideBur::kScatter, "scatter of the source"}, kTenth = {0.1, "a tenth"},
                       kDigits = {5e-3, "three digits of the preset"}, kRange = {0.61, "range of the source"},
                       kSettled = {0.01, "what settles"};
-  return {
-      {"DC4 energy", "u of enamel under a fine diamond, the preset's", "J/m^3", DiamondBur::energy(),
-       diamond.specific_cutting_energy, kDigits},
-      {"DC4 removal", "enamel and a fine diamond under 65 g: what Fais et al. removed", "m^3/s", DiamondBur::kRemoval,
-       plate().removal_under(DiamondBur::kLoad), kThickLayer},
-      {"DC4 half", "under half the load: half of it", "m^3/s", DiamondBur::kRemoval / 2,
-       plate().removal_under(DiamondBur::kLoad / 2), kThickLayer},
-      {"DC4 load", "the load that their removal needs", "N", DiamondBur::kLoad, load, kThickLayer},
-      {"DC3 load", "it is within 0.43 ... 1.79 N, what dentists press with", "N", 1.11, load, kRange},
-      {"DC4 below", "a carbide bur under four fifths of what its edges bear: removal", "m^3/s", 0,
-       Plate(carbide, 0.015 * mm).removal_under(0.8 * edges), kSettled, DiamondBur::kRemoval},
-      {"DC9 enamel", "carbide bur pushed with 0.98 N: White's axial rate", "m/s", CarbideBur::kInEnamel,
-       carbide_rate(presets::enamel()), kScatter},
-      {"DC9 dentin", "the same into dentin", "m/s", CarbideBur::kInDentin, carbide_rate(presets::dentin()), kTenth}};
+  return {{"DC4 energy", "u of the preset of enamel for a fine diamond", "J/m^3", DiamondBur::energy(),
+           diamond.specific_cutting_energy, kDigits},
+          {"DC4 removal", "enamel under a fine diamond with 65 g: removal rate of Fais et al.", "m^3/s",
+           DiamondBur::kRemoval, plate().removal_under(DiamondBur::kLoad), kThickLayer},
+          {"DC4 half", "enamel under a fine diamond with half the load: half the rate", "m^3/s",
+           DiamondBur::kRemoval / 2, plate().removal_under(DiamondBur::kLoad / 2), kThickLayer},
+          {"DC4 load", "load needed for the removal rate of Fais et al.", "N", DiamondBur::kLoad, load, kThickLayer},
+          {"DC3 load", "this load is within 0.43 ... 1.79 N, the range of dentists", "N", 1.11, load, kRange},
+          {"DC4 below", "carbide bur under four fifths of the threshold of its edges: removal rate", "m^3/s", 0,
+           Plate(carbide, 0.015 * mm).removal_under(0.8 * edges), kSettled, DiamondBur::kRemoval},
+          {"DC9 enamel", "carbide bur pushed with 0.98 N: White's axial rate", "m/s", CarbideBur::kInEnamel,
+           carbide_rate(presets::enamel()), kScatter},
+          {"DC9 dentin", "carbide bur pushed with 0.98 N into dentin: White's axial rate", "m/s", CarbideBur::kInDentin,
+           carbide_rate(presets::dentin()), kTenth}};
 }
 
 }  // namespace

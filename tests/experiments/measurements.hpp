@@ -8,20 +8,21 @@
 #include "hapticut/force/calibration.hpp"
 
 /// @file
-/// Measurements that others published: constants calibrated on them, and what the model then predicts elsewhere.
+/// Published measurements: constants calibrated on them, and predictions of the model with these constants.
 namespace hapticut::experiments {
 
-/// A drilling test of Orelaja, Wang et al. 2020 (J Healthc Eng 8817422, Table 6): mean largest thrust and torque.
+/// A drilling test of Orelaja, Wang et al. 2020 (J Healthc Eng 8817422, Table 6): mean of the maximum thrust and
+/// torque.
 struct PublishedDrilling {
-  const char* id;  ///< of the rows of thrust and torque
+  const char* id;  ///< rows of thrust and torque
   const char* material;
   double thrust;  ///< [N]
   double torque;  ///< [N·m]
 
   static constexpr double kRadius = 1.25 * units::mm;
   static constexpr AngularSpeed kSpeed = 1000 * units::rpm;
-  /// [m] The source's table has no feed. What follows from thrust and torque alone (kappa, and all predictions for the
-  /// same feed per turn) does not depend on it; u is inversely proportional to it.
+  /// [m] Assumed, because the source gives no feed. kappa, and predictions for the same feed per revolution, do not
+  /// depend on it; u is inversely proportional to it.
   static constexpr double kFeedPerTurn = 0.1 * units::mm;
 
   [[nodiscard]] DrillingTest test() const {
@@ -29,7 +30,7 @@ struct PublishedDrilling {
   }
   [[nodiscard]] Calibration constants() const {
     const DrillingTest one = test();
-    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // which one test does not tell: none
+    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // one test cannot identify it, so it is 0
   }
 };
 
@@ -38,8 +39,8 @@ inline constexpr std::array<PublishedDrilling, 3> kPublishedDrillings = {
      {"B1b, B1e", "porcine bone", 11.25, 37.0 * units::N_mm},
      {"B1c, B1f", "artificial bone", 5.62, 13.6 * units::N_mm}}};
 
-/// Enamel under a diamond bur (DC4: Fais et al. 2010, Braz J Oral Sci 9:39). The source gives mass, time and load; bur
-/// and speed are those of a usual high-speed handpiece, and kappa is the preset's: assumptions.
+/// Enamel under a diamond bur (DC4: Fais et al. 2010, Braz J Oral Sci 9:39). The source gives mass, time and load.
+/// Bur and speed of a usual high-speed handpiece, and kappa of the preset, are assumptions.
 struct DiamondBur {
   static constexpr double kRadius = 0.6 * units::mm;
   static constexpr double kSpeed = 300000 * units::rpm;
@@ -47,14 +48,14 @@ struct DiamondBur {
   static constexpr double kLoad = 0.065 * 9.80665;                    ///< [N] middle of 50 ... 80 g
   static constexpr double kRemoval = 0.1117e-3 / 2950 / (12.0 * 60);  ///< [m^3/s]
 
-  /// [W] what the side of the bur spends under a load.
+  /// [W] Power of the bur's side under a load.
   [[nodiscard]] static constexpr double power(double load) { return kCuttingRatio * load * kSpeed * kRadius; }
   /// [J/m^3] u of enamel with this bur.
   [[nodiscard]] static constexpr double energy() { return power(kLoad) / kRemoval; }
 };
 
 /// A carbide bur at high speed, pushed along its axis into tooth (DC9: White 1998, Proc SPIE 3248). The source gives
-/// the rates; load, blades and the speed under load are those of a usual handpiece: assumptions.
+/// the rates. Load, blades and speed under load of a usual handpiece are assumptions.
 struct CarbideBur {
   static constexpr double kRadius = 0.42 * units::mm;
   static constexpr double kSpeed = 250000 * units::rpm;
@@ -64,7 +65,7 @@ struct CarbideBur {
   static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
 };
 
-/// The page docs/measurements.md.
-[[nodiscard]] std::string measurements_page();
+/// Published measurements beside what the model predicts, in Markdown: `hapticut validate --measurements`.
+[[nodiscard]] std::string measurements_report();
 
 }  // namespace hapticut::experiments

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// C11: the wrench of the foundation is that of the pressure k_v w^2/2 on the surface of the material inside the head.
-// A plane quadrature of that pressure, with the heads' depths written again here, against the voxels of 200 poses of
-// every head: six components, tilted heads, tilted planes, bent handles.
+// C11: the wrench of the foundation is that of the pressure k_v w^2/2 on the surface of the material inside the head. A
+// plane quadrature of this pressure, with depths of the heads that are written here independently, is compared with the
+// voxels in 200 poses of each head: six components, tilted heads, tilted planes, bent handles.
 #include <algorithm>
 #include <cmath>
 
@@ -21,25 +21,27 @@ constexpr int kPosesPerPlane = 20;
 
 constexpr int kQuadraturePoints = 200;
 
-/// A head as the oracle sees it: its depth, which vanishes on all of its surface, and its smooth end, a disk that stays
-/// out of the material (tests/system/physics/smooth_sides_test.cpp has it in there) but bounds the depth below it.
+/// The oracle's description of a head: its depth, which vanishes on its whole surface, and its smooth end. This disk
+/// stays outside the material here (tests/system/physics/smooth_sides_test.cpp presses it in), but it bounds the depth
+/// below it.
 struct OracleHead {
   const char* name;
   ToolHead head;
   std::function<double(double rho, double z)> depth;  // [m] <= 0 outside
-  double closed_end;                                  // [m] z in T; 0: there is none
+  double closed_end;                                  // [m] z in T; 0: no smooth end
   double closed_radius;                               // [m]
 
-  // What to expect of voxels, with the greatest depth w of the pose: error <= constant (l/w)^2. Sections give constants
-  // up to 0.5 with an upright head (C1, C4), and 4 for a ball whose centre is in the material (error_of_cap). Where the
-  // direction of the springs jumps inside the material, on the flat's cone between wall and bottom, between a cone's
-  // side and its base, lattice points of one and a half order come on top.
+  // Expected error of voxels, with the largest depth w of the pose: error <= constant (l/w)^2. Sections give constants
+  // up to 0.5 for an upright head (C1, C4), and 4 for a ball whose centre is in the material (error_of_cap). Where the
+  // direction of the springs jumps inside the material (between wall and bottom of a flat head, between side and base
+  // of a cone), lattice points add an error of order 1.5.
   double constant;
-  double behind;            // the same where To is in the material
-  double root_mean_square;  // [1] over all poses, at l = 0.05 mm; coarser with second order, finer with the least
+  double behind;            // constant when To is in the material
+  double root_mean_square;  // [1] over all poses, at l = 0.05 mm; at coarser voxels of second order, at finer ones of
+                            // the lowest order
   double min_order;
 
-  /// [m] radius of a ball about the middle of the head that contains it.
+  /// [m] Radius of a ball about the middle of the head that contains the head.
   [[nodiscard]] double reach() const {
     return closed_end > 0 ? std::hypot(closed_end / 2, head.max_radius()) : head.max_radius();
   }
@@ -58,7 +60,7 @@ OracleHead cone() {
           [=](double rho, double z) { return std::min(z * std::sin(a) - rho * std::cos(a), kSmoothScale * (h - z)); },
           h,
           h * std::tan(a),
-          4,  // voxels at the crease are integrated in space, where the distance jumps
+          4,  // voxels at the crease, where the distance jumps, are integrated in space
           4,
           0.008,
           1.6};
@@ -93,7 +95,7 @@ OracleHead round_end() {
       1.7};
 }
 
-/// Sharper than a right angle at the tip's rim, where the direction of the springs jumps the more.
+/// The rim of the tip is sharper than a right angle, so the direction of the springs jumps more.
 OracleHead inverted_cone() {
   const double tip = 0.8 * mm, neck = 0.5 * mm, h = 1.4 * mm;
   return {"inverted cone",
@@ -115,7 +117,7 @@ OracleHead tree() {
   const double R = 0.9 * mm, h = 1.6 * mm;
   struct Segment {
     Eigen::Vector2d from, to;
-    double longest;  // [1] of its length: the last goes on
+    double longest;  // [1] of its length: the last segment is extended
   };
   const double inner = kTreeWaist * R / 2;
   const std::vector<Segment> segments = {
@@ -146,14 +148,14 @@ Wrench pressure_on_plane(const OracleHead& oracle, const Pose& X_WT, const Plane
                                        oracle.reach(), points);
 }
 
-/// Height above the plane of the lowest point of the closed end's rim.
+/// [m] Height of the lowest point of the closed end's rim above the plane.
 double lowest_of_closed_end(const OracleHead& oracle, const Pose& X_WT, const Plane& plane) {
   const double across = plane.normal.dot(X_WT.rotation.col(2));
   return plane.height(X_WT * Vec3(0, 0, oracle.closed_end)) -
          oracle.closed_radius * std::sqrt(std::max(0.0, 1 - across * across));
 }
 
-/// A random pose in which the head is pressed in by a good part of its size and its closed end is outside.
+/// A random pose with the head pressed in deeply and its closed end outside.
 Pose random_pose(const OracleHead& oracle, const Plane& plane, RandomPoses& random) {
   const double reach = oracle.reach();
   for (;;) {
@@ -169,7 +171,7 @@ Pose random_pose(const OracleHead& oracle, const Plane& plane, RandomPoses& rand
 
 Workpiece half_space_below(const Plane& plane, double half_edge, double voxel_size) {
   Box box = {Vec3::Constant(-half_edge), Vec3::Constant(half_edge)};
-  // Subsampling finds a plane along the grid only to half a subsample; that one is built exactly.
+  // Subsampling finds a plane along the grid only to half a subsample, so this plane is built exactly.
   if (plane.normal == Vec3::UnitZ()) {
     box.max.z() = plane.offset;
     return box_at_phase(box, voxel_size, phase(6));
@@ -179,7 +181,7 @@ Workpiece half_space_below(const Plane& plane, double half_edge, double voxel_si
   return build_body(body, voxel_size, materials_of_stiffness({1}));
 }
 
-/// Relative errors of one pose: force, torque about To and torque about Ho, over force and force times lever.
+/// Errors of one pose: force, torque about To and torque about Ho, relative to force and force times lever.
 struct PoseError {
   double force, torque_T, torque_H;
   double depth;  // [m] greatest w
@@ -202,17 +204,17 @@ Handle random_handle(int n, RandomPoses& random) {
   return LHandle{random.between(0, 5 * mm), random.between(0, 3 * mm), random.between(-kPi, kPi)};
 }
 
-// The grids, from coarse to fine. On the first the deepest springs of a pose have a handful of voxels, so that the
-// bound of a single pose is asked of the others only.
+// The grids, from coarse to fine. On the first grid the deepest springs of a pose have a handful of voxels, so the
+// bound of a single pose applies to the other grids only.
 constexpr double kVoxelSizes[] = {0.1 * mm, 0.05 * mm, 0.025 * mm};
 
-/// Errors of force, torque about To and torque about Ho in all poses: of each, and their root mean square.
+/// Errors of force, torque about To and torque about Ho in all poses: each pose, and the root mean square.
 void measure(const OracleHead& oracle, Convergence& c, Largest& single) {
   const double reach = oracle.reach();
   RandomPoses random(7);
   for (int n = 0; n < kPlanes; ++n) {
     const Plane plane = {n == 0 ? Vec3(0, 0, 1) : random.direction(), random.between(-0.2, 0.2) * mm};
-    // The box is larger than all that the poses touch; its own faces stay outside the head.
+    // The box is larger than the region of all poses, so its faces stay outside the head.
     const double half_edge = 2.3 * reach;
     const Tool tool(oracle.head, random_handle(n, random));
     std::vector<Simulation> on_grid;
@@ -233,7 +235,7 @@ void measure(const OracleHead& oracle, Convergence& c, Largest& single) {
   for (double& error : c.error) error = std::sqrt(error);
 }
 
-/// Of the quadrature itself: against four times as many points.
+/// Error of the quadrature: compared with four times as many points.
 Check quadrature(const OracleHead& oracle, const std::string& id) {
   Largest off;
   RandomPoses random(11);
@@ -245,7 +247,7 @@ Check quadrature(const OracleHead& oracle, const std::string& id) {
     off.add((used.force - finer.force).norm(), 2e-4 * finer.force.norm());
     off.add((used.torque - finer.torque).norm(), 2e-4 * finer.force.norm() * oracle.reach());
   }
-  return off.check(id + " quadrature", "of the quadrature itself, error", "2e-4 of the force");
+  return off.check(id + " quadrature", "error of the quadrature", "2e-4 of the force");
 }
 
 std::vector<Check> checks_of(const OracleHead& oracle) {
@@ -260,7 +262,7 @@ std::vector<Check> checks_of(const OracleHead& oracle) {
   });
   return joined(
       {error.checks(),
-       {single.check(id + " each", "of each pose, error", "constant of the head (l/w)^2"), quadrature(oracle, id)}});
+       {single.check(id + " each", "error of each pose", "constant of the head (l/w)^2"), quadrature(oracle, id)}});
 }
 
 }  // namespace pressure_identity

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C23, C24, C28 and C36 under a hand that pushes: how fast a tool goes in every direction of the grid.
+// C23, C24, C28 and C36: speed of a tool under a constant force of the hand, in every direction of the grid.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,23 +12,23 @@ namespace pushed_cuts {
 
 constexpr Tolerance kPushed = {0.04, "measured, worst of grid"};  // of the speed
 
-/// [N/m^4] From here on the layer of a ball and of chips is thin enough; with 1e14 they are off by 10 and 12 %.
+/// [N/m^4] Lowest stiffness with a thin enough layer for balls and chips; at 1e14 they are off by 10 and 12 %.
 constexpr double kThin = 1e15;
 
-/// The speed of a cut that is pushed along its feed, and the force meanwhile.
+/// Speed of a cut that is pushed along its feed, and its force.
 struct Push {
   double speed, force;  // [m/s], [N]
 };
 
-/// A hand's constant force through a damper, which is soft against a layer of bone and firm against the hand.
+/// A constant force of the hand through a damper, which is soft against a layer of bone and stiff against the hand.
 Push push(Simulation& simulation, const GridCut& cut, const Way& way, double hand) {
-  constexpr double kDamper = 1000, kStep = 2.5e-4, kFastest = 5 * mm;  // [N s/m], [s], [m/s]
+  constexpr double kDamper = 1000, kStep = 2.5e-4, kMaxSpeed = 5 * mm;  // [N s/m], [s], [m/s]
   constexpr int kSteps = 1200, kFrom = 600;
   const Vec3 along = (cut.end - cut.begin).normalized();
   double way_gone = 0, force = 0, begin = 0;
   Push pushed = {};
   for (int n = 0; n < kSteps; ++n) {
-    const double speed = std::clamp((hand - force) / kDamper, -kFastest, kFastest);
+    const double speed = std::clamp((hand - force) / kDamper, -kMaxSpeed, kMaxSpeed);
     way_gone += speed * kStep;
     const Pose pose = {way.R_VT, way.R_VT * (cut.begin + way_gone * along) + way.p_V};
     const StepResult& result = simulation.step(pose, {way.R_VT * along * speed, Vec3::Zero()}, kStep);
@@ -40,8 +40,8 @@ Push push(Simulation& simulation, const GridCut& cut, const Way& way, double han
   return pushed;
 }
 
-/// The worst of all directions and stiffnesses from `softest` on.
-/// @param speed_under  [m/s] by the closed form, under a force [N]
+/// The worst of all directions and of the stiffnesses from `softest` on.
+/// @param speed_under  [m/s] of the closed form under a force [N]
 template <class SpeedUnder>
 Check pushed(const char* id, const char* what, const GridCut& cut, double hand, double voxel,
              const SpeedUnder& speed_under, double softest = 1e14, const Tolerance& tolerance = kPushed,
@@ -59,7 +59,7 @@ Check pushed(const char* id, const char* what, const GridCut& cut, double hand, 
   return error_of(id, std::string(what) + "; speed off by", worst, tolerance);
 }
 
-/// Where the force goes with the speed.
+/// Cuts whose force is proportional to the speed.
 auto in_proportion(const GridCut& cut) {
   const Vec3 along = (cut.end - cut.begin).normalized();
   return [speed = cut.cut.feed_speed, of = -cut.expected.force.dot(along)](double force) { return speed * force / of; };
@@ -93,7 +93,7 @@ std::vector<Check> drills() {
   return checks;
 }
 
-/// Chips of edges, thin chips and both, under nine tenths of the force that feeds as fast as `kSlowCut`, or all of it.
+/// Chips of edges, thin chips and both, under 90 or 100 % of the force that gives the feed of `kSlowCut`.
 std::vector<Check> drills_with_chips() {
   struct Chips {
     const char* id;
@@ -104,11 +104,11 @@ std::vector<Check> drills_with_chips() {
   };
   constexpr Tolerance kEdges = {0.05, "measured, worst of grid"};
   std::vector<Check> checks;
-  for (const Chips& c :
-       {Chips{"C36 pushed 0.1 mm", "flat head pushed, chips, k_v from 1e15", 1, 2, 1},
-        Chips{"C36 edges pushed", "the same, chips of edges", 2, 0, 0.9, kEdges},
-        Chips{"C36 edges pushed upright", "the same, the axis along the grid", 2, 0, 0.9, kPushed, true},
-        Chips{"C36 thin pushed", "the same, thin chips", 0, 4, 0.9}}) {
+  for (const Chips& c : {Chips{"C36 pushed 0.1 mm", "flat head pushed, chips, k_v from 1e15", 1, 2, 1},
+                         Chips{"C36 edges pushed", "flat head pushed, chips of edges", 2, 0, 0.9, kEdges},
+                         Chips{"C36 edges pushed upright", "flat head pushed, chips of edges, axis along the grid", 2,
+                               0, 0.9, kPushed, true},
+                         Chips{"C36 thin pushed", "flat head pushed, thin chips", 0, 4, 0.9}}) {
     const forms::SteadyCut chips = slow_cut_with_chips(c.edge, c.size);
     checks.push_back(pushed(
         c.id, c.what, drill_with(chips), c.share * forms::axial_chip_wrench(chips, kR).force.z(), 0.1 * mm,
@@ -117,8 +117,7 @@ std::vector<Check> drills_with_chips() {
   return checks;
 }
 
-/// A push below what the edges bear cuts nothing, in the steady state: an edge pressure, or the lips of chips that
-/// plough.
+/// In the steady state a force below the threshold of the edges cuts nothing: an edge pressure, or ploughing lips.
 std::vector<Check> below_the_edges() {
   const Way upright = ways(0.1 * mm)[1];
   const auto speed = [&](const forms::SteadyCut& cut, double hand) {
@@ -135,7 +134,7 @@ std::vector<Check> below_the_edges() {
   standing.feed_speed = 0;
   return {error_of("C23 pushed, stands", "flat head pushed with 95 % of its edge pressure: speed",
                    speed(edge, 0.95 * kPi * kR * kR * edge.edge_pressure), {1e-6, "1 um/s"}, "m/s"),
-          error_of("C36 pushed, stands", "flat head pushed with 90 % of what the edges of its chips bear: speed",
+          error_of("C36 pushed, stands", "flat head pushed with 90 % of the threshold of its lips: speed",
                    speed(lips, 0.9 * forms::axial_chip_wrench(standing, kR).force.z()), {2e-5, "20 um/s"}, "m/s")};
 }
 

@@ -13,7 +13,7 @@ std::vector<Check> compared(const std::string& id, const std::string& what, cons
     if (form != 0) checks.push_back({id + name, checks.empty() ? what : words, unit, form, felt, allowed});
   };
   add(" against the feed", "", "N", expected.force.x(), cut.force.x(), tolerance);
-  add(" across", "its side force", "N", expected.force.y(), cut.force.y(), tolerance);
+  add(" across", "side force", "N", expected.force.y(), cut.force.y(), tolerance);
   add(" thrust", "its thrust", "N", expected.force.z(), cut.force.z(), of_thrust);
   add(" torque", "its torque", "N m", expected.torque.z(), cut.torque.z(), tolerance);
   return checks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Friction, spindle and effects: C17, C18 and their own formulas.
+// Friction, spindle and effects: C17, C18 and formulas without a number.
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +10,12 @@
 namespace hapticut::experiments {
 namespace {
 
-/// A drag at constant normal force from rest.
+/// A drag from rest at constant normal force.
 struct Drag {
   double work = 0, peak = 0, plateau = 0;  // [J], [N]
   double unbooked = 0;                     // [J] neither stored nor dissipated
 
-  /// @param lead  0: the force is that of the middle of a step; 0.5: of its end
+  /// @param lead  0: force at the middle of a step; 0.5: at its end
   Drag(const DryFriction& friction, double normal, double length, int steps, double lead) {
     LimitSurface anchor;
     const SpreadFriction contact = SpreadFriction::at_point(Vec3(0, 0, normal), friction);
@@ -48,11 +48,12 @@ std::vector<Check> stick_slip() {
       }
   return {{"C17 work", "drag from rest over 10 mm: work", "J",
            forms::drag_work(0.45, kDynamic, kAnchor, kNormal, kLength), fine.work, kFineSteps},
-          {"C17 peak", "greatest force before it slips", "N", forms::drag_peak(0.45, kNormal), fine.peak, kInvariant},
-          {"C17 plateau", "force while it slides", "N", forms::drag_plateau(kDynamic, kNormal), fine.plateau,
-           kDoublePrecision},
-          off.check("C17 drags", "12 drags in longer steps: work, peak, plateau, energy in no term; error",
-                    "the step in which it breaks loose")};
+          {"C17 peak", "drag: largest force before the contact slips", "N", forms::drag_peak(0.45, kNormal), fine.peak,
+           kInvariant},
+          {"C17 plateau", "drag: force while the contact slides", "N", forms::drag_plateau(kDynamic, kNormal),
+           fine.plateau, kDoublePrecision},
+          off.check("C17 drags", "12 drags in longer steps: work, peak, plateau, unbooked energy; error",
+                    "the step in which the contact slips")};
 }
 
 std::vector<Check> friction_in_the_step() {
@@ -100,9 +101,10 @@ std::vector<Check> effects() {
   const Mat3 level = rotation_from_vector(Vec3(0, kPi / 2, 0));
   return {{"C18 at 1 kHz", "growth limit: time to grow by 5 N at 500 N/s", "s", forms::growth_time(size, rate), slow,
            kDoublePrecision},
-          {"C18 at 10 kHz", "the same with a tenth of the step", "s", forms::growth_time(size, rate), fast,
-           kDoublePrecision},
-          {"C18 direction", "largest part across the way", "N^2", 0, across, kDoublePrecision, size},
+          {"C18 at 10 kHz", "growth limit with a tenth of the step: time to grow", "s", forms::growth_time(size, rate),
+           fast, kDoublePrecision},
+          {"C18 direction", "growth limit: largest component across the direction of growth", "N^2", 0, across,
+           kDoublePrecision, size},
           {"vibration", "root mean square of 0.3 N at 150 Hz, 1 kHz", "N", 0.3 / std::sqrt(2.0), std::sqrt(squares),
            kInvariant},
           {"gravity", "torque of 0.1 kg, 50 mm from the hand, level", "N m", 0.1 * 9.80665 * 0.05,
@@ -129,7 +131,7 @@ std::vector<Check> droop() {
     }
     checks.push_back({sign > 0 ? "droop" : "droop, other way",
                       sign > 0 ? "speed of a spindle that loses speed with its torque, flat head fed axially"
-                               : "the same, turning the other way",
+                               : "speed of a spindle that loses speed with its torque, other direction",
                       "rad/s", sign * forms::drooped_speed(setting, droop, power), mean, kPartialVoxels});
   }
   return checks;

@@ -9,7 +9,7 @@
 #include "support/static_contact.hpp"
 
 /// @file
-/// The words of the experiments: a head held still in a half space, or fed along a line through a block.
+/// Common names of the experiments: a head at rest in a half space, or fed along a line through a block.
 namespace hapticut::experiments {
 
 namespace forms = closed_forms;
@@ -23,7 +23,7 @@ using units::deg;
 using units::kPi;
 using units::mm;
 
-inline constexpr double kR = 1 * mm;   // [m] of the heads, where nothing else is said
+inline constexpr double kR = 1 * mm;   // [m] radius of the heads, unless stated
 inline constexpr double kTick = 1e-3;  // [s]
 
 }  // namespace hapticut::experiments

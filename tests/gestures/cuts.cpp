@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A head that cuts.
 #include "gestures/gesture_list.hpp"
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 #include "hapticut/islands/island_watch.hpp"
 
 namespace hapticut::gestures {
@@ -18,15 +18,15 @@ SteadyCut cut_of(const Material& m, const Tool& tool, double feed) {
 
 /// A plunge at constant feed, driven directly. @return [N] mean thrust of the last fifth
 double thrust_of_plunge(Report& report, const Tool& tool, const Material& material, double feed, double depth) {
-  Rig rig(report, slab(1.5 * mm, depth + 0.4 * mm, report.voxel(), material), tool, Held::directly);
+  ScriptedLoop loop(report, slab(1.5 * mm, depth + 0.4 * mm, report.voxel(), material), tool, Held::directly);
   Hand hand(tool, Vec3(0, 0, 0.02 * mm));
-  const Span fed = rig.play(hand.move({0, 0, -depth}, depth / feed));
-  rig.judge();
-  return rig.story.mean(fed.tail(0.2), thrust_of);
+  const Span fed = loop.play(hand.move({0, 0, -depth}, depth / feed));
+  loop.judge();
+  return loop.log.mean(fed.tail(0.2), thrust_of);
 }
 
-/// C29 of a drill's point where the energy depends on the chip: each place of it recedes with the sine of half the
-/// point angle times the feed.
+/// C29 for a drill's point with an energy that depends on the chip: each point of the surface recedes with the feed
+/// times the sine of half the point angle.
 double thrust_of_drill(const SteadyCut& cut, double R, double half_angle) {
   SteadyCut normal = cut;
   normal.feed_speed *= std::sin(half_angle);
@@ -74,17 +74,17 @@ void side_milling(Report& report) {
       const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
       Workpiece piece = build_block({Vec3(-1.57 * mm, low, -kHeight), Vec3(3 * mm, high, 0)}, report.voxel(), material);
       const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000 * units::rad_per_s});
-      Rig rig(report, std::move(piece), tool, Held::directly);
+      ScriptedLoop loop(report, std::move(piece), tool, Held::directly);
       Hand hand(tool, Vec3(-2.6 * mm, 0, -kHeight - 0.5 * mm));
-      const Span fed = rig.play(hand.move({kWay + 1 * mm, 0, 0}, (kWay + 1 * mm) / kFeed)).tail(0.15);
+      const Span fed = loop.play(hand.move({kWay + 1 * mm, 0, 0}, (kWay + 1 * mm) / kFeed)).tail(0.15);
       const Wrench form = forms::side_milling_wrench(cut_of(material, tool, kFeed), kRadius, kHeight,
                                                      climb ? 0 : -kPi / 2, climb ? kPi / 2 : 0);
-      const Vec3 force(rig.story.mean(fed, [](const Tick& t) { return t.felt.force.x(); }),
-                       rig.story.mean(fed, [](const Tick& t) { return t.felt.force.y(); }), 0);
+      const Vec3 force(loop.log.mean(fed, [](const Tick& t) { return t.felt.force.x(); }),
+                       loop.log.mean(fed, [](const Tick& t) { return t.felt.force.y(); }), 0);
       const double error = (force - form.force).norm() / form.force.norm();
       list(seen, "kappa " + shown(kappa, "") + ":", shown(force.norm(), "N") + ", off by " + shown(100 * error, "%"));
       pass = pass && error <= 0.1;
-      if (kappa == 0.5) rig.judge();
+      if (kappa == 0.5) loop.judge();
       if (kappa == 0.5) report.quantity("force", force.norm(), "N", 0.05);
     }
     report.that("force", "C25 in direction and size, within 10 %", seen, pass);
@@ -102,22 +102,22 @@ void undercut(Report& report) {
     return std::min({stem, cap, p.z() + 1.7 * mm});
   });
   const Tool ball = tool_of(SphereHead{0.4 * mm}, Spindle{40000 * rpm});
-  Rig rig(report, std::move(piece), ball, Held::directly);
+  ScriptedLoop loop(report, std::move(piece), ball, Held::directly);
   Hand hand(Pose::from_translation(Vec3(-1.6, 0, -1.25) * mm));
   for (const double side : {-0.3, 0.0, 0.3})
     hand.to(Pose::from_translation(Vec3(-1.2, side, -1.25) * mm), 0.05)
         .move({2.2 * mm, 0, 0}, 0.15)
         .move({-2.2 * mm, 0, 0}, 0.1);
-  rig.play(hand.hold(0.05));
-  const Workpiece& left = rig.simulation.workpiece();
+  loop.play(hand.hold(0.05));
+  const Workpiece& left = loop.simulation.workpiece();
   int ticks = 0;
   for (Island& found : find_islands(left)) {
     IslandRemoval leaving{std::move(found)};
     do ++ticks;
-    while (!remove_island(rig.simulation, leaving, IslandWatchOptions{}.blocks_per_tick));
+    while (!remove_island(loop.simulation, leaving, IslandWatchOptions{}.blocks_per_tick));
   }
   report.at_most("leaves within", 1e3 * (IslandWatchOptions{}.period + ticks * report.period), 50, "ms",
-                 "the period of IslandWatch and its ticks, beside its search");
+                 "the period of IslandWatch and its ticks, without the search");
   double island = 0;
   const double voxel = report.voxel();
   const IndexBox bounds = left.bounds();
@@ -127,9 +127,8 @@ void undercut(Report& report) {
         const Vec3 p = left.frame().X_WV * Vec3(voxel * Vec3(i, j, k));
         if (p.z() > -0.7 * mm) island += left.fill_at({i, j, k});
       }
-  report.at_most("island", 1e9 * island * std::pow(voxel, 3), 0, "mm^3",
-                 "the cap is free: removed, or handed out as a body, within 50 ms");
-  rig.judge();
+  report.at_most("island", 1e9 * island * std::pow(voxel, 3), 0, "mm^3", "the free cap must be removed within 50 ms");
+  loop.judge();
 }
 
 // --- G20 -------------------------------------------------------------------------------------------------------------
@@ -142,24 +141,24 @@ void break_through(Report& report) {
     return std::min(-kPlate - p.z(), p.z() + kPlate + kGap);  // between the plates
   });
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
-  Chain chain(report, std::move(piece), ball, {.device = "omega", .hand = "nominal"});
+  DeviceChain chain(report, std::move(piece), ball, {.device = "omega", .hand = "nominal"});
   const double reach = kForce / hand_model("nominal").stiffness;
   Hand hand(Pose::from_translation(Vec3(0, 0, kRadius + 0.5 * mm)));
   chain.play(hand.move({0, 0, -0.5 * mm - reach}, 0.3).hold(0.9));
-  // Through: the ball's lowest point has passed the gap.
-  const Story& story = chain.story;
-  std::size_t through = story.ticks.size(), meets = story.ticks.size();
+  // Broken through: the ball's lowest point has passed the plate.
+  const SceneLog& log = chain.log;
+  std::size_t through = log.ticks.size(), meets = log.ticks.size();
   const auto tip = [](const Tick& tick) { return tick.X_WH.translation.z() - kRadius; };
-  for (std::size_t n = 0; n < story.ticks.size(); ++n) {
-    if (through == story.ticks.size() && tip(story.ticks[n]) < -kPlate - 0.5 * mm) through = n;
-    if (meets == story.ticks.size() && tip(story.ticks[n]) < -kPlate - kGap) meets = n;
+  for (std::size_t n = 0; n < log.ticks.size(); ++n) {
+    if (through == log.ticks.size() && tip(log.ticks[n]) < -kPlate - 0.5 * mm) through = n;
+    if (meets == log.ticks.size() && tip(log.ticks[n]) < -kPlate - kGap) meets = n;
   }
-  const bool came = meets < story.ticks.size();
-  report.that("breaks through", "within 1.2 s", came ? shown(story.ticks[meets].time, "s") : "not", came);
+  const bool came = meets < log.ticks.size();
+  report.that("breaks through", "within 1.2 s", came ? shown(log.ticks[meets].time, "s") : "not", came);
   if (!came) return chain.judge();
   double down = 0, up = 0;
-  for (std::size_t n = through + 1; n < story.ticks.size(); ++n) {
-    const double v = (tip(story.ticks[n]) - tip(story.ticks[n - 1])) / report.period;
+  for (std::size_t n = through + 1; n < log.ticks.size(); ++n) {
+    const double v = (tip(log.ticks[n]) - tip(log.ticks[n - 1])) / report.period;
     if (n <= meets)
       down = std::max(down, -v);
     else
@@ -167,16 +166,16 @@ void break_through(Report& report) {
   }
   report.at_most("rebound", up / down, 1.05, "", "speed back over speed of the plunge");
   report.at_most("plunge", down, 1, "m/s");
-  const Span after{meets, std::min(meets + std::size_t(std::lround(0.03 / report.period)), story.ticks.size())};
-  // What C28 lets a ball cut under the largest force of the plunge, from the surface on.
-  const double most = story.most(after, force_of);
+  const Span after{meets, std::min(meets + std::size_t(std::lround(0.03 / report.period)), log.ticks.size())};
+  // The depth that C28 gives for the largest force of the plunge, from the surface on.
+  const double most = log.max_of(after, force_of);
   double bound = 0.05 * mm;
   for (std::size_t n = after.first; n < after.last; ++n) {
     const double per_speed = forms::ball_plunge_wrench(cut_of(plain_material(), ball, 1), kRadius, bound).force.z();
     bound += most / per_speed * report.period;
   }
-  report.at_most("into the second plate", 1e3 * -(kPlate + kGap + story.least(after, tip)), 1e3 * bound, "mm",
-                 "what C28 lets the largest force cut in 30 ms, and 0.05 mm");
+  report.at_most("into the second plate", 1e3 * -(kPlate + kGap + log.min_of(after, tip)), 1e3 * bound, "mm",
+                 "depth of C28 under the largest force in 30 ms, and 0.05 mm");
   chain.judge();
 }
 
@@ -191,7 +190,7 @@ void wiggle_in_slot(Report& report) {
   Workpiece piece = carved(box, report.voxel(), hard,
                            [](const Vec3& p) { return std::min(kRadius * 1.01 - std::abs(p.y()), p.z() + 2 * mm); });
   const Tool bur = tool_of(FlatHead{kRadius, 4 * mm}, Spindle{30000 * rpm});
-  Chain chain(report, std::move(piece), bur, {.device = "premium6dof"});
+  DeviceChain chain(report, std::move(piece), bur, {.device = "premium6dof"});
   Hand hand(bur, Vec3(0, 0, 0.3 * mm));
   hand.move({0, 0, -1.5 * mm}, 0.2);
   for (int n = 0; n < 3; ++n)
@@ -202,8 +201,8 @@ void wiggle_in_slot(Report& report) {
         .move({0, 0.8 * mm, 0}, 0.08);
   const double moved = hand.seconds();
   chain.play(hand.move({0, 1 * mm, 0}, 0.1).hold(0.4));
-  const Span rest = chain.story.within(moved + 0.3, moved + 0.5);
-  demand_steady(report, chain.story, rest);
+  const Span rest = chain.log.within(moved + 0.3, moved + 0.5);
+  demand_steady(report, chain.log, rest);
   chain.judge();
 }
 
@@ -222,18 +221,18 @@ void along_the_grid(Report& report) {
                              0.4 * mm, presets::enamel()}}) {
     report.scene(bur.name + ", " + bur.material.name + ", loop mock:press, coupled");
     const Tool tool = tool_of(bur.head, Spindle{bur.speed * units::rad_per_s});
-    Chain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material), tool);
+    DeviceChain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material),
+                      tool);
     // The script of mock:press: from 5 mm above to 5 mm below in 2 s, and there.
     Hand hand(tool, Vec3(0, 0, 5 * mm));
     chain.play(hand.move({0, 0, -10 * mm}, 2).hold(0.5));
-    const Span held = chain.story.within(2.1, 2.5);
-    const double force = chain.story.mean(held, thrust_of);
-    const Tick &from = chain.story.ticks[held.first], &to = chain.story.ticks[held.last - 1];
+    const Span held = chain.log.within(2.1, 2.5);
+    const double force = chain.log.mean(held, thrust_of);
+    const Tick &from = chain.log.ticks[held.first], &to = chain.log.ticks[held.last - 1];
     const double feed = (from.X_WH.translation.z() - to.X_WH.translation.z()) / (to.time - from.time);
     const double expected = forms::feed_with_chips_under(force, cut_of(bur.material, tool, 1e-3), bur.radius);
     report.quantity("feed", 1e3 * feed, "mm/s", 0.1);
-    report.near("feed", 1e3 * feed, 1e3 * expected, 0.2, "mm/s",
-                "C36 under the " + shown(force, "N") + " that is felt");
+    report.near("feed", 1e3 * feed, 1e3 * expected, 0.2, "mm/s", "C36 under the " + shown(force, "N") + " on the hand");
     chain.judge();
   }
 }

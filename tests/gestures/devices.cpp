@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a device makes of a coupling, and the guard of a force.
+// Devices with a coupling, and the guard with a force.
 #include <random>
 
 #include "gestures/gesture_list.hpp"
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 #include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/safety/guard.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 // --- G8 --------------------------------------------------------------------------------------------------------------
 
-/// What the motors give while a hand leaves an ideal spring.
+/// Force of the motors while the hand leaves an ideal spring.
 struct Leaving {
   double pulled = 0;  // [N] inwards
   double left = 0;    // [N] 5 mm and more outside
@@ -74,19 +74,19 @@ void passive_spring(Report& report) {
 
 // --- G16 -------------------------------------------------------------------------------------------------------------
 
-/// The first example of the README, in the hand of somebody with a Touch.
+/// The first example of the README, on a Touch.
 void readme_on_touch(Report& report) {
   const auto bone = [&] {
     return build_block({Vec3(-3, -3, -4) * mm, Vec3(3, 3, 0) * mm}, report.voxel(), presets::cortical_bone());
   };
   const Tool bur(SphereHead{1.5 * mm}, RayHandle{20 * mm}, Spindle{40000 * rpm});
   Hand hand(bur, Vec3(0, 0, 0.3 * mm));
-  hand.move({0, 0, -3.4 * mm}, 0.8).hold(0.4);  // then the hand is steady
+  hand.move({0, 0, -3.4 * mm}, 0.8).hold(0.4);  // from here on the hand is steady
   {
     report.scene("README's first example, Touch in a nominal hand, stepped directly, which SimulationModel refuses");
     Simulation simulation(bone(), bur);
-    Story story({device_model("touch").peak_force, 0, device_model("touch").rendered_stiffness, false}, report);
-    simulation.add_observer(story);
+    SceneLog log({device_model("touch").peak_force, 0, device_model("touch").rendered_stiffness, false}, report);
+    simulation.add_observer(log);
     ClosedLoopConfig config;
     config.device = device_model("touch");
     config.hand = hand_model("nominal");
@@ -94,7 +94,7 @@ void readme_on_touch(Report& report) {
     config.saturation = true;
     ClosedLoop loop(config);
     loop.reset(hand.at(0));
-    story.begin(simulation);
+    log.begin(simulation);
     for (long n = 1; double(n) * report.period <= hand.seconds(); ++n) {
       loop.plant().set_target(hand.at(double(n) * report.period));
       const DeviceState reading = loop.read();
@@ -105,19 +105,19 @@ void readme_on_touch(Report& report) {
       tick.felt = {result.force, result.torque};
       tick.applied = loop.applied();
       tick.removed = result.removed_volume;
-      story.add(tick, simulation, nullptr);
+      log.add(tick, simulation, nullptr);
     }
-    report.at_least("sd of the steady force", 100 * story.unsteadiness(story.within(0.95, 1.2), force_of), 5, "%",
-                    "it is right to refuse that");
-    simulation.remove_observer(story);
+    report.at_least("sd of the steady force", 100 * log.unsteadiness(log.within(0.95, 1.2), force_of), 5, "%",
+                    "so the refusal of SimulationModel is right");
+    simulation.remove_observer(log);
   }
   for (const bool coupled : {false, true}) {
     report.scene(std::string("README's first example, Touch in a nominal hand, ") +
                  (coupled ? "coupled" : "SimulationModel without a coupling"));
     try {
-      Chain chain(report, bone(), bur, {.hand = "nominal", .coupled = coupled});
+      DeviceChain chain(report, bone(), bur, {.hand = "nominal", .coupled = coupled});
       chain.play(hand);
-      demand_steady(report, chain.story, chain.story.within(0.95, 1.2));
+      demand_steady(report, chain.log, chain.log.within(0.95, 1.2));
       chain.judge();
     } catch (const Error& refusal) {
       report.that("sd of the steady force", "at most 5 % of its mean, or refused", "refused", !coupled);
@@ -139,15 +139,15 @@ void heavy_tool(Report& report) {
   }
   const double zeta = gains->damping / (2 * std::sqrt(gains->stiffness * gains->mass));
   const Tool ball = tool_of(SphereHead{1 * mm});
-  Rig rig(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain_material()), ball, Held::by_coupling, {}, gains);
+  ScriptedLoop loop(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain_material()), ball, Held::by_coupling, {}, gains);
   Hand hand(ball, Vec3(0, 0, 5 * mm));
-  rig.play(hand.hold(0.05).move({20 * mm, 0, 0}, 0.06).hold(1.5));
+  loop.play(hand.hold(0.05).move({20 * mm, 0, 0}, 0.06).hold(1.5));
   double rings = 0;
-  for (const Tick& tick : rig.story.ticks)
+  for (const Tick& tick : loop.log.ticks)
     if (force_of(tick) > 0.1) rings = tick.time - 0.11;
   report.at_least("damping ratio", zeta, 0.5, "", "or refused");
   report.at_most("rings", rings, 0.25, "s", "until the force stays below 0.1 N");
-  rig.judge();
+  loop.judge();
 }
 
 // --- G24 -------------------------------------------------------------------------------------------------------------
@@ -158,9 +158,9 @@ void flick(Report& report) {
   report.scene("ball 2 mm on a handle of 100 mm, standing, Touch, coupled");
   const Tool tool(SphereHead{1 * mm}, RayHandle{kLength});
   WorkspaceMapOptions map;
-  map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // held at the base's origin
-  Chain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain_material()), tool,
-              {.map = map});
+  map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // the hand is at the base's origin
+  DeviceChain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain_material()),
+                    tool, {.map = map});
   const Pose start;
   Hand hand(start);
   hand.hold(0.02);
@@ -169,7 +169,7 @@ void flick(Report& report) {
   std::vector<double> begins;  // [s] of the flicks
   for (int n = 0; n < flicks; ++n) {
     begins.push_back(hand.seconds());
-    for (int part = 0; part < 4; ++part) {  // the wrist turns, the arm moves along with it
+    for (int part = 0; part < 4; ++part) {  // the wrist rotates and the arm follows
       Pose pose = start;
       const double turn = 0.06 * unit(random);
       pose.rotation = rotation_from_vector(Vec3(0, -turn, 0));
@@ -184,10 +184,10 @@ void flick(Report& report) {
   int giving = 0;
   double worst = 0, sum = 0, most = 0;
   const double spring = device_model("touch").rendered_stiffness;
-  const std::vector<Tick>& ticks = chain.story.ticks;
+  const std::vector<Tick>& ticks = chain.log.ticks;
   for (std::size_t n = 0; n + 1 < begins.size(); ++n) {
-    const Span span = chain.story.within(begins[n], begins[n + 1]);
-    double work = 0;  // of the hand on the stylus; nothing turns it
+    const Span span = chain.log.within(begins[n], begins[n + 1]);
+    double work = 0;  // of the hand on the stylus, which has no torque
     for (std::size_t k = std::max<std::size_t>(span.first, 1); k < span.last; ++k) {
       const Vec3 moved = ticks[k].X_WD.translation - ticks[k - 1].X_WD.translation;
       work += -ticks[k - 1].applied.force.dot(moved) + 0.5 * spring * moved.squaredNorm();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Further shapes of trouble, in a loop of one's own: slow, fast, over edges and borders, with heads that are too small.
+// Further gestures without a device: slow and fast motions, edges, borders, and heads that are too small.
 #include "gestures/gesture_list.hpp"
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::gestures {
@@ -9,7 +9,7 @@ namespace {
 
 namespace forms = closed_forms;
 
-/// [m^3] of a ball that has gone down to a depth, less than its radius.
+/// [m^3] Volume of a ball below a surface, down to a depth less than its radius.
 double cap_volume(double R, double depth) { return kPi * depth * depth * (R - depth / 3); }
 
 // --- G38 -------------------------------------------------------------------------------------------------------------
@@ -18,19 +18,19 @@ void creep(Report& report) {
   constexpr double kRadius = 0.5 * mm, kFeed = 0.02 * mm, kDepth = 0.1 * mm, kSpin = 4000;
   report.scene("ball 1 mm, fed by 0.02 um in a tick, u 3e8 J/m^3, directly");
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{kSpin * units::rad_per_s});
-  Rig rig(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain_material()), ball, Held::directly);
+  ScriptedLoop loop(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain_material()), ball, Held::directly);
   const double start = 1 * units::um;
   Hand hand(ball, Vec3(0.013 * mm, 0.007 * mm, start));
-  const Span fed = rig.play(hand.move({0, 0, -kDepth - start}, (kDepth + start) / kFeed));
-  const double removed = rig.story.sum(fed, removed_of);
+  const Span fed = loop.play(hand.move({0, 0, -kDepth - start}, (kDepth + start) / kFeed));
+  const double removed = loop.log.sum(fed, removed_of);
   report.near("volume", 1e9 * removed, 1e9 * cap_volume(kRadius, kDepth), 0.05, "mm^3", "of the cap");
-  const double thrust = rig.story.mean(fed.tail(0.1), thrust_of);
+  const double thrust = loop.log.mean(fed.tail(0.1), thrust_of);
   report.near(
       "thrust", 1e3 * thrust,
       1e3 * forms::ball_plunge_wrench(steady_cut(plain_material(), {}, kSpin, kFeed), kRadius, 0.95 * kDepth).force.z(),
       0.1, "mN", "C28");
   report.quantity("thrust", 1e3 * thrust, "mN", 0.1);
-  rig.judge();
+  loop.judge();
 }
 
 // --- G39 -------------------------------------------------------------------------------------------------------------
@@ -41,18 +41,17 @@ void reverse_at_bottom(Report& report) {
   Spindle spindle{3000 * units::rad_per_s};
   spindle.acceleration_limit = 6000 / 0.03;
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::bottom_only}, spindle);
-  Rig rig(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Held::directly);
+  ScriptedLoop loop(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Held::directly);
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
-  const Span before = rig.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
-  rig.simulation.set_spindle_speed(-3000 * units::rad_per_s);
-  rig.play(rig.from_here().move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
-  const Span after = rig.play(rig.from_here().move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
-  report.near("thrust after", rig.story.mean(after, thrust_of), rig.story.mean(before, thrust_of), 0.1, "N",
-              "as before");
+  const Span before = loop.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
+  loop.simulation.set_spindle_speed(-3000 * units::rad_per_s);
+  loop.play(loop.from_here().move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
+  const Span after = loop.play(loop.from_here().move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
+  report.near("thrust after", loop.log.mean(after, thrust_of), loop.log.mean(before, thrust_of), 0.1, "N", "as before");
   const auto torque = [](const Tick& t) { return t.felt.torque.z(); };
-  report.near("torque after", 1e3 * rig.story.mean(after, torque), -1e3 * rig.story.mean(before, torque), 0.1, "N mm",
-              "the other way");
-  rig.judge();
+  report.near("torque after", 1e3 * loop.log.mean(after, torque), -1e3 * loop.log.mean(before, torque), 0.1, "N mm",
+              "in the other direction");
+  loop.judge();
 }
 
 // --- G40 -------------------------------------------------------------------------------------------------------------
@@ -69,16 +68,16 @@ void over_a_border(Report& report) {
                                 [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                                voxel, MaterialTable({soft, hard}), 4);
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{kSpin * units::rad_per_s});
-  Rig rig(report, std::move(piece), bur, Held::directly);
+  ScriptedLoop loop(report, std::move(piece), bur, Held::directly);
   Hand hand(bur, Vec3(-2 * mm - kRadius, 0, -kHeight - 0.5 * mm));
-  rig.play(hand.move({3.4 * mm, 0, 0}, 3.4 * mm / kFeed));
+  loop.play(hand.move({3.4 * mm, 0, 0}, 3.4 * mm / kFeed));
   const double in_hard =
       forms::slotting_wrench(steady_cut(hard, {}, kSpin, kFeed), kRadius, kHeight).force.head<2>().norm();
-  report.at_most("overshoot", rig.story.most(rig.story.all(), side_of) / in_hard, 1.1, "", "of C24 in the hard one");
-  const double end = rig.story.mean(rig.story.all().tail(0.08), side_of);
+  report.at_most("overshoot", loop.log.max_of(loop.log.all(), side_of) / in_hard, 1.1, "", "of C24 in the hard one");
+  const double end = loop.log.mean(loop.log.all().tail(0.08), side_of);
   report.near("force behind it", end, in_hard, 0.1, "N", "C24");
   report.quantity("force behind it", end, "N", 0.1);
-  rig.judge();
+  loop.judge();
 }
 
 // --- G26 -------------------------------------------------------------------------------------------------------------
@@ -91,20 +90,20 @@ void slide_off_an_edge(Report& report) {
     Workpiece piece =
         build_block({Vec3(-3, -1.5, -3) * mm, Vec3(0, 1.5, 0) * mm}, report.voxel(), presets::cortical_bone());
     const Tool ball = tool_of(SphereHead{kRadius});
-    Rig rig(report, std::move(piece), ball, Held::by_coupling);
+    ScriptedLoop loop(report, std::move(piece), ball, Held::by_coupling);
     Hand hand(ball, Vec3(-1 * mm, 0.013 * mm, 0.1 * mm));
     hand.move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.1).hold(0.05);
-    rig.play(hand);
-    const Span slid = rig.play(rig.from_here().move({3 * mm, 0, 0}, 3 * mm / speed).hold(0.2));
-    double sunk = 0;  // below the surface, on the bone
+    loop.play(hand);
+    const Span slid = loop.play(loop.from_here().move({3 * mm, 0, 0}, 3 * mm / speed).hold(0.2));
+    double sunk = 0;  // [m] below the surface of the bone
     for (std::size_t n = slid.first; n < slid.last; ++n) {
-      const Vec3& p = rig.story.ticks[n].X_WH.translation;
+      const Vec3& p = loop.log.ticks[n].X_WH.translation;
       if (p.x() < -0.2 * mm) sunk = std::max(sunk, kRadius - p.z());
     }
     report.at_most("sinks before the edge", 1e3 * sunk, 0.1, "mm");
-    report.at_most("force in the air", rig.story.most(rig.story.all().tail(0.01), force_of), 0.01, "N",
+    report.at_most("force in the air", loop.log.max_of(loop.log.all().tail(0.01), force_of), 0.01, "N",
                    "0.2 s after it left");
-    rig.judge();
+    loop.judge();
   }
 }
 
@@ -117,7 +116,7 @@ void tremor(Report& report) {
     report.scene(std::string("ball 2 mm, 30 000 rpm, pressed with 2 N on cortical bone, ") +
                  (trembling ? "tremor of 0.2 mm at 8 ... 12 Hz" : "steady") + ", coupled");
     const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
-    Rig rig(report, slab(2 * mm, 2 * mm, report.voxel(), presets::cortical_bone()), ball, Held::by_coupling);
+    ScriptedLoop loop(report, slab(2 * mm, 2 * mm, report.voxel(), presets::cortical_bone()), ball, Held::by_coupling);
     Hand hand(ball, Vec3(0, 0, 0.1 * mm));
     hand.move({0, 0, -0.1 * mm - kPressed}, 0.1);
     const Pose middle = hand.end();
@@ -128,13 +127,12 @@ void tremor(Report& report) {
         pose.translation += 0.2 * mm * Vec3(std::sin(phase), 0.7 * std::cos(1.1 * phase), 0.5 * std::sin(1.3 * phase));
       hand.to(pose, 1e-3);
     }
-    rig.play(hand);
-    const double removed = rig.story.sum(rig.story.all(), removed_of);
+    loop.play(hand);
+    const double removed = loop.log.sum(loop.log.all(), removed_of);
     report.quantity("removed volume", 1e9 * removed, "mm^3", 0.1);
-    if (trembling)
-      report.between("cuts", removed / calm, 1, 3, "", "of the steady hand: the hole is wider by the tremor");
+    if (trembling) report.between("cuts", removed / calm, 1, 3, "", "of the steady hand; the tremor widens the hole");
     calm = removed;
-    rig.judge();
+    loop.judge();
   }
 }
 
@@ -145,18 +143,18 @@ void sweep_from_afar(Report& report) {
   report.scene(
       "ball 2 mm on a handle of 100 mm, 30 000 rpm, swept through u 3e8 J/m^3 by turning it about its end, coupled");
   const Tool ball(SphereHead{1 * mm}, RayHandle{kArm}, Spindle{30000 * rpm});
-  Rig rig(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain_material()), ball,
-          Held::by_coupling);
+  ScriptedLoop loop(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain_material()),
+                    ball, Held::by_coupling);
   const Vec3 pivot(0, 0, kArm + 0.4 * mm);
   const double wide = 0.05;
   Hand hand(Pose{rotation_from_vector(Vec3(0, wide, 0)), pivot});
   hand.hold(0.02);
   for (int n = 0; n < 4; ++n)
     hand.turn({0, n % 2 == 0 ? -2 * wide : 2 * wide, 0}, pivot, 2 * wide / kSpeed).move({0, 0, -0.2 * mm}, 0.02);
-  rig.play(hand.hold(0.3));
-  report.at_most("force at rest", rig.story.mean(rig.story.all().tail(0.02), force_of), 0.01, "N",
-                 "it hangs in the air");
-  rig.judge();
+  loop.play(hand.hold(0.3));
+  report.at_most("force at rest", loop.log.mean(loop.log.all().tail(0.02), force_of), 0.01, "N",
+                 "the tool is in free air");
+  loop.judge();
 }
 
 // --- G29 -------------------------------------------------------------------------------------------------------------
@@ -167,14 +165,14 @@ void too_thin(Report& report) {
     const double R = 0.5 * size * report.voxel(), feed = R / 0.2;
     const Tool ball = tool_of(SphereHead{R}, Spindle{4000 * units::rad_per_s});
     try {
-      Rig rig(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain_material()), ball,
-              Held::directly);
+      ScriptedLoop loop(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain_material()), ball,
+                        Held::directly);
       Hand hand(ball, Vec3(0.011 * mm, 0.017 * mm, 0));
-      const Span fed = rig.play(hand.move({0, 0, -3 * R}, 3 * R / feed)).tail(0.3);
-      report.near("thrust", rig.story.mean(fed, thrust_of),
+      const Span fed = loop.play(hand.move({0, 0, -3 * R}, 3 * R / feed)).tail(0.3);
+      report.near("thrust", loop.log.mean(fed, thrust_of),
                   forms::ball_plunge_wrench(steady_cut(plain_material(), {}, 4000, feed), R, R).force.z(), 0.2, "N",
                   "C28, or refused");
-      rig.judge();
+      loop.judge();
     } catch (const Error& refusal) {
       report.that("thrust", "C28 within 20 %, or refused", std::string("refused"), true);
     }

@@ -9,7 +9,7 @@ namespace {
 
 int number_of(const std::string& id) { return std::stoi(id.substr(1)); }
 
-/// The largest change of a quantity from one run to another, as a row of invariant 7.
+/// A row of invariant 7: the largest change of a quantity between two runs.
 Row comparison(const Report& from, const Report& to, const std::string& id, const std::string& scene) {
   Row row{id, scene, 0, "invariant 7", "each quantity changes by less than its tolerance", "nothing to compare", true};
   row.is_met = from.quantities().size() == to.quantities().size();
@@ -54,7 +54,7 @@ std::vector<Row> rows_of(const Gesture& gesture, std::vector<double> sizes) {
   gesture.run(probed);
   const bool same = probed.bits() == coarse.bits();
   rows.push_back({gesture.id, "run again, with probes between the steps", sizes.front(), "invariant 6", "the same bits",
-                  same ? "the same" : "other bits", same});
+                  same ? "the same bits" : "other bits", same});
 
   if (coarse.quantities().empty()) return rows;
   for (std::size_t n = 1; n < reports.size(); ++n)

@@ -8,29 +8,29 @@
 
 namespace hapticut::gestures {
 
-/// What a hand does, as scenes that say what they see.
+/// A motion of a hand: a function that runs its scenes and reports the results.
 struct Gesture {
   std::string id, name;
   void (*run)(Report& report);
-  bool has_voxels = true;  ///< otherwise it runs once
+  bool has_voxels = true;  ///< false: runs once, without voxels
 };
 
-// By subject; `all_gestures` joins them.
-[[nodiscard]] std::vector<Gesture> hole_gestures();          ///< in a hole of one's own, or of another
-[[nodiscard]] std::vector<Gesture> press_gestures();         ///< a head that stands
-[[nodiscard]] std::vector<Gesture> cutting_gestures();       ///< a head that cuts
-[[nodiscard]] std::vector<Gesture> motor_gestures();         ///< the spindle, and what is felt of it
-[[nodiscard]] std::vector<Gesture> device_gestures();        ///< the guard and the coupling of each device
-[[nodiscard]] std::vector<Gesture> loop_gestures();          ///< the loop, its clutch, its commands and its faults
-[[nodiscard]] std::vector<Gesture> further_gestures();       ///< G26 and on
-[[nodiscard]] std::vector<Gesture> further_loop_gestures();  ///< the same, in the loop of a device
-[[nodiscard]] std::vector<Gesture> coupled_gestures();       ///< G42 and on: behind a coupling, whatever rate and head
+// By subject; `all_gestures` joins these lists.
+[[nodiscard]] std::vector<Gesture> hole_gestures();          ///< a tool in a hole
+[[nodiscard]] std::vector<Gesture> press_gestures();         ///< a standing head
+[[nodiscard]] std::vector<Gesture> cutting_gestures();       ///< a cutting head
+[[nodiscard]] std::vector<Gesture> motor_gestures();         ///< the spindle
+[[nodiscard]] std::vector<Gesture> device_gestures();        ///< guard and coupling of each device
+[[nodiscard]] std::vector<Gesture> loop_gestures();          ///< the loop: clutch, commands, faults
+[[nodiscard]] std::vector<Gesture> further_gestures();       ///< from G26 on, without a device
+[[nodiscard]] std::vector<Gesture> further_loop_gestures();  ///< from G28 on, in the loop of a device
+[[nodiscard]] std::vector<Gesture> coupled_gestures();       ///< from G42 on, behind a coupling
 
-/// All of them, by their number.
+/// All gestures, by number.
 [[nodiscard]] std::vector<Gesture> all_gestures();
 
-/// What it gives at each size of voxels [m], from coarse to fine; then at the coarsest with probes between the steps,
-/// at twice the rate, and turned. The same rows every time.
+/// Runs a gesture with each voxel size [m], from coarse to fine, and then with the coarsest size and probes between the
+/// steps, at twice the rate, and in a rotated scene.
 [[nodiscard]] std::vector<Row> rows_of(const Gesture& gesture, std::vector<double> voxel_sizes);
 
 }  // namespace hapticut::gestures

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tool in a hole: its own one, or one that fits.
+// A tool in a hole that it has drilled, or in one that fits.
 #include "gestures/gesture_list.hpp"
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 #include "hapticut/tool/profile.hpp"
 
 namespace hapticut::gestures {
@@ -13,14 +13,14 @@ constexpr double kHoleDepth = 3 * mm;    // [m] of the tip
 constexpr Vec3::Scalar kFeed = 5 * mm;   // [m/s]
 constexpr double kPointAngle = 118 * units::deg;
 
-/// A head that makes a hole, and the height of its point.
+/// A head that drills a hole, and the height of its point.
 struct Borer {
   std::string name;
   ToolHead head;
   double point;  // [m]
 };
 
-/// Cuts with its end only.
+/// A head that cuts only with its end.
 ToolHead end_cutting_head(double radius, double length) {
   return ProfileHead({0, {{radius, 0}, {radius, length, 0, EdgeKind::smooth}, {0, length, 0, EdgeKind::smooth}}});
 }
@@ -37,43 +37,43 @@ Material bone_of(bool cortical) {
   return cortical ? presets::cortical_bone(CutterKind::twist_drill) : presets::trabecular_bone(CutterKind::twist_drill);
 }
 
-/// A drill that has gone down to kHoleDepth and stands there, turning; driven directly.
+/// A spinning drill that was driven directly down to kHoleDepth and rests there.
 struct Drilled {
   Drilled(Report& report, const Borer& borer, const Material& bone)
       : tool(tool_of(borer.head, Spindle{3000 * rpm}, {CutterKind::twist_drill, 2})),
-        rig(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()) {
+        loop(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()) {
     Hand hand(tool, Vec3(0, 0, 0.1 * mm));
-    rig.play(hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05));
+    loop.play(hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05));
   }
   static SimulationConfig at_the_end() {
     SimulationConfig config;
     config.contact_time = ContactTime::end;
     return config;
   }
-  /// The spindle stands, and the hand holds the drill by a coupling.
+  /// Stops the spindle and puts a coupling between hand and drill.
   void stop_and_couple() {
-    rig.simulation.set_spindle_speed(AngularSpeed{});
-    rig.couple(touch_gains());
+    loop.simulation.set_spindle_speed(AngularSpeed{});
+    loop.couple(touch_gains());
   }
 
   Tool tool;
-  Rig rig;
+  ScriptedLoop loop;
 };
 
-/// [m^2] of a disk of radius R that is moved by x, out of where it was
+/// [m^2] Part of a disk of radius R, moved by x, that lies outside its old place.
 double crescent(double R, double x) {
   return kPi * R * R - 2 * R * R * std::acos(x / (2 * R)) + x / 2 * std::sqrt(4 * R * R - x * x);
 }
 double axial_of(const Tick& tick) { return std::abs(tick.felt.force.z()); }
 
-/// What a hand does with a tool that hardly moves.
-void demand_to_stay(Report& report, Rig& rig, const Hand& hand, const std::string& why = "") {
-  const Vec3 before = rig.story.ticks.back().X_WH.translation;
-  rig.play(hand);
-  const Vec3 strayed = rig.story.ticks.back().X_WH.translation - before;
+/// The tool must hardly move while the hand follows a path.
+void demand_to_stay(Report& report, ScriptedLoop& loop, const Hand& hand, const std::string& why = "") {
+  const Vec3 before = loop.log.ticks.back().X_WH.translation;
+  loop.play(hand);
+  const Vec3 strayed = loop.log.ticks.back().X_WH.translation - before;
   report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm", why);
   report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
-  rig.judge();
+  loop.judge();
 }
 
 void drill_lift_push(Report& report) {
@@ -82,43 +82,43 @@ void drill_lift_push(Report& report) {
     report.scene(borer.name + ", cortical bone, directly");
     const Material bone = bone_of(true);
     Drilled drilled(report, borer, bone);
-    drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-    drilled.rig.play(drilled.rig.from_here().move({0, 0, kLift}, 0.06).hold(0.02));
-    // Round a closed path: sideways, out, back over the hole, and down again to where it was.
-    const double before = drilled.rig.simulation.last_result().energy.hand_work;
-    const Span pushed = drilled.rig.play(drilled.rig.from_here().move({kPush, 0, 0}, 0.1).hold(0.02));
-    const Story& story = drilled.rig.story;
-    Hand out = drilled.rig.from_here();
+    drilled.loop.simulation.set_spindle_speed(AngularSpeed{});
+    drilled.loop.play(drilled.loop.from_here().move({0, 0, kLift}, 0.06).hold(0.02));
+    // A closed path: sideways, out, back over the hole, and down again to the start.
+    const double before = drilled.loop.simulation.last_result().energy.hand_work;
+    const Span pushed = drilled.loop.play(drilled.loop.from_here().move({kPush, 0, 0}, 0.1).hold(0.02));
+    const SceneLog& log = drilled.loop.log;
+    Hand out = drilled.loop.from_here();
     out.move({0, 0, kHoleDepth}, 0.3).move({-kPush, 0, 0}, 0.02).move({0, 0, -kHoleDepth}, 0.3);
-    const Span round = {pushed.first, drilled.rig.play(out).last};
-    const double cost = story.ticks.back().energy.hand_work - before;
+    const Span round = {pushed.first, drilled.loop.play(out).last};
+    const double cost = log.ticks.back().energy.hand_work - before;
     double turned = 0;
     for (std::size_t n = round.first; n < round.last; ++n)
-      turned += std::abs(story.ticks[n].energy.hand_work - story.ticks[n - 1].energy.hand_work);
+      turned += std::abs(log.ticks[n].energy.hand_work - log.ticks[n - 1].energy.hand_work);
 
-    // The wall is pressed as far as springs or strength go, where it lies in front of the head; friction holds its
-    // flanks. The end leaves a layer under it, which it presses wherever it is out of its hole.
+    // The wall in front of the head bears the springs' force up to the strength; friction holds the flanks. The end
+    // presses on the layer below it wherever it lies outside its hole.
     const double inside = kHoleDepth - kLift, length = inside - borer.point;
     const double strength = strength_of(bone), outside = crescent(kDrillRadius, kPush);
-    const double k = drilled.rig.simulation.config().reference_stiffness * bone.relative_stiffness;
+    const double k = drilled.loop.simulation.config().reference_stiffness * bone.relative_stiffness;
     const double springs = 2.0 / 3 * k * std::pow(kSmoothScale * kPush, 2) * kDrillRadius * length;
-    const double side = story.most(pushed, side_of), axial = story.most(pushed, axial_of);
+    const double side = log.max_of(pushed, side_of), axial = log.max_of(pushed, axial_of);
     report.between("side force", side, 0.5 * std::min(strength * 2 * kDrillRadius * length, springs),
                    strength * ((1 + bone.static_friction) * 2 * kDrillRadius * inside + bone.static_friction * outside),
                    "N",
                    "half of strength times 2 R L or of (2/3) k (beta x)^2 R L ... strength and friction on all of it");
     report.quantity("side force", side, "N", 0.3);
     report.at_most("axial force", axial, kPush / (3 * length) * side + strength * outside, "N",
-                   "x/(3L) of the side force, and strength times what of the end is out of the hole");
+                   "x/(3L) of the side force, and strength times the area of the end outside the hole");
     report.at_least("closed path", 1e3 * cost, -1e-3 * 1e3 * turned, "mJ",
                     "sideways, out, back and in again: a thousandth of the turnover");
-    drilled.rig.judge();
+    drilled.loop.judge();
   }
   report.scene("twist drill 2 mm, trabecular bone, coupled");
   Drilled drilled(report, borers().front(), bone_of(false));
   drilled.stop_and_couple();
-  drilled.rig.play(drilled.rig.from_here().move({0, 0, kLift}, 0.2).hold(0.1));
-  demand_to_stay(report, drilled.rig, drilled.rig.from_here().move({1 * mm, 0, 0}, 0.2).hold(0.3), "0.7 N of spring");
+  drilled.loop.play(drilled.loop.from_here().move({0, 0, kLift}, 0.2).hold(0.1));
+  demand_to_stay(report, drilled.loop, drilled.loop.from_here().move({1 * mm, 0, 0}, 0.2).hold(0.3), "0.7 N of spring");
 }
 
 void tilt_in_hole(Report& report) {
@@ -128,21 +128,22 @@ void tilt_in_hole(Report& report) {
   Drilled drilled(report, borer, bone_of(true));
   const Vec3 middle(0, 0, -0.5 * kHoleDepth);
   const double length = kHoleDepth - borer.point;
-  const double thrust = drilled.rig.story.ticks.back().felt.force.z();  // of the edges on the ground, below what cuts
+  const double thrust =
+      drilled.loop.log.ticks.back().felt.force.z();  // of the edges on the bottom, below their cutting threshold
   double before = 0;
   for (const double angle : {1.0, 2.0, 5.0}) {
-    Hand tilt = before == 0 ? drilled.rig.from_here() : Hand(drilled.rig.story.ticks.back().X_WD);
+    Hand tilt = before == 0 ? drilled.loop.from_here() : Hand(drilled.loop.log.ticks.back().X_WD);
     tilt.turn({0, (angle - before) * units::deg, 0}, middle, (angle - before) * units::deg / kSpeed);
-    drilled.rig.play(tilt);
+    drilled.loop.play(tilt);
     before = angle;
-    const Tick& tick = drilled.rig.story.ticks.back();
+    const Tick& tick = drilled.loop.log.ticks.back();
     const double couple = transport(tick.felt, tick.X_WD.translation - middle).torque.y();
     const std::string at = " at " + shown(angle, "deg");
     report.at_most("couple" + at, 1e3 * couple, 0, "N mm", "against the tilt");
     report.at_most("ejection" + at, tick.felt.force.z() - thrust, 0.15 * std::abs(couple) / (length / 3) + 0.3, "N",
                    "beyond " + shown(thrust, "N") + " before: 15 % of the side forces couple/(L/3), and 0.3 N");
   }
-  drilled.rig.judge();
+  drilled.loop.judge();
 }
 
 void pull_standing_drill(Report& report) {
@@ -151,9 +152,9 @@ void pull_standing_drill(Report& report) {
     report.scene(borer.name + ", standing in its hole in trabecular bone, coupled");
     Drilled drilled(report, borer, bone_of(false));
     drilled.stop_and_couple();
-    drilled.rig.play(drilled.rig.from_here().hold(0.1));
-    demand_to_stay(report, drilled.rig,
-                   drilled.rig.from_here().move({kPull / touch_gains().stiffness, 0, 0}, 0.3).hold(0.5));
+    drilled.loop.play(drilled.loop.from_here().hold(0.1));
+    demand_to_stay(report, drilled.loop,
+                   drilled.loop.from_here().move({kPull / touch_gains().stiffness, 0, 0}, 0.3).hold(0.5));
   }
 }
 
@@ -172,22 +173,23 @@ void shank_on_rim(Report& report) {
     report.scene(std::string("ball 0.8 mm on a shank of 1.2 mm, ") + (turns > 0 ? "turning" : "standing") +
                  ", tilted in a hole of 1.6 mm, directly");
     const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle{turns * rpm});
-    Rig rig(report, with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth), tool,
-            Held::directly);
+    ScriptedLoop loop(report,
+                      with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth),
+                      tool, Held::directly);
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));
     const Vec3 ball_center(0, 0, -kDepth + 0.1 * mm + kBall);
-    const Span tilted = rig.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
-    // Pressed in by d at the rim and by less below, on both sides of where it is deepest: with w = beta d there
+    const Span tilted = loop.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
+    // The shank is d deep at the rim and less deep below it, on both sides of the deepest line: with w = beta d there
     // F = (8/15) k beta^2 r sqrt(2/(R - r)) d^3.5/(3.5 tan a).
     const double deep = -ball_center.z() * std::tan(kAngle) + kShank / std::cos(kAngle) - kHole;
-    const double k = rig.simulation.config().reference_stiffness * presets::cortical_bone().relative_stiffness;
+    const double k = loop.simulation.config().reference_stiffness * presets::cortical_bone().relative_stiffness;
     const double force = 8.0 / 15 * k * std::pow(kSmoothScale, 2) * kShank * std::sqrt(2 / (kHole - kShank)) *
                          std::pow(deep, 3.5) / (3.5 * std::tan(kAngle));
-    report.between("rim pushes", rig.story.most(tilted, side_of), force / 2, 2 * force, "N",
+    report.between("rim pushes", loop.log.max_of(tilted, side_of), force / 2, 2 * force, "N",
                    "the shank is " + shown(1e3 * deep, "mm") + " in the rim");
-    const double cut = rig.story.ticks.back().energy.cutting - rig.story.ticks[tilted.first].energy.cutting;
-    report.at_most("shank cuts", 1e3 * cut, 1e-6, "mJ", "what goes of the rim is crushed");
-    rig.judge();
+    const double cut = loop.log.ticks.back().energy.cutting - loop.log.ticks[tilted.first].energy.cutting;
+    report.at_most("shank cuts", 1e3 * cut, 1e-6, "mJ", "material of the rim is only crushed");
+    loop.judge();
   }
 }
 
@@ -196,22 +198,22 @@ void press_fit(Report& report) {
   report.scene("cylinder 2 mm, standing, 2 mm deep in a hole of 1.9 mm in cortical bone, directly");
   const Material bone = presets::cortical_bone();
   const Tool pin = tool_of(cylinder_head(2 * kPin, 4 * mm));
-  Rig rig(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Held::directly);
+  ScriptedLoop loop(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Held::directly);
   Hand hand(pin, Vec3(0, 0, -kIn));
-  rig.play(hand.hold(0.02));
-  rig.story.begin(rig.simulation);  // it appeared in the hole
-  const double k = rig.simulation.config().reference_stiffness * bone.relative_stiffness;
-  const auto squeeze = [&](double length) {  // sum of the normal forces: pressure k w^2/2 on the wall
+  loop.play(hand.hold(0.02));
+  loop.log.begin(loop.simulation);  // the tool appeared in the hole
+  const double k = loop.simulation.config().reference_stiffness * bone.relative_stiffness;
+  const auto squeeze = [&](double length) {  // [N] sum of the normal forces: pressure k w^2/2 on the wall
     return k * std::pow(kPin - kHole, 2) / 2 * 2 * kPi * kHole * length;
   };
   constexpr double kPulled = 0.2 * mm;
-  const Span turned = rig.play(rig.from_here().turn({0, 0, 0.3}, Vec3::Zero(), 0.15));
-  report.near("torque", 1e3 * -rig.story.mean(turned.tail(0.2), [](const Tick& t) { return t.felt.torque.z(); }),
+  const Span turned = loop.play(loop.from_here().turn({0, 0, 0.3}, Vec3::Zero(), 0.15));
+  report.near("torque", 1e3 * -loop.log.mean(turned.tail(0.2), [](const Tick& t) { return t.felt.torque.z(); }),
               1e3 * bone.dynamic_friction * squeeze(kIn) * kHole, 0.2, "N mm", "mu times the sum of normal forces, R");
-  const Span pulled = rig.play(rig.from_here().move({0, 0, kPulled}, 0.1));
-  report.near("pull", -rig.story.mean(pulled.tail(0.2), thrust_of), bone.dynamic_friction * squeeze(kIn - kPulled), 0.2,
+  const Span pulled = loop.play(loop.from_here().move({0, 0, kPulled}, 0.1));
+  report.near("pull", -loop.log.mean(pulled.tail(0.2), thrust_of), bone.dynamic_friction * squeeze(kIn - kPulled), 0.2,
               "N", "mu times the sum of normal forces");
-  rig.judge();
+  loop.judge();
 }
 
 }  // namespace

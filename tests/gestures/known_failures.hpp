@@ -8,17 +8,18 @@
 
 namespace hapticut::gestures {
 
-/// A demand that the library does not meet yet.
+/// A demand that the library does not meet.
 struct KnownFailure {
   std::string_view gesture, demand;  // as in Row
   std::string_view reason;           // one line
-  std::string_view seen;             // when it was put on the list
+  std::string_view seen;             // the result when the row was added
 };
 
-/// In the order of the gestures. What is on the list fails in a scene at least, and what is not does not: tests.
+/// In the order of the gestures. A test checks that each listed demand fails in at least one scene and that no other
+/// fails.
 [[nodiscard]] std::span<const KnownFailure> known_failures();
 
-/// Why a row is not met; empty where it is, or where that is not known.
+/// The reason why a row is not met; empty if it is met or not listed.
 [[nodiscard]] std::string_view known_reason(const Row& row);
 
 }  // namespace hapticut::gestures

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <string>
 
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 #include "hapticut/safety/guard.hpp"
 
 /// @file
-/// A ball on a block of bone, in the loop of a Touch.
+/// Scenes with a ball on a block of bone, in the loop of a Touch.
 namespace hapticut::gestures {
 
 inline constexpr double kBallRadius = 1 * mm;  // [m]
@@ -24,16 +24,16 @@ inline constexpr double kBallRadius = 1 * mm;  // [m]
 
 [[nodiscard]] inline double applied_of(const Tick& tick) { return tick.applied.force.norm(); }
 
-/// In no tick of a span does what the motors get grow faster than the guard of a Touch lets it.
-inline void demand_slow_growth(Report& report, const Story& story, const Span& span,
+/// In no tick of a span does the motor force grow faster than the slew limit of a Touch.
+inline void demand_slow_growth(Report& report, const SceneLog& log, const Span& span,
                                const std::string& demand = "force step") {
-  double most = 0;  // [N] in one tick
+  double max_growth = 0;  // [N] in one tick
   for (std::size_t n = std::max<std::size_t>(span.first, 1); n < span.last; ++n) {
-    const Vec3 &last = story.ticks[n - 1].applied.force, &now = story.ticks[n].applied.force;
-    most = std::max(most, (now - growth_limited(last, now, 0)).norm());
+    const Vec3 &last = log.ticks[n - 1].applied.force, &now = log.ticks[n].applied.force;
+    max_growth = std::max(max_growth, (now - growth_limited(last, now, 0)).norm());
   }
   const double slew = SafetyGuard(capabilities(device_model("touch")), {}).slew();  // [N/s]
-  report.at_most(demand, most, 1.001 * slew * report.period, "N", "the slew limit");
+  report.at_most(demand, max_growth, 1.001 * slew * report.period, "N", "the slew limit");
 }
 
 }  // namespace hapticut::gestures

@@ -18,7 +18,7 @@
 #include "support/solid_depth.hpp"
 
 /// @file
-/// What the gestures are made with: pieces, heads, and what the hand does, by key frames.
+/// Workpieces, heads and key-framed hands of the gestures.
 namespace hapticut::gestures {
 
 using units::kPi;
@@ -31,7 +31,7 @@ using test::strength_of;
 
 // --- pieces ----------------------------------------------------------------------------------------------------------
 
-/// The half space z < 0, as far as is needed, on a grid whose lines match neither the surface nor the head.
+/// A block of the half space z < 0, on a grid whose lines match neither the surface nor the head.
 [[nodiscard]] inline Workpiece slab(double half_width, double depth, double voxel, Material material) {
   return build_block({Vec3(-half_width - 0.21 * voxel, -half_width - 0.37 * voxel, -depth - 0.61 * voxel),
                       Vec3(half_width, half_width, 0)},
@@ -43,7 +43,7 @@ using test::strength_of;
   return std::max((box.min - p).maxCoeff(), (p - box.max).maxCoeff());
 }
 
-/// What of a box is where `distance` is negative, of one material.
+/// The part of a box where `distance` is negative, of one material.
 template <class Distance>
 [[nodiscard]] Workpiece carved(const Box& box, double voxel, Material material, const Distance& distance) {
   const Vec3 aside = voxel * Vec3(0.21, 0.37, 0.61);
@@ -53,7 +53,7 @@ template <class Distance>
                     voxel, MaterialTable({std::move(material)}), 4);
 }
 
-/// The half space with a hole: straight, with a flat bottom, or one that a drill of this point angle leaves.
+/// A half space with a straight hole whose bottom is flat, or as a drill of this point angle leaves it.
 [[nodiscard]] inline Workpiece with_hole(double half_width, double depth, double voxel, Material material,
                                          double radius, double hole_depth, double point_angle = kPi) {
   const double slope = point_angle < kPi ? 1 / std::tan(point_angle / 2) : 0;  // [1] rise of the point
@@ -61,7 +61,7 @@ template <class Distance>
   return carved(box, voxel, std::move(material), [=](const Vec3& p) {
     const double rho = std::hypot(p.x(), p.y());
     const double bottom = (-hole_depth + slope * rho - p.z()) / std::hypot(1, slope);
-    return -std::max(rho - radius, bottom);  // outside of the hole is solid
+    return -std::max(rho - radius, bottom);  // solid outside the hole
   });
 }
 
@@ -72,7 +72,7 @@ struct NamedHead {
   ToolHead head;
 };
 
-/// One of each of the catalogue.
+/// One head of each shape of the catalogue.
 [[nodiscard]] inline std::vector<NamedHead> catalogue() {
   return {{"round 1 mm", round_head(1 * mm)},
           {"inverted cone 1.4 mm", inverted_cone_head(1.4 * mm, 0.9 * mm, 1.2 * mm)},
@@ -102,8 +102,8 @@ struct NamedHead {
   return kPi * radius * radius;
 }
 
-/// [m] how deep a force presses a standing head into a face: each ring of it bears k w^2/2 of the layer w below it,
-/// along its normal, but no more than the strength.
+/// [m] Depth to which a force presses a standing head into a face: each ring of the head bears k w^2/2 of the layer w
+/// below it, along its normal, and at most the strength.
 /// @param stiffness  [N/m^4] k of the material
 [[nodiscard]] inline double pressed_depth(const ToolHead& head, double force, const Material& material,
                                           double stiffness) {
@@ -124,12 +124,12 @@ struct NamedHead {
   return double(radii.size() - 1) * kStep;
 }
 
-/// [m] how far the tip of a tool is below its handle point.
+/// [m] Distance of the tip of a tool below its handle point.
 [[nodiscard]] inline double tip_below_hand(const Tool& tool) {
   return -(tool.X_HT().translation.z() + tool.head().bounding_box().min.z());
 }
 
-/// What the closed forms ask of a cut.
+/// The cut in the terms of the closed forms.
 /// @param spin, feed  [rad/s], [m/s]
 [[nodiscard]] inline closed_forms::SteadyCut steady_cut(const Material& m, const Cutter& cutter, double spin,
                                                         double feed) {
@@ -140,18 +140,18 @@ struct NamedHead {
   return cut;
 }
 
-/// A tool held at the place where the device feels it.
+/// A tool whose handle point lies at To.
 [[nodiscard]] inline Tool tool_of(ToolHead head, const Spindle& spindle = {}, Cutter cutter = {}) {
   return Tool(std::move(head), RayHandle{0}, spindle, cutter);
 }
 
 // --- hands -----------------------------------------------------------------------------------------------------------
 
-/// Where a hand goes, by key frames with constant speed in between.
+/// The path of a hand: key frames with constant speed in between.
 class Hand {
  public:
   explicit Hand(const Pose& start) { frames_.push_back({0, start}); }
-  /// With the tip of an upright tool at a place.
+  /// Starts with the tip of an upright tool at a point.
   Hand(const Tool& tool, const Vec3& tip) : Hand(Pose::from_translation(tip + Vec3(0, 0, tip_below_hand(tool)))) {}
 
   Hand& hold(double seconds) { return to(end(), seconds); }
@@ -161,7 +161,7 @@ class Hand {
     return to(pose, seconds);
   }
   /// @param by     [rad] about an axis of W
-  /// @param pivot  [m] the point that stays, in W
+  /// @param pivot  [m] fixed point, in W
   Hand& turn(const Vec3& by, const Vec3& pivot, double seconds) {
     constexpr int kParts = 16;  // chords of the arc
     const Mat3 part = rotation_from_vector(by / kParts);
@@ -177,7 +177,7 @@ class Hand {
   }
 
   [[nodiscard]] double seconds() const { return frames_.back().time; }  ///< [s] so far
-  [[nodiscard]] Pose end() const { return frames_.back().pose; }  ///< by value: the frames move in memory as they grow
+  [[nodiscard]] Pose end() const { return frames_.back().pose; }        ///< by value, because the vector reallocates
   [[nodiscard]] Pose at(double time) const {
     if (time <= 0) return frames_.front().pose;
     for (std::size_t n = 1; n < frames_.size(); ++n) {

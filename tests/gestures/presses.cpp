@@ -1,45 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
-// A head that stands, pressed and slid; and a corner, standing and cutting.
+// A standing head, pressed and slid; and a corner, with a standing and a cutting head.
 #include "gestures/gesture_list.hpp"
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 
 namespace hapticut::gestures {
 namespace {
 
 // --- G10 -------------------------------------------------------------------------------------------------------------
 
-/// The ball is pushed into the corner of a floor and a wall, 5 mm beyond it, in several directions.
+/// Pushes a ball into the corner of a floor and a wall, 5 mm beyond it, in several directions.
 void corner(Report& report) {
   constexpr double kRadius = 1 * mm, kIn = 5 * mm;
   const Box box{Vec3(-2.5, -2.5, -2.5) * mm, Vec3(2, 2.5, 2) * mm};
   for (const bool cutting : {false, true}) {
     report.scene(std::string("ball 2 mm, ") + (cutting ? "turning" : "standing") + ", coupled");
     std::string unexplained, force;
-    double worst = 0;  // [1] unexplained
+    double worst = 0;  // [1] unexplained work
     bool bounded = true;
     for (const double kappa : {0.5, 1.0, 2.0, 3.3, 5.0}) {
       Material hard = plain_material();
       hard.cutting_ratio = kappa;
-      hard.specific_cutting_energy = 1e11;  // it stays a corner
+      hard.specific_cutting_energy = 1e11;  // so hard that it stays a corner
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
       const Tool ball = tool_of(SphereHead{kRadius}, Spindle{(cutting ? 30000 : 0) * rpm});
-      Rig rig(report, std::move(piece), ball, Held::by_coupling);
+      ScriptedLoop loop(report, std::move(piece), ball, Held::by_coupling);
       Hand hand(Pose::from_translation(Vec3(1.1, 0, 1.1) * mm));
       hand.hold(0.02);
       for (const double angle : {45.0, 20.0, 70.0})
         hand.to(Pose::from_translation(Vec3(1.1 * mm - kIn * std::cos(angle * units::deg), 0.2 * mm,
                                             1.1 * mm - kIn * std::sin(angle * units::deg))),
                 0.12);
-      rig.play(hand.to(Pose::from_translation(Vec3(1.3, 0, 1.3) * mm), 0.15));
-      const CouplingEnergy e = rig.coupling().last_result().energy;
-      const double lost = std::abs(e.closure()), most = rig.story.most(rig.story.all(), force_of);
+      loop.play(hand.to(Pose::from_translation(Vec3(1.3, 0, 1.3) * mm), 0.15));
+      const CouplingEnergy e = loop.coupling().last_result().energy;
+      const double lost = std::abs(e.closure()), most = loop.log.max_of(loop.log.all(), force_of);
       list(unexplained, "kappa " + shown(kappa, "") + ":", shown(100 * lost, "%"));
       list(force, "kappa " + shown(kappa, "") + ":", shown(most, "N"));
       worst = std::max(worst, lost);
-      bounded = bounded && most <= 1.001 * rig.story.limits.force;
-      if (kappa == 5.0) rig.judge();
+      bounded = bounded && most <= 1.001 * loop.log.limits.force;
+      if (kappa == 5.0) loop.judge();
     }
-    report.that("converges", "less than 1 % of the work unexplained, or a bit that says so", unexplained, worst < 1e-2,
+    report.that("converges", "less than 1 % of the work unexplained, or a status bit", unexplained, worst < 1e-2,
                 worst / 1e-2);
     report.that("force", "at most 3.3 N, max_force of the coupling", force, bounded);
   }
@@ -47,7 +47,7 @@ void corner(Report& report) {
 
 // --- G11 -------------------------------------------------------------------------------------------------------------
 
-/// A head and the area that it crushes at most in a plate of this thickness.
+/// A head, and the largest area that it crushes in a plate of a given thickness.
 struct Punch {
   std::string name;
   ToolHead head;
@@ -81,18 +81,19 @@ void plates(Report& report) {
         const Tool tool = tool_of(punch.head);
         const double before = 0.05 * mm, way = before + t + punch.travel,
                      volume = kPi * punch.radius * punch.radius * t;
-        Rig rig(report, build_block({Vec3(-1.13, -1.17, -1e3 * t) * mm, Vec3(1.1, 1.1, 0) * mm}, report.voxel(), bone),
-                tool, Held::directly);
+        ScriptedLoop loop(
+            report, build_block({Vec3(-1.13, -1.17, -1e3 * t) * mm, Vec3(1.1, 1.1, 0) * mm}, report.voxel(), bone),
+            tool, Held::directly);
         Hand hand(tool, Vec3(0, 0, before));
-        rig.play(hand.move({0, 0, -way}, way / (10 * mm)));
+        loop.play(hand.move({0, 0, -way}, way / (10 * mm)));
         const double solid_before = (1.1 + 1.13) * (1.1 + 1.17) * mm * mm * t;
-        const double less = solid_before - rig.simulation.workpiece().amounts().front().volume;
-        const double gone = less > 1e-6 * volume ? less : 0;  // or the rounding of single precision
-        const double most = rig.story.most(rig.story.all(), thrust_of);
+        const double less = solid_before - loop.simulation.workpiece().amounts().front().volume;
+        const double gone = less > 1e-6 * volume ? less : 0;  // less is rounding of single precision
+        const double most = loop.log.max_of(loop.log.all(), thrust_of);
         const double strength = strength_of(bone) * punch.area(t);
-        // The wall that is left presses on the side, and friction there adds to what the strength resists.
+        // The remaining wall presses on the side; friction there adds to the resistance.
         const double rubs = strength_of(bone) * bone.static_friction * 2 * kPi * punch.radius * t;
-        const double crushed = rig.simulation.last_result().energy.crushed;
+        const double crushed = loop.simulation.last_result().energy.crushed;
         list(resists, shown(1e3 * t, "mm") + ":", shown(most, "N") + " of " + shown(strength, "N"));
         list(hole, shown(1e3 * t, "mm") + ":", shown(100 * gone / volume, "%"));
         list(energy, shown(1e3 * t, "mm") + ":",
@@ -100,7 +101,7 @@ void plates(Report& report) {
         resisted = resisted && most > 0.6 * strength && most < 1.1 * (strength + rubs);
         left = left && gone > 0.6 * volume && gone < 1.1 * volume;
         agrees = agrees && gone > 0 && std::abs(crushed - strength_of(bone) * gone) < 0.1 * crushed;
-        if (t == 1 * mm) rig.judge();
+        if (t == 1 * mm) loop.judge();
       }
       report.that("resists", "0.6 of strength times crushed area ... 1.1 of that and friction on the wall", resists,
                   resisted);
@@ -127,17 +128,17 @@ void groove(Report& report) {
                     },
                     [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                    report.voxel(), MaterialTable({left, right}), 8);
-    Rig rig(report, std::move(piece), tool_of(SphereHead{kRadius}), held);
+    ScriptedLoop loop(report, std::move(piece), tool_of(SphereHead{kRadius}), held);
     const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // of its centre
     const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / touch_gains().stiffness;
     Hand hand(Pose::from_translation(Vec3(0, -1 * mm, seat + 0.2 * mm)));
-    hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // for a tool that begins in contact waits
+    hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // because a tool that begins in contact waits
     hand.move({0, 0, -0.02 * mm - pressed}, 0.05).hold(0.02);
-    const Span slid = rig.play(hand.move({0, held == Held::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
-    const double along = -rig.story.mean(slid, [](const Tick& t) { return t.model.force.y(); });
-    const double normal = rig.story.mean(slid, [](const Tick& t) { return t.model.force.z(); }) / std::sqrt(2);
+    const Span slid = loop.play(hand.move({0, held == Held::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
+    const double along = -loop.log.mean(slid, [](const Tick& t) { return t.model.force.y(); });
+    const double normal = loop.log.mean(slid, [](const Tick& t) { return t.model.force.z(); }) / std::sqrt(2);
     report.near("friction", along, (kLeft + kRight) * normal, 0.1, "N", "mu of each wall on its own normal force");
-    rig.judge();
+    loop.judge();
   }
 }
 
@@ -152,19 +153,20 @@ void press_by_default(Report& report) {
     std::string indents;
     double worst = 0;
     for (const Material& material : {presets::enamel(), presets::dentin(), presets::cortical_bone()}) {
-      Rig rig(report, slab(radius + 0.5 * mm, 2 * mm, report.voxel(), material), tool, Held::by_coupling);
+      ScriptedLoop loop(report, slab(radius + 0.5 * mm, 2 * mm, report.voxel(), material), tool, Held::by_coupling);
       Hand hand(tool, Vec3(0.013, 0.021, 0.1) * mm);
       hand.hold(0.01).move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.15);
-      rig.play(hand.hold(0.15));
-      const double depth = tip_below_hand(tool) - rig.story.ticks.back().X_WH.translation.z();
-      const double k = rig.simulation.config().reference_stiffness * material.relative_stiffness;
+      loop.play(hand.hold(0.15));
+      const double depth = tip_below_hand(tool) - loop.log.ticks.back().X_WH.translation.z();
+      const double k = loop.simulation.config().reference_stiffness * material.relative_stiffness;
       const double bound = std::max(0.05 * radius, 1.2 * pressed_depth(named.head, kForce, material, k));
       list(indents, material.name, shown(1e6 * depth, "um") + " of " + shown(1e6 * bound, "um"));
       worst = std::max(worst, depth / bound);
-      if (material.name == "cortical_bone") rig.judge();
+      if (material.name == "cortical_bone") loop.judge();
     }
-    report.that("indents", "at most 0.05 R under 2 N, or 1.2 of where foundation and strength carry them", indents,
-                worst <= 1);
+    report.that("indents",
+                "at most 0.05 R under 2 N, or 1.2 of the depth at which foundation and strength carry the force",
+                indents, worst <= 1);
   }
 }
 

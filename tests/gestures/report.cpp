@@ -16,10 +16,10 @@ std::string with_reason(const std::string& text, const std::string& why) {
 
 std::string shown(double value, const std::string& unit) {
   std::array<char, 32> text{};
-  const double least = 1e-9;  // in any unit of a hand: less is nothing
+  const double negligible = 1e-9;  // in any unit
   const double size = std::abs(value);
   const char* format = size >= 1000 && size < 1e6 ? "%.0f" : "%.3g";
-  (void)std::snprintf(text.data(), text.size(), format, size < least ? 0.0 : value);
+  (void)std::snprintf(text.data(), text.size(), format, size < negligible ? 0.0 : value);
   return unit.empty() ? text.data() : std::string(text.data()) + " " + unit;
 }
 

@@ -9,10 +9,10 @@
 
 namespace hapticut::gestures {
 
-/// A number with three digits and its unit: "2.36 N"; as a share where the unit is "%".
+/// A number with three digits and its unit: "2.36 N".
 [[nodiscard]] std::string shown(double value, const std::string& unit);
 
-/// Adds one to a list of numbers, as they are shown.
+/// Appends a shown number to a list.
 inline void list(std::string& text, const std::string& of, const std::string& value) {
   text += (text.empty() ? "" : ", ") + of + " " + value;
 }
@@ -20,41 +20,41 @@ inline void list(std::string& text, const std::string& of, const std::string& va
 /// One demand on one scene of a gesture.
 struct Row {
   std::string gesture;    // "G7"
-  std::string scene;      // tool, material, how it is driven
-  double voxel_size = 0;  // [m]; 0: no voxels take part, or several sizes are compared
-  std::string demand;     // what is asked, in a few words, "axial force"; with `gesture` it names a known failure
+  std::string scene;      // tool, material, kind of drive
+  double voxel_size = 0;  // [m]; 0: the scene has no voxels, or compares several sizes
+  std::string demand;     // in a few words: "axial force"; `gesture` and `demand` name a known failure
   std::string expected;   // in words and numbers, with the unit
-  std::string seen;       // the same of what the library gives
-  bool is_met = false;    // what was seen is what was expected
-  double strain = 0;      // [1] how near it is to its bound, which is 1; 0 of what is so or not
+  std::string seen;       // the result of the library, in words and numbers
+  bool is_met = false;    // the result meets the demand
+  double strain = 0;      // [1] result over its bound; 0 for a demand without a number
 };
 
-/// A number that must not depend on how finely space and time are cut up.
+/// A result that must not depend on voxel size and rate.
 struct Quantity {
   std::string scene, what, unit;
   double value = 0;
   double tolerance = 0;  // [1] between one size of voxels and the next
 };
 
-/// What one run of a gesture at one size of voxels has to say, and how it is to be run.
+/// The settings and the results of one run of a gesture with one voxel size.
 class Report {
  public:
   Report(std::string gesture, double voxel_size) : gesture_(std::move(gesture)), voxel_(voxel_size) {}
 
-  // --- how it is to be run ------------------------------------------------------------------------------------------
+  // --- settings of the run ------------------------------------------------------------------------------------------
   [[nodiscard]] double voxel() const { return voxel_; }  ///< [m]
   double period = 1e-3;                                  ///< [s] of a tick
-  Mat3 turn = Mat3::Identity();                          ///< of the whole scene, grid and hand, about the origin of W
-  bool probing = false;  ///< every step is followed by probes, which must not change anything
+  Mat3 turn = Mat3::Identity();  ///< rotation of the whole scene, grid and hand, about the origin of W
+  bool probing = false;          ///< adds probes after every step, which must not change any result
 
-  // --- what is seen -------------------------------------------------------------------------------------------------
-  /// Names what follows: tool, material, how it is driven.
+  // --- results ------------------------------------------------------------------------------------------------------
+  /// Names the following scene: tool, material, kind of drive.
   void scene(std::string text) { scene_ = std::move(text); }
 
   void that(const std::string& demand, const std::string& expected, const std::string& seen, bool is_met,
             double strain = 0);
 
-  /// @param why  the formula in words; empty where the bound speaks for itself
+  /// @param why  reason of the bound in words; may be empty
   void at_most(const std::string& demand, double seen, double bound, const std::string& unit,
                const std::string& why = "");
   void at_least(const std::string& demand, double seen, double bound, const std::string& unit,
@@ -65,12 +65,12 @@ class Report {
   void near(const std::string& demand, double seen, double expected, double tolerance, const std::string& unit,
             const std::string& why = "");
 
-  /// What is compared between sizes of voxels and rates: invariant 7.
+  /// A result to be compared between voxel sizes and rates: invariant 7.
   void quantity(const std::string& what, double value, const std::string& unit, double tolerance) {
     quantities_.push_back({scene_, what, unit, value, tolerance});
   }
 
-  /// Bits that must be the same in every run: invariant 6.
+  /// Bits that must be equal in every run: invariant 6.
   void add_bits(std::uint64_t hash) { bits_ = (bits_ ^ hash) * 0x100000001b3ULL; }
 
   [[nodiscard]] std::uint64_t bits() const { return bits_; }

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the repository cites, it has.
+"""Checks that what the repository cites exists.
 
     cited.py closed_forms|files [--root FOLDER]
 
-closed_forms  every closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md, "C1 ... C9" ends with
-              the last of them, every row names its function in closed_forms, and every row of a measurement
-              (B1a, DC4) has a source in docs/measurements.md
-files         every file that a comment or a page names by its path from the top of the repository is there, and the README
-              names no engine that has no folder in bindings
+closed_forms  each closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md; "C1 ... C9" ends with
+              the last one; each row of a closed form names its functions of closed_forms; and each row of a
+              measurement (B1a, DC4) has a source in docs/validation.md
+files         each file that a comment or a page names by its path from the top of the repository exists, each page that a
+              page links to exists, and the README names no engine without a folder in bindings
 """
 import argparse
 import re
@@ -26,6 +26,7 @@ FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
 PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
                   r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
+LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)\s]*)?\)")
 ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")
 A_LANGUAGE = "C99"  # no closed form
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
@@ -44,20 +45,21 @@ def line_of(text: str, place: int) -> int:
 def check_closed_forms(root: Path) -> tuple[list[str], int]:
     model = (root / "docs/model.md").read_text(encoding="utf-8")
     rows = set(ROW.findall(model))
-    rows.add("C33")  # has a table of its own
     last = max((row for row in rows if row[0] == "C"), key=lambda row: int(row[1:]))
-    sources = (root / "docs/measurements.md").read_text(encoding="utf-8")
-    sources = sources[sources.index("## Sources"):]
+    sources = (root / "docs/validation.md").read_text(encoding="utf-8")
+    sources = sources[sources.index("### Sources"):]
     headers = "".join(path.read_text(encoding="utf-8")
                       for path in sorted((root / "include/hapticut/closed_forms").glob("*.hpp")))
     documented = FUNCTION.findall(headers)
     wrong = []
     for form in sorted(row for row in rows if row[0] == "C"):
-        functions = {name for comment, name in documented if re.search(rf"\b{form}\b", comment)}
-        lines = [line for line in model.splitlines() if line.startswith((f"| {form} |", f"**{form}**"))]
-        if not any(f"`{name}`" in line for name in functions for line in lines):
-            wrong.append(f"{form} of docs/model.md names no function of include/hapticut/closed_forms; those of it "
-                         f"are {sorted(functions)}")
+        own = {name for comment, name in documented if comment.startswith(f"/// {form}")
+               and not comment[len(form) + 4].isdigit()}
+        functions = own or {name for comment, name in documented if re.search(rf"\b{form}\b", comment)}
+        cells = "".join(line for line in model.splitlines() if line.startswith(f"| {form} |"))
+        missing = sorted(name for name in functions if f"`{name}`" not in cells)
+        if (own and missing) or len(missing) == len(functions):
+            wrong.append(f"{form} of docs/model.md does not name its functions of include/hapticut/closed_forms: {missing}")
     cited = 0
     for path, text in texts(root):
         for found in CITED.finditer(text):
@@ -65,15 +67,15 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
                 continue
             cited += 1
             if found[1] not in rows:
-                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which docs/model.md has not")
+                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which has no row in docs/model.md")
         for found in WHOLE_RANGE.finditer(text):
             if found[1] != last and (path.suffix == ".md" or path.name == "closed_forms.hpp"):
                 wrong.append(f"{path}:{line_of(text, found.start())} ends with {found[1]}, and the last is {last}")
         for found in MEASURED.finditer(text):
             cited += 1
             if not re.search(rf"\| (?:\w+ \.\.\. )?{found[1]}\b", sources) and not found[1].startswith("B1"):
-                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, of which docs/measurements.md names "
-                             "no source")
+                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which has no source in "
+                             "docs/validation.md")
     return wrong, cited
 
 
@@ -88,7 +90,10 @@ def check_files(root: Path) -> tuple[list[str], int]:
             places = (root / name, root / "docs" / name, root / "include" / name, root / "bindings/python" / name,
                       root / path.parent / name)
             if name not in WRITTEN_BY_THE_BUILD and not any(place.exists() for place in places):
-                wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which is not there")
+                wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which does not exist")
+        for found in LINK.finditer(text) if path.suffix == ".md" else ():
+            if not (root / path.parent / found[1]).exists():
+                wrong.append(f"{path}:{line_of(text, found.start())} links to {found[1]}, which does not exist")
     return wrong, cited
 
 

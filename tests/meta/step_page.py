@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The table of docs/step.md against the code: its stages are the fields of StageTimes, in their order, each is defined in
-the file that the table names, and the step calls them in that order.
+"""Compares the table of docs/step.md with the code: its stages are the fields of StageTimes in their order, each stage is
+defined in the file that the table names, and the step calls the stages in this order.
 """
 import re
 import sys
@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def rows():
-    """(stage, file) of the first table of the page."""
+    """Stage and file of each row of the first table of the page."""
     page = (ROOT / "docs/step.md").read_text(encoding="utf-8")
     table = page[page.index("| stage |"):].split("\n\n")[0]
     return re.findall(r"^\| `(\w+)` \|.*\| (\S+) \|$", table, re.M)
@@ -34,7 +34,7 @@ def main():
             mistakes.append(f"{file} does not define {stage}, as docs/step.md says")
         call = re.search(rf"\b(?:{stage}|{stage.replace('check_input', 'check_step_input')})\(", body[place:])
         if call is None:
-            mistakes.append(f"take_step does not call {stage} after the stage before it")
+            mistakes.append(f"take_step does not call {stage} after the previous stage")
         else:
             place += call.end()
     for mistake in mistakes:

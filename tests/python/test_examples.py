@@ -57,7 +57,7 @@ def test_the_calibration_gives_back_what_was_measured():
                           check=True)
     numbers = [[float(n) for n in re.findall(r"([\d.]+) N\b", line)] for line in done.stdout.splitlines()[1:]]
     for simulated_thrust, simulated_torque, thrust, torque in numbers:
-        # A thin engaged layer: C20 within 4 % (docs/model.md, accuracy).
+        # A thin engaged layer: C20 within 4 % (docs/validation.md).
         assert simulated_thrust == pytest.approx(thrust, rel=0.04)
         assert simulated_torque == pytest.approx(torque, rel=0.04)
     assert numbers[0][2:] == pytest.approx([20.07, 41.2], rel=1e-3)

@@ -9,7 +9,7 @@
 #include "cli/reports/table.hpp"
 #include "experiments/checks.hpp"
 #include "experiments/measurements.hpp"
-#include "experiments/page.hpp"
+#include "experiments/report.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "io/atomic_file.hpp"
@@ -29,7 +29,7 @@ struct ValidateSettings {
 
 std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
 
-void write_page(const std::string& path, const std::string& text) {
+void write_text(const std::string& path, const std::string& text) {
   if (!path.empty()) write_atomically(path, text);
 }
 
@@ -84,8 +84,8 @@ void run_validate(const ValidateSettings& s) {
                       {"failed", failed},
                       {"seconds", seconds},
                       {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
-  write_page(s.markdown, experiments::validation_page(rows));
-  write_page(s.measurements, experiments::measurements_page());
+  write_text(s.markdown, experiments::validation_report(rows));
+  write_text(s.measurements, experiments::measurements_report());
   if (failed > 0)
     throw Error(std::to_string(failed) + " of " + std::to_string(count) +
                 " cases are off by more than their tolerance: this build does not compute what it should.");
@@ -96,15 +96,15 @@ void run_validate(const ValidateSettings& s) {
 Command validate_command() {
   auto settings = std::make_shared<ValidateSettings>();
   return {"validate",
-          "Hold the library against its closed forms and say how far it is off",
+          "Compare the library with its closed forms and report the errors",
           {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
            path("output.json", "--json", settings->json, "report for machines"),
            number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
                   "all tolerances times this, to see how near the cases are to them [1]"),
            path("output.markdown", "--markdown", settings->markdown,
-                "the worst case of each form, as a page of the documentation"),
+                "table of the worst case of each closed form, as Markdown"),
            path("output.measurements", "--measurements", settings->measurements,
-                "what published measurements predict, as a page of the documentation")},
+                "published measurements beside what the model predicts, as Markdown")},
           [settings] { run_validate(*settings); }};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others measured as trends, in cuts of the library (docs/measurements.md: B8, B15, DC8).
+// Trends of published measurements in cuts of the library (docs/validation.md: B8, B15, DC8).
 #include <gtest/gtest.h>
 
 #include <functional>

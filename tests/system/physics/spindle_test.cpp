@@ -16,7 +16,7 @@ using namespace test;
 using units::kPi;
 using units::mm;
 
-constexpr double kClosure = 1e-4;  // [1] of the ledger (docs/model.md, accuracy)
+constexpr double kClosure = 1e-4;  // [1] of the ledger (docs/validation.md)
 
 /// A flat head fed axially needs u pi R^2 v_f in all, whatever its speed.
 double power_needed() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gestures/story.hpp"
+#include "gestures/scene_log.hpp"
 
 #include <bit>
 #include <limits>
@@ -10,17 +10,17 @@
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kShare = 1e-3;        // [1] of the turnover that may be gained or swallowed
-constexpr double kUnexplained = 1e-2;  // [1] of what a coupling turns over
-constexpr double kNothing = 1e-9;      // [J] less than a hand can turn over
-constexpr double kLittle = 1e-5;       // [J] before which what the coupling lacks, 10 mN on its way, is much of it
-constexpr double kNoVolume = 1e-15;    // [m^3] a thousandth of a thousandth of a cubic millimetre
+constexpr double kShare = 1e-3;        // [1] of the turnover: allowed gain or `entered`
+constexpr double kUnexplained = 1e-2;  // [1] of the coupling's turnover: allowed residual
+constexpr double kNothing = 1e-9;      // [J] negligible work
+constexpr double kLittle = 1e-5;       // [J] below this turnover the coupling's tolerance of 10 mN dominates
+constexpr double kNoVolume = 1e-15;    // [m^3] negligible volume
 constexpr double kRounding = 1.001;    // [1]
-constexpr double kNoPower = 1e-6;      // [W] of a motor that stalls, as single precision has it
-constexpr double kLent = 1e-3;         // [1] of what a rotor holds
-constexpr double kSpeedKnown = 2e-3;   // [1] of its setting: how closely the speed of a motor is solved for
+constexpr double kNoPower = 1e-6;      // [W] of a stalled motor, by single precision
+constexpr double kLent = 1e-3;         // [1] of the rotor's kinetic energy
+constexpr double kSpeedKnown = 2e-3;   // [1] of the setting: accuracy of the motor's speed
 
-/// [m] C34 half a voxel beside the axis, of the material that needs the thickest.
+/// [m] Engaged layer (C34) half a voxel beside the axis, for the material with the thickest layer.
 double thickest_layer(const Simulation& simulation, double feed) {
   const Tool& tool = simulation.tool();
   const double spin = std::abs(simulation.last_result().spindle.speed);
@@ -37,7 +37,7 @@ double thickest_layer(const Simulation& simulation, double feed) {
 
 }  // namespace
 
-void Story::begin(const Simulation& simulation) {
+void SceneLog::begin(const Simulation& simulation) {
   has_begun_ = true;
   start_ = simulation.last_result().energy;
   stored_at_start_ = start_.stored();
@@ -49,7 +49,7 @@ void Story::begin(const Simulation& simulation) {
   motor_work_ = simulation.last_result().energy.motor_work;
 }
 
-void Story::look_at_energy(const Tick& tick, double voxel) {
+void SceneLog::look_at_energy(const Tick& tick, double voxel) {
   const Tick& last = ticks.back();
   const double hand = tick.energy.hand_work - last.energy.hand_work;
   const double motor = tick.energy.motor_work - last.energy.motor_work;
@@ -57,17 +57,17 @@ void Story::look_at_energy(const Tick& tick, double voxel) {
   min_given_ =
       std::min(min_given_, tick.energy.hand_work - start_.hand_work + tick.energy.motor_work - start_.motor_work);
   max_entered_ = std::max(max_entered_, std::abs(tick.energy.entered - start_.entered));
-  // The change of force along the motion, which no sub-step makes longer than half a voxel.
+  // The change of force along the motion of a sub-step, which is at most half a voxel.
   const Twist motion = twist_between(last.X_WH, tick.X_WH, 1);
   const double error = std::abs((tick.model.force - last.model.force).dot(motion.linear) +
                                 (tick.model.torque - last.model.torque).dot(motion.angular));
   const double way = motion.linear.norm();
   if (std::isfinite(error)) step_error_ += error * (way > 0.5 * voxel ? 0.5 * voxel / way : 1);
-  // The force that was applied last is held while the hand moves on; a spring that is held gives back half of its
-  // stiffness times the motion squared by itself.
+  // The device holds the last force while the hand moves. A spring that is held in this way returns half its stiffness
+  // times the square of the motion.
   const Twist path = twist_between(last.X_WD, tick.X_WD, 1);
   const double asked = last.felt.force.norm(), given = last.applied.force.norm();
-  const double share = given < asked ? given / asked : 1;  // [1] that the guard let pass, of the effects too
+  const double share = given < asked ? given / asked : 1;  // [1] fraction of force and effects that the guard passed
   const double work = -(last.applied.force - share * last.effects.force).dot(path.linear) -
                       (last.applied.torque - share * last.effects.torque).dot(path.angular);
   if (!std::isfinite(work)) return;
@@ -76,16 +76,17 @@ void Story::look_at_energy(const Tick& tick, double voxel) {
   min_hand_given_ = std::min(min_hand_given_, hand_given_);
 }
 
-void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCoupling* coupling) {
+void SceneLog::add(const Tick& tick, const Simulation& simulation, const VirtualCoupling* coupling) {
   if (!ticks.empty() && has_begun_) look_at_energy(tick, simulation.workpiece().voxel_size());
   const double last_depth = ticks.empty() ? 0 : ticks.back().depth;
-  // A tool that is fed by force has its engaged layer, which is thickest at the axis.
+  // A tool with a prescribed feed has an engaged layer, which is thickest at the axis.
   if (limits.force == 0 && tick.removed > 0 && !ticks.empty() && tick.time > ticks.back().time)
     allowed_depth_ = std::max(
         allowed_depth_, thickest_layer(simulation, (tick.X_WH.translation - ticks.back().X_WH.translation).norm() /
                                                        (tick.time - ticks.back().time)));
   ticks.push_back(tick);
-  // Looking at every voxel is slow: where the step says that there is something, now and then, and when it comes.
+  // Inspecting every voxel is slow: do it when the contact suddenly deepens, and otherwise every few ticks of a
+  // contact.
   constexpr std::size_t kEvery = 5;  // [ticks]
   const bool is_known = !has_any(tick.status, kRejected);
   if (is_known && tick.depth <= allowed_depth_)
@@ -94,7 +95,7 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
     deepest_ = std::max(
         deepest_, test::solid_depth(simulation, Pose{turn_, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
   if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
-  if (limits.force > 0) {  // else it is driven directly so far
+  if (limits.force > 0) {  // otherwise the tool is still driven directly
     max_felt_ = std::max(max_felt_, tick.felt.force.norm());
     max_applied_ = std::max(max_applied_, tick.applied.force.norm());
   }
@@ -104,25 +105,26 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
   if (e.turnover > kLittle) unexplained_ = std::max(unexplained_, std::abs(e.closure()));
 }
 
-void Story::on_step(const ObservedStep& step) noexcept {
+void SceneLog::on_step(const ObservedStep& step) noexcept {
   const SpindleState& spindle = step.result.spindle;
   const Spindle& motor = step.simulation.tool().spindle();
   const double w = std::abs(spindle.speed);
   const double worked = std::max(0.0, step.result.energy.motor_work - motor_work_);
   motor_work_ = step.result.energy.motor_work;
-  // What the rotor gives as it slows down is not the motor's, and that was on its way from one speed to the other, with
-  // swings as large as that.
+  // A rotor that slows down gives energy that is not the motor's. Within the step the motor passed all speeds between
+  // the two, and may have swung by as much again.
   const double slowed = std::max(0.0, rotor_speed_ * rotor_speed_ - w * w);
-  const double fastest = std::max(rotor_speed_, w), slowest = std::max(0.0, fastest - 2 * std::abs(w - rotor_speed_));
+  const double max_speed = std::max(rotor_speed_, w);
+  const double min_speed = std::max(0.0, max_speed - 2 * std::abs(w - rotor_speed_));
   const double free = (1 + kSpeedKnown) * std::abs(step.simulation.spindle_setting());
-  const double strongest = std::clamp(0.5 * free, slowest, fastest);
+  const double strongest = std::clamp(0.5 * free, min_speed, max_speed);
   rotor_speed_ = w;
   const double power = (worked - motor.rotor_inertia * slowed / 2) / step.input.dt;
   max_power_ = std::max(max_power_, power);
-  double most = motor.power_limit;
-  if (motor.droop > 0) most = std::min(most, strongest * std::max(0.0, free - strongest) / motor.droop);
-  if (std::isfinite(most)) {  // the rotor lends what a load takes before the motor has slowed down
-    const double beyond = power - kRounding * most, holds = 0.5 * motor.rotor_inertia * free * free;
+  double limit = motor.power_limit;  // [W]
+  if (motor.droop > 0) limit = std::min(limit, strongest * std::max(0.0, free - strongest) / motor.droop);
+  if (std::isfinite(limit)) {  // the rotor supplies the load until the motor has slowed down
+    const double beyond = power - kRounding * limit, holds = 0.5 * motor.rotor_inertia * free * free;
     lent_ = std::max(0.0, lent_ + beyond * step.input.dt);
     if (lent_ > kLent * holds + kNothing) excess_power_ = std::max(excess_power_, beyond);
   }
@@ -134,7 +136,7 @@ void Story::on_step(const ObservedStep& step) noexcept {
   }
 }
 
-Span Story::within(double from, double to) const {
+Span SceneLog::within(double from, double to) const {
   Span span{ticks.size(), ticks.size()};
   for (std::size_t n = 0; n < ticks.size(); ++n) {
     if (ticks[n].time >= from - 1e-9 && span.first == ticks.size()) span.first = n;
@@ -147,13 +149,13 @@ Span Story::within(double from, double to) const {
   return span;
 }
 
-const Tick& Story::at(double time) const {
+const Tick& SceneLog::at(double time) const {
   std::size_t n = 0;
   while (n + 1 < ticks.size() && ticks[n + 1].time <= time + 1e-9) ++n;
   return ticks[n];
 }
 
-void Story::judge_energy(Report& report) const {
+void SceneLog::judge_energy(Report& report) const {
   const double given = min_given_ + stored_at_start_;
   const double gain = std::max(0.0, -given), allowed = kShare * turnover_ + kNothing;
   const double hand_gain = std::max(0.0, -min_hand_given_ - stored_at_start_);
@@ -171,12 +173,12 @@ void Story::judge_energy(Report& report) const {
                         unexplained_ / kUnexplained}));
 }
 
-void Story::judge(Report& report, const Simulation& simulation) const {
+void SceneLog::judge(Report& report, const Simulation& simulation) const {
   judge_energy(report);
   if (limits.has_guard)
     report.at_most("invariant 2", 1e9 * unfelt_, 1e9 * kNoVolume, "mm^3", "cut while the device gets no force");
   report.at_most("invariant 3", 1e3 * deepest_, 1e3 * allowed_depth_, "mm",
-                 "solid material in the head: as deep as crushing presses it, or as the engaged layer");
+                 "solid material in the head: crushing depth, or engaged layer");
   if (limits.force > 0) {
     std::string seen = shown(max_felt_, "N") + " asked, " + shown(max_applied_, "N") + " given";
     std::string expected = "at most " + shown(limits.force, "N") + " of spring and damper together";

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gestures/rigs.hpp"
+#include "gestures/scripted_loops.hpp"
 
 #include <utility>
 
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kArming = 1.7;  // [s] in the air before the script, in which the guard fades the force in
+constexpr double kArming = 1.7;  // [s] in the air before the script, while the guard arms
 
-/// The same piece, grid and all, turned about the origin.
+/// A workpiece rotated about the origin together with its grid.
 Workpiece turned(Workpiece piece, const Mat3& turn) {
   if (turn.isIdentity(0)) return piece;
   GridFrame frame = piece.frame();
@@ -50,29 +50,29 @@ Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
   return tick;
 }
 
-Rig::Rig(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config,
-         const std::optional<CouplingGains>& gains)
+ScriptedLoop::ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config,
+                           const std::optional<CouplingGains>& gains)
     : simulation(turned(std::move(workpiece), report.turn), std::move(tool),
                  with_contact_time(std::move(config), held == Held::by_coupling)),
-      story(Limits{}, report),
+      log(Limits{}, report),
       report_(report) {
-  simulation.add_observer(story);
+  simulation.add_observer(log);
   if (held == Held::by_coupling) couple(gains.value_or(touch_gains()));
 }
 
-Rig::~Rig() { simulation.remove_observer(story); }
+ScriptedLoop::~ScriptedLoop() { simulation.remove_observer(log); }
 
-void Rig::couple(const CouplingGains& gains) {
+void ScriptedLoop::couple(const CouplingGains& gains) {
   coupling_.emplace(simulation, gains);
-  story.limits = {gains.max_force, 0, gains.stiffness, false};
+  log.limits = {gains.max_force, 0, gains.stiffness, false};
 }
 
-Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil) {
-  const std::size_t first = story.ticks.size();
+Span ScriptedLoop::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil) {
+  const std::size_t first = log.ticks.size();
   const double period = report_.period;
   const Mat3& turn = report_.turn;
   const long ticks = std::lround(hand.seconds() / period);
-  if (first == 0) story.begin(simulation);
+  if (first == 0) log.begin(simulation);
   for (long n = 1; n <= ticks; ++n) {
     const Pose meant = hand.at(double(n) * period);
     const Twist path = twist_between(last_.value_or(hand.at(double(n - 1) * period)), meant, period);
@@ -100,20 +100,20 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& s
     tick.felt = tick.applied = turned_back(felt, turn);
     tick.removed = removed;
     if (coupling_) tick.contacts = coupling_->last_result().newton_steps + coupling_->last_result().parts;
-    story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
+    log.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
   time_ += double(ticks) * period;
   end_ = hand.end();
-  return {first, story.ticks.size()};
+  return {first, log.ticks.size()};
 }
 
 // --- the chain -------------------------------------------------------------------------------------------------------
 
-/// A mock whose readings may be spoiled and whose motors are watched.
-class Chain::WatchedMock final : public MockDevice {
+/// A mock device whose readings can be changed and whose motor commands are recorded.
+class DeviceChain::WatchedMock final : public MockDevice {
  public:
-  WatchedMock(Chain& chain, MockOptions options) : MockDevice(std::move(options)), chain_(chain) {}
-  static MockOptions options_of(Chain& chain) {
+  WatchedMock(DeviceChain& chain, MockOptions options) : MockDevice(std::move(options)), chain_(chain) {}
+  static MockOptions options_of(DeviceChain& chain) {
     MockOptions options;
     options.device = device_model(chain.options_.device);
     options.rigid = chain.options_.hand.empty();
@@ -135,15 +135,15 @@ class Chain::WatchedMock final : public MockDevice {
   }
 
  private:
-  Chain& chain_;
+  DeviceChain& chain_;
 };
 
-Chain::Chain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions options)
+DeviceChain::DeviceChain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions options)
     : simulation(turned(std::move(workpiece), a_report.turn), std::move(tool),
                  with_contact_time(options.config, options.coupled)),
-      story({device_model(options.device).peak_force, device_model(options.device).peak_torque,
-             device_model(options.device).rendered_stiffness, true},
-            a_report),
+      log({device_model(options.device).peak_force, device_model(options.device).peak_torque,
+           device_model(options.device).rendered_stiffness, true},
+          a_report),
       report_(a_report),
       options_(std::move(options)),
       device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this))) {
@@ -153,21 +153,21 @@ Chain::Chain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions opti
   if (options_.coupled) model.coupling = options_.gains.value_or(coupling_gains(device_->capabilities()));
   model.undo_blocks = options_.undo_blocks;
   model_ = std::make_unique<SimulationModel>(simulation, *device_, model);
-  simulation.add_observer(story);
+  simulation.add_observer(log);
 }
 
-Chain::~Chain() { simulation.remove_observer(story); }
+DeviceChain::~DeviceChain() { simulation.remove_observer(log); }
 
-Device& Chain::device() { return *device_; }
+Device& DeviceChain::device() { return *device_; }
 
-bool Chain::tell(LoopCommand command) {
+bool DeviceChain::tell(LoopCommand command) {
   model_->check(command);
   return model_->obey(command);
 }
 
-Span Chain::play(const Hand& hand) {
-  const std::size_t first = story.ticks.size();
-  if (first == 0) story.begin(simulation);
+Span DeviceChain::play(const Hand& hand) {
+  const std::size_t first = log.ticks.size();
+  if (first == 0) log.begin(simulation);
   seconds_ = hand.seconds();
   count_ = 0;
   path_ = [hand](double time) { return hand.at(time - kArming); };
@@ -177,11 +177,11 @@ Span Chain::play(const Hand& hand) {
   run.guard.period = report_.period;
   report = device_->run([this](const DeviceState& reading) { return tick(reading); }, run);
   under_way_.reset();
-  return {first, story.ticks.size()};
+  return {first, log.ticks.size()};
 }
 
-DeviceCommand Chain::tick(const DeviceState& reading) {
-  const double scripted = double(count_) * report_.period;  // the reading's own time may be spoiled
+DeviceCommand DeviceChain::tick(const DeviceState& reading) {
+  const double scripted = double(count_) * report_.period;  // the time of the reading may be changed
   const double time = scripted - kArming;
   for (Moment& moment : moments_)
     if (moment.happens && time >= moment.time) std::exchange(moment.happens, {})();
@@ -207,11 +207,11 @@ DeviceCommand Chain::tick(const DeviceState& reading) {
   return command;
 }
 
-/// The motors have it: the tick is complete.
-void Chain::applied(const Wrench& wrench) {
+/// The motors have the wrench, so the tick is complete.
+void DeviceChain::applied(const Wrench& wrench) {
   if (!under_way_) return;
   under_way_->applied = wrench;
-  story.add(*under_way_, simulation, nullptr);
+  log.add(*under_way_, simulation, nullptr);
   under_way_.reset();
 }
 

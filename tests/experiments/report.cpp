@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/page.hpp"
+#include "experiments/report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 std::string percent(double share, int count) { return digits(100 * share, count) + " %"; }
 
-/// The number that an id begins with: "C20" of "C20 thrust", "DC4" of "DC4 half"; empty where there is none.
+/// The number at the start of an id: "C20" for "C20 thrust", "DC4" for "DC4 half"; empty for an id without a number.
 std::string form_of(const std::string& id) {
   const std::string word = id.substr(0, id.find(' '));
   const std::size_t digit = word.find_first_of("0123456789");
@@ -24,7 +24,7 @@ struct Cases {
   std::string form;
   std::vector<const Check*> all;
 
-  /// The one that is nearest to its tolerance, or furthest beyond it.
+  /// The case that is nearest to its tolerance, or farthest beyond it.
   [[nodiscard]] const Check* worst(bool of_orders) const {
     const Check* found = nullptr;
     for (const Check* check : all)
@@ -72,17 +72,13 @@ std::string rows_of(const std::string& experiment, const std::vector<Check>& che
   return rows;
 }
 
-std::string validation_page(const std::string& rows) {
-  return R"(<!-- SPDX-License-Identifier: Apache-2.0 -->
-# Validation
+std::string validation_report(const std::string& rows) {
+  return R"(# Validation
 
-How far the library is off each closed form, how far it may be, and why: a row for each form of an experiment, with its first case in
-words, the names of all its cases, the worst in bold, the error of that one, and the order in which errors fall with the voxels, "of"
-what is expected. Written by `hapticut validate --markdown docs/validation.md`, which prints every case with what the form gives and
-what the library gives, and so does `--json`; `--only` takes the name of an experiment. Each is a test of the library too. The formulas
-are in [model.md](model.md). C20 ... C34 are for a constant energy, which no preset of blades or drills has: with theirs
-hold C35 ... C38 and C42. "grid" and "pushed" are the worst of 7 directions of the grid and 3 or more stiffnesses; an error "over its
-bound" is the worst of all cases, places in the grid and voxel sizes, and 100 % of the bound, which the reason names.
+Each row is one closed form of an experiment. It names all cases, the worst one in bold, and gives the error, the
+tolerance and the reason for the tolerance of this worst case. "Order" is the order in which the error falls with the
+voxel size, and the expected order. An error "over its bound" is relative to a bound that the reason names; 100 % is
+the bound. "grid" and "pushed" are the worst of seven directions of the grid and of three or more stiffnesses.
 
 | experiment | form | first case | cases | error | tolerance | reason | order |
 |---|---|---|---|---|---|---|---|

@@ -8,47 +8,46 @@
 #include <vector>
 
 #include "gestures/pieces.hpp"
-#include "gestures/story.hpp"
+#include "gestures/scene_log.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "support/touch_gains.hpp"
 
 /// @file
-/// The ways in which a gesture meets the library: a loop of one's own, or the whole chain of a device.
+/// Two ways to run a gesture: a loop that calls the step directly, and the whole chain of a device.
 namespace hapticut::gestures {
 
 using test::touch_gains;
 
-/// How the hand holds the tool in a loop of one's own.
+/// How the hand holds the tool in a ScriptedLoop.
 enum class Held { directly, by_coupling };
 
-/// A loop of one's own: a scripted hand moves the tool by `Simulation::step`, or by `VirtualCoupling::step` with what a
-/// Touch renders. Several scripts after one another, with anything in between.
-class Rig {
+/// A scripted hand moves the tool by `Simulation::step`, or by `VirtualCoupling::step` with the gains of a Touch.
+/// Several scripts may run in sequence.
+class ScriptedLoop {
  public:
-  Rig(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config = {},
-      const std::optional<CouplingGains>& gains = {});
-  ~Rig();
-  Rig(const Rig&) = delete;
-  Rig& operator=(const Rig&) = delete;
+  ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config = {},
+               const std::optional<CouplingGains>& gains = {});
+  ~ScriptedLoop();
+  ScriptedLoop(const ScriptedLoop&) = delete;
+  ScriptedLoop& operator=(const ScriptedLoop&) = delete;
 
-  /// From here on the hand holds it by a coupling, and the tool is where the hand is.
+  /// Puts a coupling between hand and tool. The tool starts at the hand.
   void couple(const CouplingGains& gains);
 
-  /// @param spoil  what becomes of a reading on its way to the library, and of the time [s] since the last; empty:
-  /// nothing
+  /// @param spoil  changes a reading before the library gets it, and the time [s] since the last one; empty: no change
   Span play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil = {});
 
-  /// The hand, where the last script left it.
+  /// A hand that starts where the last script ended.
   [[nodiscard]] Hand from_here() const { return Hand(end_); }
 
-  /// Tells the report of the invariants.
-  void judge() { story.judge(report_, simulation); }
+  /// Adds the invariants to the report.
+  void judge() { log.judge(report_, simulation); }
 
   [[nodiscard]] VirtualCoupling& coupling() { return *coupling_; }
 
   Simulation simulation;
-  Story story;
+  SceneLog log;
 
  private:
   Report& report_;
@@ -58,12 +57,12 @@ class Rig {
   double time_ = 0;
 };
 
-/// What the simulation says of its last step. @param turn  of the scene
+/// The tick of the simulation's last step. @param turn  rotation of the scene
 [[nodiscard]] Tick tick_of(const Simulation& simulation, double time, const Mat3& turn);
 
 struct ChainOptions {
   std::string device = "touch";
-  std::string hand = {};  // empty: the stylus is where the script says, whatever the force
+  std::string hand = {};  // empty: the stylus follows the script whatever the force
   SimulationConfig config = {};
   std::optional<CouplingGains> gains = {};  // empty: coupling_gains of the device
   bool coupled = true;
@@ -71,32 +70,32 @@ struct ChainOptions {
   std::size_t undo_blocks = 0;
 };
 
-/// Device -> map -> guard -> coupling -> step: a simulated device runs SimulationModel as RealtimeLoop does.
-class Chain {
+/// Device -> map -> guard -> coupling -> step: a simulated device runs a SimulationModel, as RealtimeLoop does.
+class DeviceChain {
  public:
   /// @throws Error when the model refuses to be driven by the device
-  Chain(Report& report, Workpiece workpiece, Tool tool, ChainOptions options = {});
-  ~Chain();
-  Chain(const Chain&) = delete;
-  Chain& operator=(const Chain&) = delete;
+  DeviceChain(Report& report, Workpiece workpiece, Tool tool, ChainOptions options = {});
+  ~DeviceChain();
+  DeviceChain(const DeviceChain&) = delete;
+  DeviceChain& operator=(const DeviceChain&) = delete;
 
-  /// Runs the device with this script, after the arming in the air where it begins.
+  /// Runs the device with this script. The guard arms first, in the air where the script begins.
   Span play(const Hand& hand);
 
-  /// Tells the loop something between two ticks.
+  /// Applies a command between two ticks.
   bool tell(LoopCommand command);
 
-  /// Tells the report of the invariants.
-  void judge() { story.judge(report_, simulation); }
+  /// Adds the invariants to the report.
+  void judge() { log.judge(report_, simulation); }
 
-  /// Once, before the tick of this time [s] of the script.
+  /// Calls a function once, before the tick at this time [s] of the script.
   void at(double time, std::function<void()> happens) { moments_.push_back({time, std::move(happens)}); }
 
   std::function<void(double time)> before;                       // each tick
-  std::function<void(DeviceState& reading, double time)> spoil;  // on its way from the device
+  std::function<void(DeviceState& reading, double time)> spoil;  // changes a reading of the device
 
   Simulation simulation;
-  Story story;
+  SceneLog log;
   RunReport report;
   [[nodiscard]] Device& device();
   [[nodiscard]] SimulationModel& model() { return *model_; }
@@ -120,7 +119,7 @@ class Chain {
   std::vector<Moment> moments_;
   double last_time_ = 0, last_removed_ = 0, seconds_ = 0;
   long count_ = 0;
-  std::optional<Tick> under_way_;  // computed, not yet given to the motors
+  std::optional<Tick> under_way_;  // computed, not yet sent to the motors
 };
 
 }  // namespace hapticut::gestures
