@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|with_core|physics|c|openvdb|io|settings|no_io|abi|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|with_core|examples|physics|c|openvdb|io|settings|no_io|abi|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -43,6 +43,30 @@ if(CASE STREQUAL "installed")
   endif()
 elseif(CASE STREQUAL "with_core")
   build_consumer(with_core "-DCOMPONENT=build,surface,heat,islands,sound,analysis")
+elseif(CASE STREQUAL "examples")
+  file(GLOB_RECURSE project "${WORK}/prefix/*/examples/cpp/CMakeLists.txt")
+  get_filename_component(folder "${project}" DIRECTORY)
+  must("${CMAKE_COMMAND}" -S "${folder}" -B "${WORK}/cpp" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
+       "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
+  must("${CMAKE_COMMAND}" --build "${WORK}/cpp")
+  must("${WORK}/cpp/01_first_force")
+  if(NOT output MATCHES "1000 ms: [0-9.]+ N")
+    message(FATAL_ERROR "the first example prints no force:\n${output}")
+  endif()
+  get_filename_component(examples "${folder}" DIRECTORY)
+  file(GLOB_RECURSE interface "${WORK}/prefix/hapticut_cTargets.cmake")
+  if(interface)
+    must("${CMAKE_COMMAND}" -S "${examples}/c" -B "${WORK}/c" -G Ninja "-DCMAKE_C_COMPILER=${CC}"
+         "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
+    must("${CMAKE_COMMAND}" --build "${WORK}/c")
+  endif()
+  # Pages and pictures refer to each other as they do in the source.
+  file(GLOB pages RELATIVE "${SOURCE}/docs" "${SOURCE}/docs/*.md" "${SOURCE}/docs/images/*")
+  foreach(page IN LISTS pages)
+    if(NOT EXISTS "${examples}/../docs/${page}")
+      message(FATAL_ERROR "docs/${page} is not installed")
+    endif()
+  endforeach()
 elseif(CASE STREQUAL "physics")
   # Nothing to link is left, and OpenVDB is not to be found.
   file(GLOB_RECURSE libraries "${WORK}/prefix/libhapticut*")
