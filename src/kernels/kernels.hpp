@@ -110,7 +110,7 @@ struct ContactJob {
 };
 
 /// What the blocks of a sub-step give together.
-struct Pressed {
+struct ContactOutcome {
   Resultant resultant;
   LawEnergies energies;
 };
@@ -119,7 +119,7 @@ struct Pressed {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : Pressed {      // the scalar reference adds up what it finds
+struct ContactSums : ContactOutcome {      // the scalar reference adds up what it finds
   ByMaterial<double> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
 };
 struct FrictionSums {  // likewise
@@ -157,6 +157,6 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
 /// it; what was removed is exact. LawEnergies::cutting is what it took beyond u of all that was removed: callers, who
 /// know the materials of `removed`, add that.
 /// @param voxel_volume  [m^3]
-[[nodiscard]] Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
+[[nodiscard]] ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 
 }  // namespace hapticut::kernels

@@ -67,9 +67,9 @@ int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
   return scratch().samples;
 }
 
-Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   const double weight = job.level_of_detail;
-  Pressed all = sums;
+  ContactOutcome all = sums;
   all.resultant.wrench_T.force *= weight;
   all.resultant.wrench_T.torque *= weight;
   all.resultant.voxels *= int(job.level_of_detail);

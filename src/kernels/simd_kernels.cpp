@@ -55,11 +55,11 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 
-Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   using Term = ContactSums::Term;
   const double weight = job.level_of_detail;
   const auto total = [&](Term term) { return weight * sums.total(term) * voxel_volume; };
-  Pressed all;
+  ContactOutcome all;
   Resultant& resultant = all.resultant;
   resultant.wrench_T.force = -Vec3(total(Term::kForceX), total(Term::kForceY), total(Term::kForceZ));
   resultant.wrench_T.torque = -Vec3(total(Term::kTorqueX), total(Term::kTorqueY), total(Term::kTorqueZ));

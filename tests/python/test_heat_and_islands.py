@@ -84,7 +84,7 @@ def test_a_piece_that_was_cut_loose_is_found_and_leaves():
     while not h.islands.remove_island(simulation, removal, 4):
         assert removal.checked > 0
     assert removal.is_over and not removal.joined and removal.removed > 0 and removal.island.voxels == island.voxels
-    assert simulation.taken_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
+    assert simulation.detached_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
     assert h.islands.find_islands(simulation.workpiece) == []
     with pytest.raises(h.Error, match="origins"):
         finder.update(simulation.workpiece, np.zeros(3, dtype=np.int32))

@@ -35,7 +35,7 @@ class DeepContact {
   /// The ball has moved on a straight way.
   /// @param from, to      [m] its centre, in W
   /// @param filled        [1] share of the ball that is filled, in the middle of the way
-  /// @param normal_force  [N] of the springs on the ball, there, in W. Where `wants_normal_force` says no, only whether
+  /// @param normal_force  [N] of the springs on the ball, there, in W. Where `needs_normal_force` says no, only whether
   ///                      there is any counts
   /// @param radius        [m]
   /// @realtime no allocation, no lock; O(1)
@@ -43,7 +43,7 @@ class DeepContact {
     if (!held_) {
       const double force = normal_force.norm();
       if (filled < kDeep) touched_ = force > 0;
-      if (!wants_normal_force(filled) || !(force > 0)) return {};
+      if (!needs_normal_force(filled) || !(force > 0)) return {};
       held_ = true;
       normal_ = -normal_force / force;
       place_ = from;
@@ -66,7 +66,7 @@ class DeepContact {
 
   /// Whether the next `move` begins to hold the ball, and needs the normal force without what rubs or cuts along the
   /// ball's surface.
-  [[nodiscard]] bool wants_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
+  [[nodiscard]] bool needs_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
 
   [[nodiscard]] bool held() const { return held_; }                          ///< the spring acts
   [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] of the spring

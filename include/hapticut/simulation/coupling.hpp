@@ -44,9 +44,10 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
       field("inertia", &G::inertia, "kg m^2", Range::positive(),
             "of the simulated tool about its handle point, equal about all axes"),
-      field("newton_steps", &G::newton_steps, "1", Range::between(32, 400),
-            "maximum in a tick, for all its parts together; a part needs one when the tool moves steadily, and ten in a "
-            "corner of hard faces"),
+      field(
+          "newton_steps", &G::newton_steps, "1", Range::between(32, 400),
+          "maximum in a tick, for all its parts together; a part needs one when the tool moves steadily, and ten in a "
+          "corner of hard faces"),
   };
 }
 

@@ -71,15 +71,17 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
       field("damping", &E::damping, "J",
             "Hunt-Crossley damping, and the excess work of springs that are evaluated at the end of a sub-step"),
-      field("rubbing", &E::rubbing, "J",
-            "tangential work that removes nothing: of edges, of thin chips below the threshold of their layer, on smooth "
-            "sides and walls, under the edge pressure, with removal off"),
+      field(
+          "rubbing", &E::rubbing, "J",
+          "tangential work that removes nothing: of edges, of thin chips below the threshold of their layer, on smooth "
+          "sides and walls, under the edge pressure, with removal off"),
       field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
       field("credited", &E::credited, "J",
             "cutting energy of material that is removed without work: the last millionth of a voxel (with other laws "
             "than FoundationLaw a thousandth), and rounding errors of single precision"),
       field("entered", &E::entered, "J", "elastic energy of material that entered or left the head without work"),
-      field("turnover", &E::turnover, "J", "sum of the magnitudes of hand_work, motor_work and entered of each sub-step"),
+      field("turnover", &E::turnover, "J",
+            "sum of the magnitudes of hand_work, motor_work and entered of each sub-step"),
   };
 }
 

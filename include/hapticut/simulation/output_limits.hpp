@@ -28,7 +28,8 @@ constexpr auto fields_of(Of<OutputLimits>) {
       field("max_force", &L::max_force, "N", Range::limit(), "larger forces are shortened to this size"),
       field("max_torque", &L::max_torque, "N m", Range::limit(), "larger torques are shortened to this size"),
       field("force_growth", &L::force_growth, "N/s", Range::limit(), "how fast the force may grow; it falls at once"),
-      field("torque_growth", &L::torque_growth, "N m/s", Range::limit(), "how fast the torque may grow; it falls at once"),
+      field("torque_growth", &L::torque_growth, "N m/s", Range::limit(),
+            "how fast the torque may grow; it falls at once"),
       field("ramp_time", &L::ramp_time, "s", Range::not_negative(),
             "time in which the output grows to its full size after the start, a jump or a reset"),
   };

@@ -63,7 +63,7 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   EXPECT_GE(slices, 2);
   EXPECT_FALSE(simulation.changed_blocks().origins.empty());
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  const double left = sum(simulation.taken_volume_by_material());
+  const double left = sum(simulation.detached_volume_by_material());
   EXPECT_NEAR(left, double(islands[0].voxels) * std::pow(kVoxel, 3), 0.05 * left);
   EXPECT_EQ(sum(simulation.removed_volume_by_material()), cut);
   EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
@@ -109,7 +109,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   others.origin = {8, 8, 8};
   EXPECT_TRUE(simulation.remove_voxels(some));
   EXPECT_FALSE(simulation.remove_voxels(others));
-  EXPECT_NEAR(sum(simulation.taken_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
+  EXPECT_NEAR(sum(simulation.detached_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
   simulation.reserve_blocks(4);
   EXPECT_TRUE(simulation.remove_voxels(others));
 }
@@ -128,7 +128,7 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   }
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  EXPECT_GT(sum(simulation.taken_volume_by_material()), 0);
+  EXPECT_GT(sum(simulation.detached_volume_by_material()), 0);
   std::vector<Island> left;
   while (left.empty()) {
     left = watch.left();
@@ -170,7 +170,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         }
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
-  const double cut_out = sum(simulation.taken_volume_by_material());
+  const double cut_out = sum(simulation.detached_volume_by_material());
   ChangeFeed feed(simulation, without.region(), 10000);
   feed.follow();
   (void)device->run(
@@ -185,7 +185,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
       simulated_run());
   EXPECT_EQ(model.watch().count(), 1U);
   EXPECT_GE(feed.waiting(), 27U);
-  EXPECT_NEAR(sum(simulation.taken_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
+  EXPECT_NEAR(sum(simulation.detached_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
   while (left.empty()) {

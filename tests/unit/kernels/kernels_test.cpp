@@ -262,7 +262,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       ++blocks;
       // Skip the rare block with a voxel that is in contact in one only, or at a crease nearest to another surface.
       const double volume = kVoxel * kVoxel * kVoxel, weight = job.level_of_detail;
-      const kernels::Pressed pressed = kernels::pressed(job, sums, volume);
+      const kernels::ContactOutcome pressed = kernels::outcome_of(job, sums, volume);
       const double more = std::abs(pressed.resultant.volume / weight - expected.resultant.volume);
       if (pressed.resultant.voxels != int(weight) * expected.resultant.voxels || more > kRounding * kBlockVoxels) {
         ++at_the_rim;
@@ -351,7 +351,7 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   kernels::PressTask task{block.view, fill_after.data(), false, {}};
   kernels::ContactSums sums;
   kernels::press_blocks(job, std::span(&task, 1), sums);
-  const kernels::Pressed pressed = kernels::pressed(job, sums, kVoxel * kVoxel * kVoxel);
+  const kernels::ContactOutcome pressed = kernels::outcome_of(job, sums, kVoxel * kVoxel * kVoxel);
   EXPECT_GT(pressed.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
   EXPECT_EQ(sums.removed, (ByMaterial<double>{}));
@@ -373,7 +373,7 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
     kernels::PressTask task{block.view, fill_after.data(), false, {}};
     kernels::ContactSums sums;
     kernels::press_blocks(job, std::span(&task, 1), sums);
-    const kernels::Pressed found = kernels::pressed(job, sums, std::pow(kVoxel, 3));
+    const kernels::ContactOutcome found = kernels::outcome_of(job, sums, std::pow(kVoxel, 3));
     const LawEnergies &a = found.energies, &b = expected.totals.energies;
     const Resultant& wanted = expected.resultant;
     const double scale = wanted.normal_force, way = double(motion.velocity.norm() * motion.duration);
