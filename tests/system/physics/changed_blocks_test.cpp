@@ -58,12 +58,12 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
 TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
-  for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).pose, scene.input(tick).velocity, 1e-3);
+  for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).X_WH, scene.input(tick).V_WH, 1e-3);
   ASSERT_FALSE(simulation.changed_blocks().origins.empty());
-  simulation.step(scene.input(60).pose, scene.input(60).velocity, -1);
+  simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, -1);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
   simulation.set_spindle_speed(0);
-  simulation.step(scene.input(60).pose, scene.input(60).velocity, 1e-3);
+  simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, 1e-3);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
 }
 
@@ -122,7 +122,7 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   simulation.add_observer(told);
   EXPECT_EQ(simulation.steps(), 0U);
   const WorkpieceSnapshot fresh = simulation.snapshot();
-  for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).pose, {}, 1e-3);
+  for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).X_WH, {}, 1e-3);
   EXPECT_EQ(simulation.steps(), 3U);
   EXPECT_EQ(told.exchanges, 0);
   simulation.restore(fresh);
@@ -138,11 +138,11 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   Counter another;
   simulation.add_observer(another);
   EXPECT_THROW(simulation.add_observer(told), Error);
-  simulation.step(scene.input(0).pose, {}, 1e-3);
+  simulation.step(scene.input(0).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 1);
   simulation.remove_observer(told);
-  simulation.step(scene.input(1).pose, {}, 1e-3);
+  simulation.step(scene.input(1).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 2);
   std::array<Counter, Simulation::kMaxObservers> many;

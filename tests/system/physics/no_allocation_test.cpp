@@ -133,10 +133,10 @@ TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
   const test::Scene& scene = test::find_scene("deep_ball");
   Simulation simulation = scene.make();
   StepInput bad = scene.input(0);
-  bad.pose.translation.x() = std::nan("");
+  bad.X_WH.translation.x() = std::nan("");
   expect_no_calls([&] {
-    (void)simulation.step(bad.pose, bad.velocity, bad.dt);
-    (void)simulation.step(scene.input(0).pose, {}, -1);
+    (void)simulation.step(bad.X_WH, bad.V_WH, bad.dt);
+    (void)simulation.step(scene.input(0).X_WH, {}, -1);
     (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
     (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
   });
