@@ -63,7 +63,7 @@ TEST(StabilityLimit, OfDevicesInHandsIsThatOfTheTable) {
   for (const WallRow& row : kWallTable)
     for (int delay = 0; delay < kWallDelays; ++delay)
       expect_near_relative(max_stable_stiffness(loop_of(row.device, row.hand, delay), linear_wall()),
-                           row.stiffest[std::size_t(delay)], kTable,
+                           row.max_stiffness[std::size_t(delay)], kTable,
                            std::string(row.device) + ", " + std::string(row.hand) + ", delay " + std::to_string(delay));
 }
 

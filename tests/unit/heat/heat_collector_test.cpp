@@ -47,7 +47,7 @@ struct Drilling {
     }
   }
   void stay_in_the_air() { (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms); }
-  void look() { field.advance(field.take(collector)); }
+  void look() { field.advance(field.drain(collector)); }
   /// [J] that stays in the workpiece, of what all steps took
   [[nodiscard]] double stays() const { return 0.2 * simulation.last_result().energy.losses(); }
 
@@ -77,7 +77,7 @@ TEST(HeatCollector, LosesNothingWhereItsQueuesAreFull) {
   for (int tick = 0; tick < 400; ++tick) {  // the spindle stands, the rest comes out
     drilling.simulation.halt_spindle();
     drilling.stay_in_the_air();
-    time += drilling.field.take(drilling.collector);
+    time += drilling.field.drain(drilling.collector);
   }
   drilling.field.advance(time);
   EXPECT_NEAR(drilling.field.balance().brought_in, drilling.stays(), 1e-9);
@@ -128,9 +128,9 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   HeatField field(simulation.workpiece());
   for (int tick = 0; tick < 500; ++tick) {
     (void)simulation.step(Pose::from_translation({1 * mm, 0.5 * mm, -0.0005 * mm}), {}, 1 * ms);
-    if (tick % 50 == 0) field.advance(field.take(collector));
+    if (tick % 50 == 0) field.advance(field.drain(collector));
   }
-  field.advance(field.take(collector));
+  field.advance(field.drain(collector));
   EXPECT_NEAR(field.balance().brought_in, 0.2 * simulation.last_result().energy.rubbing, 1e-9);
   EXPECT_GT(field.balance().brought_in, 0);
   // All over the face of the head, not in one point of it.

@@ -131,7 +131,7 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   EXPECT_GT(sum(simulation.detached_volume_by_material()), 0);
   std::vector<Island> left;
   while (left.empty()) {
-    left = watch.left();
+    left = watch.removed();
     std::this_thread::yield();
   }
   ASSERT_EQ(left.size(), 1U);
@@ -189,7 +189,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
   while (left.empty()) {
-    left = model.watch().left();
+    left = model.watch().removed();
     std::this_thread::yield();
   }
   ASSERT_EQ(left.size(), 1U);
