@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "support/coupling.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::composed_reduced_test {
 namespace {
@@ -28,22 +28,22 @@ TEST(TwistedSpindle, LeavesTheLedgerClosed) {
 
 // Whether it was open or not.
 TEST(ClosedClutch, CutsNothingInTheTickThatIsNotFelt) {
-  loop_rig::Rig rig(3000, true);
+  scripted_loop::ScriptedLoop scripted(3000, true);
   double before = 0, unfelt = 0;
-  rig.run(
-      900, loop_rig::press(0.5e-3),
+  scripted.run(
+      900, scripted_loop::press(0.5e-3),
       [&](int n) {
         if (n == 600) {
-          EXPECT_TRUE(rig.tell(commands::CloseClutch{}));
+          EXPECT_TRUE(scripted.tell(commands::CloseClutch{}));
         }
       },
       [&](int n) {
-        const double removed = rig.snapshot.tool.removed_volume;
+        const double removed = scripted.snapshot.tool.removed_volume;
         const double in_tick = removed - std::exchange(before, removed);
         if (n == 599) {
           EXPECT_GT(in_tick, 0);
         }
-        if (n >= 600 && rig.commanded.isZero(0)) unfelt += in_tick;
+        if (n >= 600 && scripted.commanded.isZero(0)) unfelt += in_tick;
       });
   EXPECT_EQ(unfelt, 0);
 }

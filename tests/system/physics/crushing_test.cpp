@@ -63,21 +63,21 @@ struct Press {
   std::vector<double> forces;
 };
 
-std::vector<Way> ways() {
-  std::vector<Way> all = {{"along the grid", Mat3::Identity()}};
-  all.insert(all.end(), kWays.begin(), kWays.end());
+std::vector<Orientation> orientations() {
+  std::vector<Orientation> all = {{"along the grid", Mat3::Identity()}};
+  all.insert(all.end(), kOrientations.begin(), kOrientations.end());
   return all;
 }
 
 // Proves: crushing.
 TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
   const double expected = forms::flat_bottom_crushing_force(kStrength, kRadius);
-  for (const Way& way : ways())
+  for (const Orientation& orientation : orientations())
     for (const double stiffness : {1e16, 1e17})
       for (const double voxel : {0.1 * mm, 0.05 * mm}) {
-        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
+        SCOPED_TRACE(std::string(orientation.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
                      std::to_string(voxel / mm) + " mm");
-        Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, stiffness, voxel, way.R_WT);
+        Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, stiffness, voxel, orientation.R_WT);
         const double depth = 0.6 * mm, begun = 1.2 * crushing_depth(stiffness);
         (void)press.move(-0.01 * mm, begun, 0);
         press.forces.clear();
@@ -97,13 +97,13 @@ TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
 
 // Proves: crushing.
 TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
-  for (const Way& way : ways())
+  for (const Orientation& orientation : orientations())
     for (const double stiffness : {1e16, 1e17}) {
-      Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, way.R_WT);
+      Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, orientation.R_WT);
       const double w0 = crushing_depth(stiffness);
       double depth = 0;
       for (const double next : {0.3 * mm, 0.45 * mm, 0.6 * mm}) {
-        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", depth " +
+        SCOPED_TRACE(std::string(orientation.name) + ", k_v " + std::to_string(stiffness) + ", depth " +
                      std::to_string(next / mm) + " mm");
         const double force = press.move(depth, next, kRadius), at = next - 1e-6;  // the mean of the last step
         depth = next;
@@ -130,7 +130,7 @@ TEST(Crushing, WhatIsLeftIsElastic) {
 // A plate gives way to a standing ball, which leaves a hole; what the hand did is the strength times the hole.
 TEST(Crushing, APlateIsPunchedThrough) {
   for (const double thickness : {0.2 * mm, 0.5 * mm}) {
-    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, kWays[0].R_WT, thickness);
+    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, kOrientations[0].R_WT, thickness);
     (void)press.move(0, 2 * kRadius + 2 * thickness, kRadius);
     const double hole = kPi * std::pow(kRadius - crushing_depth(1e17), 2) * thickness;
     SCOPED_TRACE(std::to_string(thickness / mm) + " mm");
@@ -201,7 +201,7 @@ TEST(Crushing, NothingIsCrushedWhereNothingMayBeRemoved) {
 }
 
 TEST(Crushing, IsAskedForTheSameByAProbe) {
-  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, kWays[0].R_WT);
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, kOrientations[0].R_WT);
   (void)press.move(0, 0.4 * mm, kRadius);
   const Pose next = press.at(kRadius - 0.41 * mm);
   const Twist twist = {press.R * Vec3(0, 0, -0.01 * mm / 1e-3), Vec3::Zero()};
@@ -213,7 +213,7 @@ TEST(Crushing, IsAskedForTheSameByAProbe) {
 
 // A turning head that is pressed into what it cannot cut as fast crushes what is beyond the strength as well.
 TEST(Crushing, ATurningHeadBearsNoMoreThanAStandingOne) {
-  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, kWays[0].R_WT, 2 * mm,
+  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, kOrientations[0].R_WT, 2 * mm,
               RemovalLaw::constant_energy, 20);
   const double force = press.move(0, 0.6 * mm, 0, 1e-5);
   EXPECT_LE(force, 1.02 * forms::flat_bottom_crushing_force(kStrength, kRadius));

@@ -111,7 +111,7 @@ RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
   make_arbitrary(scene.hard);
   add_anything(scene);
   scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);
-  scene.turn_V = *arbitrary_vector(2);
+  scene.omega_V = *arbitrary_vector(2);
   expect_a_closed_ledger(scene, run(scene));
 }
 

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <thread>
 
-#include "support/loop_rig.hpp"
 #include "support/refusal.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::island_watch_test {
 namespace {
@@ -149,7 +149,7 @@ TEST(IslandModel, NeedsAModelOfASimulation) {
 }
 
 TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
-  using namespace test::loop_rig;
+  using namespace test::scripted_loop;
   // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
   Simulation simulation(block(), ball(), config());
   const std::unique_ptr<Device> device = stiff_mock("rest");
