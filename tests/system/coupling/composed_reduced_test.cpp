@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What composed ticks found, reduced to the smallest sequence.
+// SPDX-License-Identifier: Apache-2.0 Faults that random ticks found, reduced to the shortest sequence.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -12,8 +11,8 @@ namespace {
 
 using namespace test;
 
-// Near the axis a voxel slips by what its section does, and a couple about the axis does that work: against the spin
-// and against the hand that turns the handpiece about the same axis.
+// Near the axis a voxel slips with the mean slip of its section, and a couple about the axis does that work, against
+// the spin and against a hand that rotates the handpiece about the axis.
 TEST(TwistedSpindle, LeavesTheLedgerClosed) {
   for (const double spin : {50.0, 500.0, 5000.0})
     for (const double twist : {0.0, 5.0, -5.0}) {
@@ -26,7 +25,7 @@ TEST(TwistedSpindle, LeavesTheLedgerClosed) {
     }
 }
 
-// Whether it was open or not.
+// With the clutch open or closed.
 TEST(ClosedClutch, CutsNothingInTheTickThatIsNotFelt) {
   scripted_loop::ScriptedLoop scripted(3000, true);
   double before = 0, unfelt = 0;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a step says it has changed, against every voxel of the workpiece before and after it.
+// SPDX-License-Identifier: Apache-2.0 The changed blocks of a step, compared with every voxel of the workpiece before
+// and after it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -45,7 +45,7 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
       simulation.step(input.X_WH, input.V_WH, input.dt);
       std::map<VoxelIndex, Fills> after = fills_of(simulation.workpiece());
       const std::set<VoxelIndex> origins = listed(simulation.changed_blocks());
-      // A fill that changed by less than its last bit is listed too, so the list may be longer.
+      // A block whose fill changed by less than its last bit is listed too, so the list may be longer.
       for (const VoxelIndex& origin : differences(before, after)) ASSERT_TRUE(origins.contains(origin)) << name;
       EXPECT_TRUE(simulation.changed_blocks().complete);
       changed += origins.size();
@@ -105,7 +105,7 @@ TEST(Simulation, GoesOnFromARestoredSnapshotAsItDidFromTheFreshWorkpiece) {
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
 
-/// Counts what it is told of.
+/// Counts the calls.
 struct Counter final : StepObserver {
   void on_step(const ObservedStep& step) noexcept override {
     EXPECT_EQ(step.number, step.simulation.steps() - 1);
@@ -134,7 +134,7 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   Pose nowhere;
   nowhere.translation.x() = std::nan("");
   simulation.step(nowhere, {}, 1e-3);
-  EXPECT_EQ(told.steps, 4) << "a step whose input was rejected is a step";
+  EXPECT_EQ(told.steps, 4) << "a rejected step counts";
   Counter another;
   simulation.add_observer(another);
   EXPECT_THROW(simulation.add_observer(told), Error);

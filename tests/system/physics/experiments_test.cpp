@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The table of experiments of `hapticut validate`: each of them a test, and its rows in docs/validation.md.
+// SPDX-License-Identifier: Apache-2.0 The experiments of `hapticut validate`: each is a test, and its rows must be in
+// docs/validation.md.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ std::string page(const char* name) {
 
 using Cells = std::vector<std::string>;
 
-/// The lines of a table, cell by cell, without what marks a cell.
+/// The lines of a table, cell by cell, without markup.
 std::vector<Cells> rows_of(const std::string& table) {
   std::vector<Cells> rows;
   std::istringstream lines(table);
@@ -46,8 +46,8 @@ std::vector<Cells> rows_of(const std::string& table) {
   return rows;
 }
 
-/// Those of an experiment, without what was computed, whose last digits depend on the processor, and with them which
-/// case is the worst.
+/// The rows of an experiment without the computed values, whose last digits, and thus the worst case, depend on the
+/// processor.
 std::vector<Cells> what_is_asked(const std::string& table, const std::string& experiment) {
   std::vector<Cells> rows = rows_of(table);
   std::erase_if(rows, [&](const Cells& row) { return row.at(0) != experiment; });
@@ -94,7 +94,7 @@ TEST(ValidationPage, HasTheExperimentsInTheirOrderAndEachCaseOnce) {
   for (const std::string& number : numbers) EXPECT_EQ(forms.count(number), 1U) << number;
 }
 
-// The thesis's model and the default one on the same case: the first shows the defect, in the second it is gone.
+// The thesis's model and the default model on one case: the first shows the defect, the second does not.
 TEST(ValidationPage, ShowsEachDefectInTheThesisAndThatItIsCuredInTheDefault) {
   std::map<std::string, std::string> cases;
   for (const Cells& row : rows_of(page("docs/validation.md"))) cases[row.at(1)] += row.at(3);

@@ -28,7 +28,7 @@ Material bone(double friction) {
   return material;
 }
 
-/// A block below z = 0 of the tool's own axes, which lie in the grid as `R` says.
+/// A block below z = 0 of the tool's own axes, which have the orientation `R` in the grid.
 Workpiece block(const Mat3& R, double voxel, double depth, const Material& material, double hole = 0) {
   return test::body({Vec3::Constant(-5 * mm), Vec3::Constant(5 * mm)}, voxel, material, [=](const Vec3& p) {
     const Vec3 q = R.transpose() * p - kOffGrid;
@@ -42,8 +42,8 @@ struct Grid {
   double stiffness, voxel, tolerance;
 };
 
-/// A drill deep in its hole feels what its point does, and nothing along its side: what the corner leaves of the wall,
-/// the land takes.
+/// A drill deep in its hole has only the force of its point and none along its side: the land cuts what the corner
+/// leaves of the wall.
 // Proves: smooth surfaces.
 TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
   constexpr double kSpin = 2000, kFeed = 2 * mm, kAngle = 59 * deg;
@@ -65,7 +65,7 @@ TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
     }
 }
 
-/// A pin that fills its hole and is pushed aside by x: a crescent of the wall is pressed by w = beta x cos(phi).
+/// A pin that fills its hole and is pushed sideways by x presses a crescent of the wall with w = beta x cos(phi).
 // Proves: smooth surfaces.
 TEST(SmoothSides, C41APinPushedAgainstTheWallOfItsHole) {
   constexpr double kLength = 2 * mm, kPush = 0.1 * mm;
@@ -74,7 +74,7 @@ TEST(SmoothSides, C41APinPushedAgainstTheWallOfItsHole) {
   for (const Grid& grid : {Grid{1e14, 0.05 * mm, 0.03}, Grid{1e15, 0.05 * mm, 0.03}, Grid{1e15, 0.1 * mm, 0.04}})
     for (const test::Orientation& orientation : test::kOrientations) {
       SCOPED_TRACE(std::string(orientation.name) + ", k_v " + std::to_string(grid.stiffness));
-      // Through the whole block, so that its end presses nowhere.
+      // Through the whole block, so that its end touches nothing.
       Simulation simulation(block(orientation.R_WT, grid.voxel, kLength, bone(0), kRadius), Tool(pin),
                             on_foundation(grid.stiffness, false));
       const Vec3 start = kOffGrid - Vec3(0, 0, 3 * mm);
@@ -99,7 +99,7 @@ TEST(SmoothSides, AClosedPathOverTheRimOfAHoleCostsNoWork) {
     Simulation simulation(block(orientation.R_WT, 0.1 * mm, 2.4 * mm, bone(0), 0.9 * mm), Tool(pin),
                           on_foundation(1e14, false));
     const std::vector<Vec3> corners = {{0, 0, -3}, {0.25, 0, -3}, {0.25, 0, 1.5}, {0, 0, 1.5}, {0, 0, -3}};
-    double turned = 0, last = 0, most = 0;
+    double turnover = 0, last = 0, max_force = 0;
     for (std::size_t n = 0; n + 1 < corners.size(); ++n) {
       const Vec3 leg = (corners[n + 1] - corners[n]) * mm;
       const int steps = int(std::ceil(leg.norm() / (2e-3 * mm)));
@@ -107,14 +107,14 @@ TEST(SmoothSides, AClosedPathOverTheRimOfAHoleCostsNoWork) {
         const Pose pose = {orientation.R_WT, orientation.R_WT * (kOffGrid + corners[n] * mm + leg * i / steps)};
         const Twist twist{orientation.R_WT * leg / (steps * 1e-3), Vec3::Zero()};
         const StepResult& result = simulation.step(pose, twist, kTick);
-        turned += std::abs(result.energy.hand_work - last);
+        turnover += std::abs(result.energy.hand_work - last);
         last = result.energy.hand_work;
-        most = std::max(most, result.force.norm());
+        max_force = std::max(max_force, result.force.norm());
       }
     }
-    EXPECT_GT(most, 3);
-    EXPECT_LT(std::abs(last), 1e-3 * turned);
-    EXPECT_LT(std::abs(simulation.last_result().energy.entered), 1e-3 * turned);
+    EXPECT_GT(max_force, 3);
+    EXPECT_LT(std::abs(last), 1e-3 * turnover);
+    EXPECT_LT(std::abs(simulation.last_result().energy.entered), 1e-3 * turnover);
   }
 }
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// A piece that a tool has cut loose leaves: from a simulation, beside a loop of one's own, and from a model's loop.
+// The removal of a piece that a tool has cut loose: from a simulation, beside a custom loop, and from a model's loop.
 #include "hapticut/islands/island_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,7 @@ using units::mm;
 
 constexpr double kVoxel = 0.1 * mm, kCut = 4 * mm, kRadius = 0.6 * mm;
 
-/// A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that goes through it at a height of 4 mm.
+/// A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that cuts through it at a height of 4 mm.
 Simulation bar_and_ball() {
   Workpiece bar = build_block({Vec3(-0.4, -0.4, 0) * mm, Vec3(0.4, 0.4, 6) * mm}, kVoxel, test::plain_material());
   SimulationConfig config;
@@ -69,7 +68,7 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
   EXPECT_NEAR(volume_of(simulation.workpiece()) + cut + left, whole, 1e-9 * whole);
   for (int z = 46; z < 60; ++z) EXPECT_EQ(simulation.workpiece().material_at({4, 4, z}), kEmpty) << z;
-  // The tool goes on, and the ledger closes.
+  // The tool continues, and the ledger closes.
   for (int tick = kThrough; tick < kThrough + 50; ++tick) cut_through(simulation, tick);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
   while (!simulation.undo(64)) {
@@ -85,7 +84,8 @@ TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
   const std::vector<Island> islands = find_islands(simulation.workpiece());
   ASSERT_EQ(islands.size(), 1U);
   IslandRemoval half{islands[0]}, late{islands[0]};
-  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1)) << "all was looked at, one block is gone";
+  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1))
+      << "all blocks were checked, one was removed";
   EXPECT_GT(half.removed, 0U);
   while (!simulation.undo(64)) {
   }
@@ -121,7 +121,7 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
     cut_through(simulation, tick);
     watch.tick();
   }
-  while (watch.count() == 0) {  // in the air; the watch has a thread of its own, which gets its turn some time
+  while (watch.count() == 0) {  // in the air, until the thread of the watch has run
     cut_through(simulation, kThrough + 10);
     watch.tick();
     std::this_thread::yield();
@@ -150,7 +150,7 @@ TEST(IslandModel, NeedsAModelOfASimulation) {
 
 TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   using namespace test::scripted_loop;
-  // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
+  // A piece away from the hand is cut loose between two ticks, so it is the same in every run.
   Simulation simulation(block(), ball(), config());
   const std::unique_ptr<Device> device = stiff_mock("rest");
   SimulationModel without(simulation, *device);
@@ -158,7 +158,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   options.period = 1e-3;
   IslandModel model(without, options);
   LoopSnapshot snapshot;
-  // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
+  // Around a cube of 20 voxels, at 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
     for (int y = 16; y < 48; y += 8)
       for (int z = 8; z < 40; z += 8) {

@@ -34,21 +34,21 @@ TEST(LoopListener, HearsThePowerBetweenTwoSnapshots) {
   EXPECT_THROW(LoopListener(0), Error);
 }
 
-// The snapshot has all that the sound needs: of a real cut too.
+// The snapshot has all that the sound needs, also in a real cut.
 TEST(LoopListener, HearsTheLedgerOfACutThroughSnapshotsAlone) {
   test::scripted_loop::ScriptedLoop scripted;
   LoopListener listener;
   double heard = 0, removed = 0;
   int touching = 0;
-  constexpr int kTicks = 1600, kLook = 16;  // a screen looks 60 times a second
+  constexpr int kTicks = 1600, kFrame = 16;  // a screen has 60 frames a second
   scripted.run(
       kTicks, test::scripted_loop::press(1e-3), [](int) {},
       [&](int n) {
         scripted.snapshot.tick = std::uint64_t(n + 1);
-        if ((n + 1) % kLook != 0) return;
+        if ((n + 1) % kFrame != 0) return;
         const SoundInput& input = listener.listen(scripted.snapshot);
-        heard += input.power * kLook / 1000;
-        removed += input.removal_rate * kLook / 1000;
+        heard += input.power * kFrame / 1000;
+        removed += input.removal_rate * kFrame / 1000;
         touching += input.touching ? 1 : 0;
       });
   const double spent = scripted.simulation.last_result().energy.losses();
