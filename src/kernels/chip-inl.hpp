@@ -37,8 +37,8 @@ HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float to
   using Chord = ChipChord<float>;
   const Vec zero = hn::Zero(Floats()), min_roots = broadcast(Chord::kMinRoots), four = broadcast(4.0F);
   const Vec toward = hn::MulAdd(hn::Abs(speed), broadcast(1 / Chord::kGrazing), broadcast(Chord::kMinFeed));
-  const Vec share = hn::Min(broadcast(1.0F), toward * broadcast(1 / std::max(feed, Chord::kMinFeed)));
-  const Vec chips = broadcast(tooth_rate) * share;
+  const Vec factor = hn::Min(broadcast(1.0F), toward * broadcast(1 / std::max(feed, Chord::kMinFeed)));
+  const Vec chips = broadcast(tooth_rate) * factor;
   const Vec edge = material.edge_length * chips, square = material.size_length * chips;
   const Vec b = hn::Sqrt(square), w0 = material.cutting_depth, w0_squared = w0 * w0;
   const auto root_of_speed = [&](Vec depth) HWY_ATTR {

@@ -65,12 +65,12 @@ struct ProfileBounds {
   template <class V, class M>
   HWY_INLINE V from_corners(M smooth, V rho, V z) const {
     const hn::DFromV<V> d;
-    V least = hn::Zero(d);
-    if (hn::AllFalse(d, smooth)) return least;
-    least = same(z, 1.0F);
+    V min_square = hn::Zero(d);
+    if (hn::AllFalse(d, smooth)) return min_square;
+    min_square = same(z, 1.0F);
     for (const ProfileCorner<float>& corner : corners)
-      least = hn::Min(least, square_from_corner(rho - same(z, corner.rho), z - same(z, corner.z)));
-    return hn::IfThenElseZero(smooth, least);
+      min_square = hn::Min(min_square, square_from_corner(rho - same(z, corner.rho), z - same(z, corner.z)));
+    return hn::IfThenElseZero(smooth, min_square);
   }
 
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
@@ -136,16 +136,16 @@ class CurveSprings {
   /// @return without SpringVectors::smooth
   template <class V>
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
-    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), none = same(z, 0.0F), scale = same(z, scale_);
+    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), zero = same(z, 0.0F), scale = same(z, scale_);
     if (kind_ == Kind::line)
       return {depth_below(hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), scale),
-              hn::Neg(m_rho * inverse_rho), hn::Neg(m_z), none};
+              hn::Neg(m_rho * inverse_rho), hn::Neg(m_z), zero};
     const V v_z = z - same(z, center_z_), sense = same(z, sense_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
       const V inward = sense * inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
       return {depth_below(hn::NegMulAdd(distance_squared, inward, same(z, radius_)), scale), inward, inward * v_z,
-              none};
+              zero};
     }
     // R - |x - c| without its cancellation, because the arc may be flat.
     const V v_rho = rho - same(z, center_rho_);
@@ -157,7 +157,7 @@ class CurveSprings {
     const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
     const V root = curvature * (distance_squared * signed_inverse);
     return {depth_below(twice / (same(z, 1.0F) + root), scale), signed_inverse * inverse_rho * v_rho,
-            signed_inverse * v_z, none};
+            signed_inverse * v_z, zero};
   }
 
  private:

@@ -64,9 +64,9 @@ HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kapp
       {hn::MulAdd(along, n.x, drag * v.x), hn::MulAdd(along, n.y, drag * v.y), hn::MulAdd(along, n.z, drag * v.z)});
   if (m.spin == 0) return;
   const Vectors b = {hn::MulSub(n.y, v.z, n.z * v.y), hn::MulSub(n.z, v.x, n.x * v.z), hn::MulSub(n.x, v.y, n.y * v.x)};
-  const Vec square = dot(b, b), least = broadcast(1e-12F);
+  const Vec square = dot(b, b), min_square = broadcast(1e-12F);
   const Vec damper =
-      hn::IfThenElseZero(square > least, drag * normal / (hn::Max(square, least) * broadcast(m.time_to_move())));
+      hn::IfThenElseZero(square > min_square, drag * normal / (hn::Max(square, min_square) * broadcast(m.time_to_move())));
   sums.add(damper, r, b, b);
   constexpr float kRegular = FoundationLaw::kSlipRegularization, kSlow = StiffnessSums::kSlowSlip;
   const auto slow = square <= broadcast(kSlow * kSlow);

@@ -272,7 +272,7 @@ bool ContactStages::can_cut(const CuttableBlock& block) const noexcept {
   return block.fill != nullptr || workpiece_.has_reserve_for(block.view.origin);
 }
 
-/// Where the new fills of a block are written: into the block itself, once it has fills of its own.
+/// Where the new fills of a block are written: into the block itself if it already has own fills.
 float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
   return block.fill != nullptr ? block.fill : new_fill_.data();
 }

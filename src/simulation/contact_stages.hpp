@@ -77,7 +77,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     BlockMask emptied;
   };
 
-  /// Lists with memory for the most that a head can fill, for a voxel size.
+  /// Lists with memory for a head at its largest contact, for a voxel size.
   struct Buffers {
     Buffers(const ToolHead& head, double voxel_size, const SimulationConfig& config);
     [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
@@ -101,7 +101,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
                                         RemovalRecord& removal) noexcept;
 
   /// Returns what `press_and_cut` would return, without a change to any block.
-  /// @param stiffness_T of the contact about To, in T; zero when the law reports none: see `knows_stiffness`
+  /// @param stiffness_T  of the contact about To, in T; zero when the law reports none: see `knows_stiffness`
   [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                 Stiffness* stiffness_T = nullptr) noexcept;
 
@@ -206,7 +206,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law
   std::array<kernels::PressTask, kBlocksAtOnce> tasks_;
-  ContactBlock::Array<float> new_fill_;  // of a block that has no fills of its own yet
+  ContactBlock::Array<float> new_fill_;  // of a block without own fills
 };
 
 }  // namespace hapticut

@@ -106,13 +106,13 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     RC_ASSERT(!has_any(result.status, kRejected));
     const Wrench at_head = transport(Wrench{result.force, result.torque}, -p_HoTo_W);
     outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
-    const double stiffest =
+    const double max_stiffness =
         config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
-    outcome.max_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
+    outcome.max_normal.push_back(max_stiffness * result.contact.depth * result.contact.volume);
     const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
     if (scene.law->is_foundation())
       outcome.one_voxel = std::max(outcome.one_voxel,
-                                   stiffest * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
+                                   max_stiffness * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);

@@ -44,21 +44,21 @@ class LimitSurface {
   /// Moves the tool over the material.
   /// @param contact       about the reference point, a point of the tool, in axes that do not rotate
   /// @param displacement  [m], [rad] of the tool at that point, in the same axes
-  /// @param share         [1] fraction of the coefficients that acts: see `standing_share`
+  /// @param fraction      [1] part of the coefficients that acts: see `standing_share`
   /// @param lead          [1] time of the force after the middle, in sub-steps: 0, or 0.5 for the end
   /// @realtime no allocation, no lock
-  Outcome move(const SpreadFriction& contact, const Twist& displacement, double share = 1, double lead = 0) noexcept {
+  Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1, double lead = 0) noexcept {
     const double before = stored_;
     const double stiffness = contact.stiffness();
-    if (!(share * contact.static_limit > 0 && stiffness > 0)) {
+    if (!(fraction * contact.static_limit > 0 && stiffness > 0)) {
       reset();
       return {{}, before, Stiffness::Zero()};
     }
     anchored_ = true;
     stiffness_ = stiffness;
     const Stiffness shape = contact.directions / contact.static_limit;
-    const double static_slip = share * contact.static_limit / stiffness_;
-    const double dynamic_slip = share * contact.dynamic_limit / stiffness_;
+    const double static_slip = fraction * contact.static_limit / stiffness_;
+    const double dynamic_slip = fraction * contact.dynamic_limit / stiffness_;
 
     Vector6 start = offset();
     const double length = slip(shape, start);

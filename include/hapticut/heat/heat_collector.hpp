@@ -79,7 +79,7 @@ class HeatCollector final : public StepObserver {
   std::unique_ptr<Queue> queue_;
   EnergyLedger before_;  // of the last step
   HeatPulse pending_;    // of steps that did not fit the queue, and of the present step
-  ChangeFeed feed_;      // an observer of its own
+  ChangeFeed feed_;      // a second observer
 };
 
 /// The point at which a head touches material, from its force: the point of its surface opposite to the force, as seen

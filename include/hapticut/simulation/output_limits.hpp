@@ -41,7 +41,7 @@ void validate(const OutputLimits& limits);
 /// [N/s] The minimum growth limit that does not turn a wall of stiffness K, hit at speed v, into a source of energy:
 /// 1.25 K v.
 /// @param stiffness  [N/m] that the device renders
-/// @param speed [m/s] maximum speed of the hand into the wall
+/// @param speed      [m/s] maximum speed of the hand into the wall
 [[nodiscard]] constexpr double min_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
 
 /// Shortens a vector to a maximum length. Its direction is kept.

@@ -94,11 +94,11 @@ TEST(FoundationLaw, DampsSmoothlyAndNeverBeyondWhatCrushes) {
 // A lip that passes along a wall takes no chip; a lip that a resting hand presses does.
 TEST(ChipChord, CountsThinChipsWhereTheFeedGoesIntoTheSurface) {
   using Chord = ChipChord<double>;
-  EXPECT_EQ(Chord::share_of_chips(2e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::share_of_chips(-1e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::share_of_chips(0, 0), 1);
-  EXPECT_NEAR(Chord::share_of_chips(1e-5, 2e-3), 0.5, 1e-3);
-  EXPECT_LT(Chord::share_of_chips(0, 2e-3), 1e-3);
+  EXPECT_EQ(Chord::chip_factor(2e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::chip_factor(-1e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::chip_factor(0, 0), 1);
+  EXPECT_NEAR(Chord::chip_factor(1e-5, 2e-3), 0.5, 1e-3);
+  EXPECT_LT(Chord::chip_factor(0, 2e-3), 1e-3);
 }
 
 }  // namespace

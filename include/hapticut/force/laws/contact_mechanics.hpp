@@ -79,8 +79,8 @@ class ContactMechanicsLaw final : public LumpedLaw {
       return std::min(std::cbrt(3 * volume / (kPi * std::pow(std::tan(cone->half_angle), 2))), cone->height);
     // pi d^2 (R - d/3) = V is, with z = 1 - d/R and s = V over the ball's volume, z^3 - 3 z + 2 - 4 s = 0; z = 2 cos t.
     const double R = std::get_if<SphereHead>(&head.shape())->radius;
-    const double share = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
-    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * share - 1)) / 3));
+    const double fraction = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
+    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * fraction - 1)) / 3));
   }
 
  private:
