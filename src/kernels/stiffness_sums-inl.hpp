@@ -65,8 +65,8 @@ HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kapp
   if (m.spin == 0) return;
   const Vectors b = {hn::MulSub(n.y, v.z, n.z * v.y), hn::MulSub(n.z, v.x, n.x * v.z), hn::MulSub(n.x, v.y, n.y * v.x)};
   const Vec square = dot(b, b), min_square = broadcast(1e-12F);
-  const Vec damper =
-      hn::IfThenElseZero(square > min_square, drag * normal / (hn::Max(square, min_square) * broadcast(m.time_to_move())));
+  const Vec damper = hn::IfThenElseZero(square > min_square,
+                                        drag * normal / (hn::Max(square, min_square) * broadcast(m.time_to_move())));
   sums.add(damper, r, b, b);
   constexpr float kRegular = FoundationLaw::kSlipRegularization, kSlow = StiffnessSums::kSlowSlip;
   const auto slow = square <= broadcast(kSlow * kSlow);

@@ -79,7 +79,8 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const double slip = across.norm();
     if (m.spin == 0 || slip < 1e-6) continue;
     const double drag = double((force - force.dot(n) * n).norm()) / volume;
-    const double damper = drag / (slip * double(m.time_to_move())), regular = double(FoundationLaw::kSlipRegularization);
+    const double damper = drag / (slip * double(m.time_to_move())),
+                 regular = double(FoundationLaw::kSlipRegularization);
     add(damper, across / slip, across / slip);
     if (slip > double(StiffnessSums::kSlowSlip)) continue;
     const Eigen::Vector3d along_slip = (velocity - velocity.dot(n) * n).cast<double>() / slip;

@@ -47,7 +47,8 @@ class LimitSurface {
   /// @param fraction      [1] part of the coefficients that acts: see `standing_share`
   /// @param lead          [1] time of the force after the middle, in sub-steps: 0, or 0.5 for the end
   /// @realtime no allocation, no lock
-  Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1, double lead = 0) noexcept {
+  Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1,
+               double lead = 0) noexcept {
     const double before = stored_;
     const double stiffness = contact.stiffness();
     if (!(fraction * contact.static_limit > 0 && stiffness > 0)) {

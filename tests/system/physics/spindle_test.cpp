@@ -64,7 +64,7 @@ TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
   const RemovalLaw cuts = SimulationConfig{}.removal;
   EXPECT_EQ(describe(status_of({}, cuts, 0.05 * mm)), "spindle_stands");
   EXPECT_EQ(sentences_of(status_of({}, cuts, 0.05 * mm)),
-            "The spindle of this tool has no speed, so nothing is cut: give it one.");
+            "The spindle of this tool has no speed, so nothing is cut: set a speed.");
   EXPECT_FALSE(has_any(status_of({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
   EXPECT_FALSE(has_any(status_of({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
   EXPECT_FALSE(has_any(status_of(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
