@@ -111,8 +111,8 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     outcome.max_normal.push_back(max_stiffness * result.contact.depth * result.contact.volume);
     const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
     if (scene.law->is_foundation())
-      outcome.one_voxel = std::max(outcome.one_voxel,
-                                   max_stiffness * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
+      outcome.one_voxel = std::max(
+          outcome.one_voxel, max_stiffness * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);

@@ -14,17 +14,12 @@ namespace hapticut {
 /// Stick and slip of a spread contact: the tool drags an anchor, which is a pose, over the material.
 ///
 /// A displacement xi of the tool from its anchor is a twist about the reference point. It moves the points of the
-/// contact by |xi| = sqrt(xi . B xi), the root mean square weighted with the friction force that each point can bear, B
-/// = A/(Sum mu_s f). While it sticks, the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed Sum
-/// mu_s f it slides: xi is scaled so that k_t |xi| is Sum mu_d f, until it falls below that. If all points slip alike
-/// this is Coulomb's law. A disc that rotates on its face has 6 % more than its exact torque, and the mean over random
-/// twists of pins, discs, grooves and cones is 4 to 13 % more, never less (by Cauchy and Schwarz). The dissipation is
-/// never negative.
-/// |xi| = sqrt(xi . B xi), root mean square by the friction force each can bear, B = A/(Sum mu_s f). While it sticks,
-/// the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed Sum mu_s f it slides: xi is scaled so that
-/// it is Sum mu_d f, until it falls below that. Where all points slip alike that is Coulomb's law; a disc that turns on
-/// its face has 6 % more than its exact torque, and the mean over random twists of pins, discs, grooves and cones is 4
-/// to 13 % more, never less (by Cauchy and Schwarz). What it dissipates is never negative.
+/// contact by |xi| = sqrt(xi . B xi), the root mean square weighted with the friction force that each point can bear;
+/// B = A/(Sum mu_s f). While it sticks, the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed
+/// Sum mu_s f it slides: xi is scaled so that k_t |xi| is Sum mu_d f, until it falls below that. If all points slip
+/// alike this is Coulomb's law. A disc that rotates on its face has 6 % more than its exact torque, and the mean over
+/// random twists of pins, discs, grooves and cones is 4 to 13 % more, never less (by Cauchy and Schwarz). The
+/// dissipation is never negative.
 ///
 /// When the contact changes, B and k_t change. Neither the stored energy nor the force may grow by that, so xi is
 /// scaled.

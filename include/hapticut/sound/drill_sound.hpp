@@ -48,7 +48,7 @@ constexpr auto fields_of(Of<SoundOptions>) {
 ///
 ///     tone   f = |spindle_speed|/(2 pi), 2 f, and flutes f, where the sample rate can hold them (to 0.45 of it)
 ///     noise  in a band, of rms 0.24 sqrt(P/(P + half_power)); its middle is at 2.5 kHz where the work per removed
-///            volume is 1e8 J/m^3, an octave higher for ten times as much: 1.25 ... 10 kHz. Rubbing takes nothing away,
+///            volume is 1e8 J/m^3, an octave higher for ten times as much: 1.25 ... 10 kHz. Rubbing removes nothing,
 ///            so it hisses
 ///     click  of 3 kHz for some milliseconds, when the head touches after it was free for 30 ms
 ///
