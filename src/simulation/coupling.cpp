@@ -105,10 +105,12 @@ class VirtualCoupling::CoupledOutput final : public HandCoupling {
   Pull after_;
 };
 
-const CoupledResult& VirtualCoupling::step(const Pose& given_pose, const Twist& given_velocity, double dt) noexcept {
-  // Copies, because they may be parts of the last result, which changes.
-  const Pose X_WD = given_pose;       // NOLINT(performance-unnecessary-copy-initialization)
-  const Twist V_WD = given_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
+const CoupledResult& VirtualCoupling::step(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
+  return follow({X_WD, V_WD, dt});  // copies, because they may be parts of the last result, which changes
+}
+
+const CoupledResult& VirtualCoupling::follow(const StepInput& hand) noexcept {
+  const auto& [X_WD, V_WD, dt] = hand;
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), X_WD, V_WD, dt);
   if (refused != StepStatus::ok) return suspend(refused);

@@ -231,6 +231,7 @@ class VirtualCoupling {
     double tick;  // [s] duration of the whole tick
   };
 
+  const CoupledResult& follow(const StepInput& hand) noexcept;
   StepStatus move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept;
   void keep_lists(const StepResult& stepped) noexcept;
   [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
