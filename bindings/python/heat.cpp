@@ -66,7 +66,7 @@ void bind_collector(py::module_& m) {
             if (!self.receive(*pulse)) pulse.reset();
             return pulse;
           },
-          "Takes one pulse; None when there is none. HeatField.take takes them all.")
+          "Receives one pulse; None when there is none. HeatField.drain receives all.")
       .def(
           "receive_block",
           [](C& self) {
@@ -93,7 +93,7 @@ void bind_heat(py::module_& m) {
       .def(py::init(
                [](const PythonWorkpiece& workpiece, const HeatConfig& config) { return F(workpiece.read(), config); }),
            py::arg("workpiece"), py::arg("config") = HeatConfig{}, doc("HeatField::HeatField"))
-      .def("take", &F::take, py::arg("collector"), doc("HeatField::take"))
+      .def("drain", &F::drain, py::arg("collector"), doc("HeatField::drain"))
       .def("add_heat", &F::add_heat, py::arg("p_WQ"), py::arg("heat"), py::arg("radius") = 0.0,
            doc("HeatField::add_heat"))
       .def("add_cutting_heat", &F::add_cutting_heat, py::arg("heat"), doc("HeatField::add_cutting_heat"))
@@ -120,11 +120,11 @@ void bind_heat(py::module_& m) {
       .def("center", &F::center, py::arg("cell"), "[m] (3,) of a cell, in W.")
       .def("temperature", of_cell(&F::temperature), py::arg("cell"),
            "[deg C] of a cell; nan where it holds no material.")
-      .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] of a cell, largest so far.")
+      .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] of a cell, maximum so far.")
       .def("dose", of_cell(&F::dose), py::arg("cell"), "[min] CEM43 of a cell.")
       .def("temperatures", of_cells(&F::temperature),
            "[deg C] (nx, ny, nz) of all cells; nan where they hold no material.")
-      .def("peaks", of_cells(&F::peak), "[deg C] (nx, ny, nz) largest so far.")
+      .def("peaks", of_cells(&F::peak), "[deg C] (nx, ny, nz) maximum so far.")
       .def("doses", of_cells(&F::dose), "[min] (nx, ny, nz) CEM43.");
 }
 

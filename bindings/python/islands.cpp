@@ -66,14 +66,15 @@ void bind_islands(py::module_& m) {
       .def_readonly("removed", &R::removed, doc("IslandRemoval::removed"))
       .def_readonly("joined", &R::joined, doc("IslandRemoval::joined"))
       .def_property_readonly(
-          "is_over", [](const R& self) { return self.is_over(); }, "Whether it has left, or stays.");
+          "is_over", [](const R& self) { return self.is_over(); },
+          "Whether the removal has ended: the island was removed, or stays.");
   m.def(
       "remove_island",
-      [](PythonSimulation& simulation, R& removal, std::size_t most) {
+      [](PythonSimulation& simulation, R& removal, std::size_t max_blocks) {
         simulation.occupancy.require_writable("The simulation");
-        return remove_island(simulation.simulation, removal, most);
+        return remove_island(simulation.simulation, removal, max_blocks);
       },
-      py::arg("simulation"), py::arg("removal"), py::arg("most"), doc("remove_island"));
+      py::arg("simulation"), py::arg("removal"), py::arg("max_blocks"), doc("remove_island"));
 }
 
 }  // namespace hapticut::python

@@ -226,7 +226,7 @@ void bind_model(py::module_& m) {
            }),
            py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, py::arg("islands") = py::none(),
            (std::string(doc("SimulationModel::SimulationModel")) +
-            "\n\nWith `islands`, pieces that are cut loose leave between the ticks.")
+            "\n\nWith `islands`, pieces that are cut loose are removed between the ticks.")
                .c_str())
       .def_property_readonly(
           "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"))
@@ -234,9 +234,9 @@ void bind_model(py::module_& m) {
           "island_count", [](const M& self) { return self.islands ? self.islands->watch().count() : 0; },
           doc("IslandWatch::count"))
       .def(
-          "islands_left",
-          [](const M& self) { return self.islands ? self.islands->watch().left() : std::vector<Island>(); },
-          doc("IslandWatch::left"))
+          "removed_islands",
+          [](const M& self) { return self.islands ? self.islands->watch().removed() : std::vector<Island>(); },
+          doc("IslandWatch::removed"))
       .def(
           "prepare_tool", [](const M& self, const Tool& tool) { return self.model->prepare_tool(tool); },
           py::arg("tool"), doc("SimulationModel::prepare_tool"))

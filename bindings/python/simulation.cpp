@@ -166,13 +166,13 @@ void bind_the_simulation(py::module_& m) {
           },
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
       .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks), "How many marks `undo` can return to.")
-      .def("undo", writing<S>(&Simulation::undo), py::arg("most"), doc("Simulation::undo"))
+      .def("undo", writing<S>(&Simulation::undo), py::arg("max_blocks"), doc("Simulation::undo"))
       .def_property_readonly(
-          "taken_volume_by_material", by_material(&Simulation::taken_volume_by_material),
+          "detached_volume_by_material", by_material(&Simulation::detached_volume_by_material),
           "[m^3] (256,) that left without a cut since construction or reset, by material id: islands.remove_island.")
       .def_property_readonly("redo_marks", reading<S>(&Simulation::redo_marks),
                              "How many undone marks `redo` can go forth over.")
-      .def("redo", writing<S>(&Simulation::redo), py::arg("most"), doc("Simulation::redo"))
+      .def("redo", writing<S>(&Simulation::redo), py::arg("max_blocks"), doc("Simulation::redo"))
       .def(
           "reset", [](S& self, const PythonWorkpiece& workpiece) { self.write().reset(workpiece.read().clone()); },
           py::arg("workpiece"),
@@ -190,7 +190,7 @@ double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Floa
   double sum = 0;
   for (std::size_t i = 0; i < input.steps; ++i) {
     const StepInput now = input[i];
-    sum += self.simulation.step(now.pose, now.velocity, now.dt).force.z();
+    sum += self.simulation.step(now.X_WH, now.V_WH, now.dt).force.z();
   }
   return sum;
 }

@@ -42,7 +42,7 @@ Course drill(const std::string& name, double irrigation) {
     const Vec3 tip(0, 0, -lowest - kFeed * kTick * tick);
     (void)simulation.step(Pose::from_translation(tip), {Vec3(0, 0, -kFeed), Vec3::Zero()}, kTick);
     if (tick % kFrame != 0) continue;
-    field.advance(field.take(collector));
+    field.advance(field.drain(collector));
     if (tick % 480 == 0) course.hottest.values.push_back(field.structures()[0].temperature);
   }
   course.bone = field.structures()[0];

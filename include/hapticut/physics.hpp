@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// @file
-/// Component `physics`, target hapticut::physics: the arithmetic of the force for programs that bring voxels of their
-/// own. The samples of a block, the laws on them, what a cut takes away, their resultant, friction, the handle, the
-/// spindle, effects. Headers that need Eigen and nothing else; nothing of ours is linked. What they give on paper is in
-/// closed_forms.hpp.
+/// Component `physics`, target hapticut::physics: the arithmetic of the force, for programs that have their own voxels.
+/// Samples of a block, force laws, changes by a cut, resultant, friction, handle, spindle, effects. These headers need
+/// only Eigen and link nothing of the library. closed_forms.hpp has their results in closed form.
 ///
 ///     sample_contact -> ForceLaw::evaluate -> sum_resultant -> find_changes         block by block
 ///
-/// Of these headers and of those they include, hapticut::hapticut is needed for ProfileHead's constructor and
-/// exact_spring alone: the table of a profile is compiled. So are the heads of tool/catalogue.hpp, meshes of profiles,
-/// the calibration of drilling tests and the presets of materials, which are not named here.
+/// Only ProfileHead's constructor and exact_spring need hapticut::hapticut, because the table of a profile is compiled.
+/// The heads of tool/catalogue.hpp, meshes of profiles, the calibration of drilling tests and the presets of materials
+/// are compiled too, so they are not included here.
 
 #include "hapticut/core/decay.hpp"
 #include "hapticut/core/description.hpp"

@@ -10,14 +10,14 @@
 namespace hapticut {
 namespace {
 
-constexpr int kFineSteps = 50;  // a tick, where events within it matter
+constexpr int kFineSteps = 50;  // in a tick, when events within it matter
 
 // [1] weight of the old value in a first-order low-pass.
 double memory(double cutoff, double period) { return cutoff > 0 ? std::exp(-2 * units::kPi * cutoff * period) : 0; }
 
-Vec3 shortened(const Vec3& v, double longest) {
+Vec3 shortened(const Vec3& v, double max_length) {
   const double length = v.norm();
-  return length > longest ? Vec3(v * (longest / length)) : v;
+  return length > max_length ? Vec3(v * (max_length / length)) : v;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ ClosedLoop::ClosedLoop(const ClosedLoopConfig& config)
 
 void ClosedLoop::reset(const Pose& X_BS) {
   plant_.reset(X_BS);
-  under_way_.fill({});
+  delayed_.fill({});
   next_ = 0;
   applied_ = written_ = {};
   state_ = {};
@@ -76,24 +76,24 @@ const DeviceState& ClosedLoop::read() {
   return state_;
 }
 
-void ClosedLoop::take(const Wrench& wrench) {
+void ClosedLoop::apply(const Wrench& wrench) {
   applied_ = wrench;
   if (config_.saturation) {
     applied_.force = shortened(applied_.force, config_.device.peak_force);
     applied_.torque = shortened(applied_.torque, config_.device.peak_torque);
   }
   if (config_.delay == 0) return;
-  std::swap(applied_, under_way_[std::size_t(next_)]);
+  std::swap(applied_, delayed_[std::size_t(next_)]);
   next_ = (next_ + 1) % config_.delay;
 }
 
 void ClosedLoop::write(const Wrench& wrench) {
-  take(written_ = wrench);
+  apply(written_ = wrench);
   advance([this] { plant_.advance(applied_); });
 }
 
 void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer) {
-  take(written_ = wrench);
+  apply(written_ = wrench);
   advance([&] {
     for (int n = 0; n < kFineSteps; ++n) {
       plant_.creep(applied_);
@@ -103,7 +103,7 @@ void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plan
 }
 
 void ClosedLoop::miss_tick(double scale) {
-  take({scale * written_.force, scale * written_.torque});
+  apply({scale * written_.force, scale * written_.torque});
   advance([this] { plant_.advance(applied_); });
 }
 

@@ -14,10 +14,10 @@ namespace hapticut {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kOldestForce = 0.05;     // [s]
+constexpr double kMaxForceAge = 0.05;     // [s]
 constexpr double kWatched = 0.5;          // [s] after the fault
 constexpr double kSettled = 3;            // [s] before it: armed, faded in, in contact
-constexpr double kPress = 4e-3;           // [m] below the surface where the hand wants to be
+constexpr double kPress = 4e-3;           // [m] target of the hand below the surface
 constexpr double kStroke = 8e-3;          // [m] sideways
 constexpr double kStrokeFrequency = 2.3;  // [Hz]; fast enough to contradict a frozen position at every phase but one
 constexpr double kOffset = 5e-3;          // [m] of clutch and calibration
@@ -44,7 +44,7 @@ int missed_ticks(InjectedFault fault) {
   }
 }
 
-// The reading as the fault lets it through.
+// The reading with the fault.
 DeviceState spoiled(const DeviceState& reading, const DeviceState& at_fault, InjectedFault fault) {
   DeviceState s = reading;
   switch (fault) {
@@ -89,7 +89,7 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
                                      const GuardOptions& options, InjectedFault fault, double height) {
   if (options.period != config.period && options.period != GuardOptions{}.period)
     throw Error("GuardOptions::period = " + format_number(options.period) +
-                " s is not ClosedLoopConfig::period = " + format_number(config.period) + " s; give the latter only.");
+                " s is not ClosedLoopConfig::period = " + format_number(config.period) + " s; set only the latter.");
   ClosedLoop loop(config);
   GuardOptions guard_options = options;
   guard_options.period = config.period;
@@ -159,7 +159,7 @@ bool obeys_the_rules(const FaultResponse& response, const SafetyGuard& guard, do
   constexpr double kRounding = 1e-9;  // [1]
   return response.max_force <= guard.max_force() * (1 + kRounding) &&
          response.max_growth <= guard.slew() * period * (1 + kRounding) &&
-         response.oldest_force <= kOldestForce + kRounding;
+         response.oldest_force <= kMaxForceAge + kRounding;
 }
 
 }  // namespace hapticut

@@ -9,10 +9,10 @@
 namespace hapticut {
 namespace {
 
-constexpr double kPressed = 5e-3;               // [m] that the hand wants to be below the surface
+constexpr double kPressed = 5e-3;               // [m] target of the hand below the surface
 constexpr double kAside[2] = {1.1e-5, 2.3e-5};  // [m] off the symmetry of the grid
 
-/// The model and its coupling, which keeps its address.
+/// The model and its coupling, at a fixed address.
 struct BallOnGrid {
   BallOnGrid(const PressedBall& ball, double k_v)
       : simulation(material_below(ball), Tool(SphereHead{ball.radius}, RayHandle{0}), config_of(ball, k_v)) {

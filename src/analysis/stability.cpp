@@ -11,15 +11,15 @@
 namespace hapticut {
 namespace {
 
-constexpr double kHopeless = 1e6;     // [1] growth of the nudge that needs no more waiting
+constexpr double kHopeless = 1e6;     // [1] growth of the nudge that is unstable
 constexpr double kApproach = 0.2e-3;  // [m] above the surface where a flight begins
 constexpr double kBuzzRms = 50e-6;    // [m]
 constexpr double kBuzzForce = 0.3;    // [N]
 constexpr double kBuzzPower = 5e-3;   // [W]
 
-// A number in [m/s] that grows with the distance of two loops: speeds, and positions by how fast they are got rid of.
+// A measure in [m/s] of the difference of two loops: of speeds, and of positions times a rate.
 double distance(const ClosedLoop& a, const ClosedLoop& b) {
-  constexpr double kRate = 100;  // [1/s] between the slow and the fast modes of devices in hands
+  constexpr double kRate = 100;  // [1/s] between the rates of slow and fast modes of devices in hands
   return std::hypot((a.plant().velocity().linear - b.plant().velocity().linear).norm(),
                     kRate * (a.plant().pose().translation - b.plant().pose().translation).norm());
 }
@@ -167,8 +167,8 @@ Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, d
   }
   buzz.position_rms = std::sqrt(buzz.position_rms);
   buzz.frequency = crossings / (2 * test.measured);
-  const auto [least, most] = std::minmax_element(force.begin(), force.end());
-  buzz.force_peak_to_peak = *most - *least;
+  const auto [min_force, max_force] = std::minmax_element(force.begin(), force.end());
+  buzz.force_peak_to_peak = *max_force - *min_force;
   buzz.generated_power = (loop.generated_energy() - energy_before) / test.measured;
   return buzz;
 }

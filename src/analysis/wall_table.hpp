@@ -4,16 +4,15 @@
 #include <array>
 #include <string_view>
 
-/// @file
-/// What `ClosedLoop` must reproduce: the largest stable stiffness of a linear wall, felt by the simulated
-/// devices in simulated hands, from an independent program of the same plant.
+/// The reference for `ClosedLoop`: the maximum stable stiffness of a linear wall, rendered by the simulated devices in
+/// simulated hands, from an independent program of the same plant.
 namespace hapticut {
 
 inline constexpr int kWallDelays = 3;  ///< 0, 1, 2 ticks
 
 struct WallRow {
-  std::string_view device, hand;             ///< names of a DeviceModel and of a HandModel
-  std::array<double, kWallDelays> stiffest;  ///< [N/m] by ticks of delay, rounded to whole numbers
+  std::string_view device, hand;                  ///< names of a DeviceModel and of a HandModel
+  std::array<double, kWallDelays> max_stiffness;  ///< [N/m] by ticks of delay, rounded to whole numbers
 };
 
 inline constexpr std::array<WallRow, 14> kWallTable = {{{"touch", "released", {400, 133, 80}},

@@ -18,16 +18,17 @@ namespace {
 
 using units::kPi;
 
-constexpr double kMinSpread = 1.05;  // [1] of the chips, to tell edge from chip
-constexpr double kMaxError = 0.5;    // [1] standard error over the constant
-constexpr double kSmallEdge = 0.1;   // [1] of thrust and torque; an edge known to this is known, be it 0
-constexpr double kMaxRadius = 0.05;  // [m]
-constexpr double kExact = 1e-4;      // [1] root mean square of what a search leaves of numbers that fit exactly
-constexpr double kMinTold = 1e-6;    // [1] of the eigenvalues, where constants are told from each other
-constexpr double kWithinErrors = 4;  // [1] times the variance: what may lie within two standard errors
+constexpr double kMinSpread = 1.05;      // [1] of the chips, to separate edge from chip
+constexpr double kMaxError = 0.5;        // [1] standard error over the constant
+constexpr double kSmallEdge = 0.1;       // [1] of thrust and torque; an edge known within this is known, even if 0
+constexpr double kMaxRadius = 0.05;      // [m]
+constexpr double kExact = 1e-4;          // [1] root mean square residual of numbers that fit exactly
+constexpr double kMinSeparation = 1e-6;  // [1] ratio of the eigenvalues above which constants are separated
+constexpr double kWithinErrors = 4;      // [1] factor of the variance: two standard errors
 
-/// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both are
-/// for kappa = 1: thrusts go with 1/kappa, but for that of p_e; the torque of p_e goes with kappa.
+/// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both
+/// coefficients are for kappa = 1. Thrusts are proportional to 1/kappa, except that of p_e; the torque of p_e is
+/// proportional to kappa.
 struct Row {
   double chip, edge;
   bool is_thrust, of_pressure;
@@ -37,7 +38,7 @@ struct Row {
     if (of_pressure) return is_thrust ? edge : edge * kappa;
     return is_thrust ? edge / kappa : edge;
   }
-  /// d/d ln kappa of what chip and edge give
+  /// d/d ln kappa of chip u + edge e.
   [[nodiscard]] double change(double kappa, double u, double e) const {
     const double of_edge = of_pressure ? (is_thrust ? 0.0 : edge_at(kappa) * e) : (is_thrust ? -edge_at(kappa) * e : 0);
     return (is_thrust ? -chip_at(kappa) * u : 0) + of_edge;
@@ -62,7 +63,7 @@ std::vector<Row> rows_of(std::span<const DrillingTest> tests, ChipTerm term) {
   return rows;
 }
 
-/// The best constants for a kappa, and the sum of squares that they leave.
+/// The best constants for a kappa, and their sum of squares.
 struct Fit {
   double kappa = 0, u = 0, edge = 0, squares = std::numeric_limits<double>::infinity();
 };
@@ -112,18 +113,18 @@ Fit best_fit(const std::vector<Row>& rows, bool with_edge, bool ratio_identified
   return fit;
 }
 
-/// How many more numbers were measured than there are constants.
+/// Number of measured numbers less number of constants.
 int freedom_of(const std::vector<Row>& rows, bool with_edge, bool ratio_identified) {
   return int(rows.size()) - (1 + int(with_edge) + int(ratio_identified));
 }
 
-/// How well a fit knows its constants.
+/// Which constants a fit determines.
 struct Known {
   bool chip = true, edge = false;
 };
 
-/// From the standard errors that the fit's residuals leave in u and in the second constant. As many numbers as
-/// constants leave no residuals: there a fit is known that is exact, and the only one.
+/// Which constants the fit determines, by the standard errors of u and of the second constant from the residuals. With
+/// as many numbers as constants there are no residuals: then the fit must be exact and unique.
 Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identified) {
   double chips = 0, edges = 0;
   for (const Row& row : rows) chips += row.chip_at(fit.kappa), edges += row.edge_at(fit.kappa);
@@ -137,15 +138,16 @@ Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identifi
   if (!ratio_identified) normal(0, 0) = 1;
   const int freedom = freedom_of(rows, true, ratio_identified);
   if (freedom == 0) {
-    const Vec3 told = Eigen::SelfAdjointEigenSolver<Mat3>(normal, Eigen::EigenvaluesOnly).eigenvalues();
-    return {fit.u > kExact * whole_u, fit.squares < kExact * kExact && told.x() > kMinTold * told.z()};
+    const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Mat3>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+    return {fit.u > kExact * whole_u,
+            fit.squares < kExact * kExact && eigenvalues.x() > kMinSeparation * eigenvalues.z()};
   }
   const Vec3 errors = (fit.squares / freedom * normal.inverse().diagonal()).cwiseSqrt();
   return {errors.y() < kMaxError * fit.u / whole_u,
           errors.z() < std::max(kMaxError * fit.edge / whole_edge, kSmallEdge)};
 }
 
-/// The best fit with the second constant this many times u.
+/// The best fit with a given ratio of the second constant to u.
 Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, bool ratio_identified) {
   for (Row& row : rows) row.chip += edge_over_u * row.edge;
   Fit fit = best_fit(rows, false, ratio_identified);
@@ -177,14 +179,14 @@ AxialCutForce axial_cut_force(const Calibration& c, double radius, AngularSpeed 
 
 Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  double min_chip = std::numeric_limits<double>::infinity(), max_chip = 0;
   bool thrusts = false, torques = false;
   for (const DrillingTest& t : tests) {
     require_measured(t);
-    const double section = term == ChipTerm::edge_pressure ? t.radius : t.lips;  // what the edge goes with
+    const double section = term == ChipTerm::edge_pressure ? t.radius : t.lips;  // factor of the edge
     const double chip = t.feed_speed / (std::abs(t.spindle_speed) * section);
-    least = std::min(least, chip);
-    most = std::max(most, chip);
+    min_chip = std::min(min_chip, chip);
+    max_chip = std::max(max_chip, chip);
     thrusts |= t.thrust > 0;
     torques |= t.torque > 0;
   }
@@ -192,9 +194,9 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   Calibration c;
   c.ratio_identified = thrusts && torques;
   const int freedom = freedom_of(rows, true, c.ratio_identified);
-  const bool may_tell = most > kMinSpread * least && freedom >= 0, has_prior = term == ChipTerm::edge_length;
-  Fit fit = best_fit(rows, may_tell, c.ratio_identified);
-  if (may_tell) {
+  const bool may_separate = max_chip > kMinSpread * min_chip && freedom >= 0, has_prior = term == ChipTerm::edge_length;
+  Fit fit = best_fit(rows, may_separate, c.ratio_identified);
+  if (may_separate) {
     const Known known = known_by(fit, rows, c.ratio_identified);
     c.edge_identified = known.edge;
     c.chip_identified = known.chip;
@@ -202,7 +204,7 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   if (!c.edge_identified) {
     const Fit assumed = fit_with_ratio(has_prior ? kAssumedEdgeLength : 0, rows, c.ratio_identified);
     const double bearable = fit.squares * (1 + (freedom > 0 ? kWithinErrors / freedom : 0));
-    if (!has_prior || !may_tell || assumed.squares <= std::max(bearable, kExact * kExact)) {
+    if (!has_prior || !may_separate || assumed.squares <= std::max(bearable, kExact * kExact)) {
       fit = assumed;
       c.edge_assumed = has_prior;
       c.chip_identified = true;
@@ -213,9 +215,9 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   c.cutting_ratio = fit.kappa;
   if (fit.edge > 0) {
     if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
-    // Where the edge carries all, u is the least with which a material may have its length.
-    const double longest = range_of(&Material::edge_length).high;
-    const double min_u = fit.edge / (term == ChipTerm::edge_length ? longest : std::sqrt(longest));
+    // If the edge carries all, u is the minimum at which the length is within its range.
+    const double max_length = range_of(&Material::edge_length).high;
+    const double min_u = fit.edge / (term == ChipTerm::edge_length ? max_length : std::sqrt(max_length));
     const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, min_u);
     if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
     if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);

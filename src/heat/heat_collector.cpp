@@ -11,8 +11,9 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMostlyAxial = 0.1;  // [1] of the squared force lies across the axis, or its line passes nowhere near
-constexpr int kHalvings = 20;         // a millionth of the head
+constexpr double kMostlyAxial =
+    0.1;                       // [1] of the squared force must be across the axis, or its line does not pass near
+constexpr int kHalvings = 20;  // to a millionth of the head
 
 double heat_of_rubbing(const EnergyLedger& energy) { return energy.rubbing + energy.damping + energy.sliding; }
 double heat_of_cutting(const EnergyLedger& energy) { return energy.losses() - heat_of_rubbing(energy); }

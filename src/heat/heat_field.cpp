@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a heat field: what is in them, how heat goes from one to the next, and how it gets there.
+// The cells of a heat field: their content, conduction between them, and the heat that is added.
 #include "hapticut/heat/heat_field.hpp"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace hapticut {
 namespace {
 
 constexpr double kMaxCells = 8e6;  // some 130 bytes each
-constexpr int kFarthest = 3;       // [cells] that heat may have to go to find material
+constexpr int kMaxDistance = 3;    // [cells] in which heat looks for material
 
 }  // namespace
 
 HeatField::Cells::Cells(std::size_t count) {
   for (std::vector<double>* numbers : {&heat, &capacity, &conductivity, &filled, &wetted, &cooling, &rise, &peak,
-                                       &above, &dose, &went, &conductance[0], &conductance[1], &conductance[2]})
+                                       &above, &dose, &removed, &conductance[0], &conductance[1], &conductance[2]})
     numbers->resize(count);
 }
 
@@ -33,7 +33,7 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
   if (kBlockEdge % width != 0)
     throw Error("HeatConfig::voxels_per_cell = " + std::to_string(width) + "; must be 1, 2, 4 or 8.");
   const IndexBox bounds = workpiece.bounds();
-  if (bounds.empty()) throw Error("the workpiece is empty; there is nothing to be heated.");
+  if (bounds.empty()) throw Error("the workpiece is empty; there is nothing to heat.");
   double count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     first_[axis] = block_start(bounds.min[axis]);
@@ -77,7 +77,7 @@ Vec3 HeatField::center(const std::array<int, 3>& cell) const {
   return frame_.X_WV * Vec3(frame_.voxel_size * voxel);
 }
 
-// --- what is in the cells -------------------------------------------------------------------------------------------
+// --- content of the cells -------------------------------------------------------------------------------------------
 
 void HeatField::update(const VoxelIndex& origin, const MaterialId* material, const float* fill) {
   const int width = config_.voxels_per_cell, across = kBlockEdge / width;
@@ -88,14 +88,14 @@ void HeatField::update(const VoxelIndex& origin, const MaterialId* material, con
     if (first[axis] >= dims_[axis]) return;
   }
   std::vector<float> volumes(materials_);
-  const float share = 1.0F / float(width * width * width);
+  const float part = 1.0F / float(width * width * width);
   const auto cube = [](int edge) { return IndexBox{{0, 0, 0}, {edge - 1, edge - 1, edge - 1}}; };
   for_each_voxel(cube(across), [&](const VoxelIndex& cell) {
     std::ranges::fill(volumes, 0.0F);
     for_each_voxel(cube(width), [&](const VoxelIndex& in_cell) {
       const int n =
           block_offset(cell[0] * width + in_cell[0], cell[1] * width + in_cell[1], cell[2] * width + in_cell[2]);
-      if (material[n] != kEmpty) volumes[material[n] - 1U] += share * fill[n];
+      if (material[n] != kEmpty) volumes[material[n] - 1U] += part * fill[n];
     });
     set_content(number_of({first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]}), volumes);
   });
@@ -109,11 +109,11 @@ void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> o
   }
 }
 
-/// What is gone takes its heat along; what is new has the temperature of the body, which is no heat.
+/// Removed material takes its heat along. New material is at body temperature and brings no heat.
 void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes) {
   float* known = volumes_.data() + cell * materials_;
   if (std::equal(volumes.begin(), volumes.end(), known)) return;
-  double capacity = 0, conductivity = 0, filled = 0, lost_capacity = 0, went = 0;
+  double capacity = 0, conductivity = 0, filled = 0, lost_capacity = 0, removed = 0;
   for (std::size_t m = 0; m < materials_; ++m) {
     const double before = known[m], now = volumes[m];
     capacity += now * properties_[m].heat_capacity;
@@ -121,7 +121,7 @@ void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes)
     filled += now;
     if (now >= before) continue;
     lost_capacity += (before - now) * properties_[m].heat_capacity;
-    went += (before - now) * cutting_energy_[m];
+    removed += (before - now) * cutting_energy_[m];
   }
   double& heat = cells_.heat[cell];
   const double leaves =
@@ -129,8 +129,8 @@ void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes)
   if (lost_capacity > 0) {
     heat -= leaves;
     balance_.chips += leaves;
-    if (cells_.went[cell] == 0) went_.push_back(cell);
-    cells_.went[cell] += went * cell_volume_;
+    if (cells_.removed[cell] == 0) removed_.push_back(cell);
+    cells_.removed[cell] += removed * cell_volume_;
   }
   std::ranges::copy(volumes, known);
   cells_.capacity[cell] = capacity * cell_volume_;
@@ -140,7 +140,7 @@ void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes)
   changed_.push_back(cell);
 }
 
-/// Conductances and surfaces of the cells that have changed, and of those beside them.
+/// Updates conductances and surfaces of the changed cells and their neighbours.
 void HeatField::refresh_changed() {
   if (changed_.empty()) return;
   std::vector<std::size_t> all;
@@ -163,9 +163,9 @@ void HeatField::refresh_changed() {
   rate_ = 0;
 }
 
-/// From centre to centre heat goes through half of each cell; what is not filled does not conduct. The surface inside a
-/// cell is where it is filled more than those beside it: a plane is seen from all three axes, by the square root of the
-/// sum of squares.
+/// Between centres, heat passes through half of each cell. Empty space does not conduct. The surface inside a cell is
+/// the difference of its fill to its neighbours, as the root of the sum of squares over the axes, because all three
+/// axes see a plane.
 void HeatField::refresh_faces(std::size_t cell) {
   double squares = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -181,7 +181,7 @@ void HeatField::refresh_faces(std::size_t cell) {
   refresh_cooling(cell);
 }
 
-/// Half of the cell and the film of water one behind the other.
+/// The conductances of half of the cell and of the film of water, in series.
 void HeatField::refresh_cooling(std::size_t cell) {
   const double film = config_.irrigation * cells_.wetted[cell];
   const double half = 2 * cells_.conductivity[cell] * cell_size_;
@@ -196,9 +196,9 @@ void HeatField::set_irrigation(double coefficient) {
   rate_ = 0;
 }
 
-// --- how heat gets there --------------------------------------------------------------------------------------------
+// --- heat that is added ----------------------------------------------------------------------------------------------
 
-double HeatField::take(HeatCollector& collector) {
+double HeatField::drain(HeatCollector& collector) {
   double time = 0, cut = 0;
   for (ChangedBlock block; collector.receive(block);) update(block.origin, block.material.data(), block.fill.data());
   for (HeatPulse pulse; collector.receive(pulse);) {
@@ -210,7 +210,7 @@ double HeatField::take(HeatCollector& collector) {
   return time;
 }
 
-/// [cells] from the centre of the first one
+/// [cells] Position relative to the centre of the first cell.
 Vec3 HeatField::in_cells(const Vec3& p_WQ) const {
   const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
   Vec3 p_cells;
@@ -241,7 +241,7 @@ HeatField::Around HeatField::cells_around(const Vec3& p_WQ) const {
   return around;
 }
 
-/// In proportion to the surface of the cells whose centres are near.  @return false where none is
+/// Adds heat in proportion to the surface of the cells whose centres are near.  @return false when there is no surface
 bool HeatField::add_to_surface(const Vec3& p_WQ, double heat, double radius) {
   refresh_changed();
   const Vec3 p_cells = in_cells(p_WQ);
@@ -285,8 +285,8 @@ void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
   }
 }
 
-/// Into a cell as far as it is filled, so that what little is left of it does not get hotter than a full one would; the
-/// rest into the material beside it, in proportion to capacity, or farther away where there is none.
+/// Adds heat to a cell in proportion to its fill, so a small remainder does not get hotter than a full cell would. The
+/// rest goes to the material beside it in proportion to capacity, or farther away if there is none.
 void HeatField::spread(std::size_t cell, double heat) {
   balance_.brought_in += heat;
   const double own = cells_.filled[cell] * heat;
@@ -294,7 +294,7 @@ void HeatField::spread(std::size_t cell, double heat) {
   cells_.heat[cell] += own;
   const VoxelIndex at = {int(cell / stride_[0]) - 1, int(cell / stride_[1] % std::size_t(dims_[1] + 2)) - 1,
                          int(cell % stride_[1]) - 1};
-  for (int far = 1; far <= kFarthest && rest > 0; ++far) {
+  for (int far = 1; far <= kMaxDistance && rest > 0; ++far) {
     const IndexBox box = overlap({{at[0] - far, at[1] - far, at[2] - far}, {at[0] + far, at[1] + far, at[2] + far}},
                                  {{0, 0, 0}, {dims_[0] - 1, dims_[1] - 1, dims_[2] - 1}});
     const auto for_each = [&](const auto& visit) {
@@ -317,13 +317,13 @@ void HeatField::spread(std::size_t cell, double heat) {
 
 void HeatField::add_cutting_heat(double heat) {
   waiting_ += heat;
-  double went = 0;
-  for (const std::size_t cell : went_) went += cells_.went[cell];
-  if (!(went > 0)) return;
+  double removed = 0;
+  for (const std::size_t cell : removed_) removed += cells_.removed[cell];
+  if (!(removed > 0)) return;
   if (waiting_ > 0)
-    for (const std::size_t cell : went_) spread(cell, waiting_ * (cells_.went[cell] / went));
-  for (const std::size_t cell : went_) cells_.went[cell] = 0;
-  went_.clear();
+    for (const std::size_t cell : removed_) spread(cell, waiting_ * (cells_.removed[cell] / removed));
+  for (const std::size_t cell : removed_) cells_.removed[cell] = 0;
+  removed_.clear();
   waiting_ = 0;
 }
 

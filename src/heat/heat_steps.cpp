@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time goes by in a heat field, and what it did to the material.
+// Time steps of a heat field, and their effect on the material.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,18 +18,18 @@ double cem43(double temperature, double time) {
   return time / 60 * std::exp2(below > 0 ? -2 * below : -below);
 }
 
-/// [1/s] at which the fastest cell loses its heat to what is around it. In parts of at most its inverse no cell becomes
-/// warmer than the warmest around it, or colder than the coldest.
+/// [1/s] Maximum rate at which a cell loses its heat to its surroundings. In time steps of at most its inverse no cell
+/// becomes warmer than its warmest neighbour, or colder than its coldest.
 double HeatField::max_rate() const {
-  double fastest = 0;
+  double maximum = 0;
   for (std::size_t cell = stride_[0]; cell + stride_[0] < cells_.heat.size(); ++cell) {
     if (!(cells_.capacity[cell] > 0)) continue;
     double losses = cells_.cooling[cell];
     for (std::size_t axis = 0; axis < 3; ++axis)
       losses += cells_.conductance[axis][cell] + cells_.conductance[axis][cell - stride_[axis]];
-    fastest = std::max(fastest, losses / cells_.capacity[cell]);
+    maximum = std::max(maximum, losses / cells_.capacity[cell]);
   }
-  return fastest;
+  return maximum;
 }
 
 void HeatField::advance(double dt) {
@@ -58,16 +58,16 @@ void HeatField::step(double dt) {
   }
   if (!(config_.irrigation > 0)) return;
   const double water = config_.water_temperature - config_.body_temperature;
-  double taken = 0;
+  double to_water = 0;
   for (std::size_t cell = stride_[0]; cell < last; ++cell) {
     const double flow = dt * cells_.cooling[cell] * (cells_.rise[cell] - water);
     cells_.heat[cell] -= flow;
-    taken += flow;
+    to_water += flow;
   }
-  balance_.irrigation += taken;
+  balance_.irrigation += to_water;
 }
 
-/// Of the temperature in the middle of a part of the time.
+/// Counts the dose with the mean temperature of a time step.
 void HeatField::count_dose(double dt) {
   const double threshold = config_.threshold - config_.body_temperature;
   for (std::size_t cell = stride_[0]; cell + stride_[0] < cells_.heat.size(); ++cell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of an island leaves with a block, whether it still is one, and its way out.
+// The removal of an island: the voxels to remove with a block, and the check whether it is still loose.
 #include <algorithm>
 
 #include "hapticut/islands/islands.hpp"
@@ -40,10 +40,10 @@ BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& 
   return {here.origin, there & (here.voxels | (skin & around(island, here)))};
 }
 
-bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t most) noexcept {
+bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t max_blocks) noexcept {
   const Workpiece& workpiece = simulation.workpiece();
   std::size_t done = 0;
-  do {  // one at least, or a caller that asks for 0 would never arrive
+  do {  // at least one, or a caller that passes 0 would never finish
     if (removal.checked == 0) removal.exchange = simulation.workpiece_exchanges();
     if (removal.exchange != simulation.workpiece_exchanges()) removal.joined = true;
     if (removal.is_over()) return true;
@@ -53,7 +53,7 @@ bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t m
       if (!simulation.remove_voxels(with_skin(removal.island, removal.removed, workpiece))) return false;
       ++removal.removed;
     }
-  } while (++done < most);
+  } while (++done < max_blocks);
   return removal.is_over();
 }
 

@@ -15,13 +15,13 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kIslands = 256;  // under way at once; more wait in the watching thread
-constexpr std::size_t kMaxLeft = 64;   // that are kept for `left`
+constexpr std::size_t kIslands = 256;    // in the rings at once; more wait in the watching thread
+constexpr std::size_t kMaxRemoved = 64;  // kept for `removed`
 
 Simulation& simulation_of(LoopModel& model) {
   Simulation* const simulation = model.simulation();
   if (simulation == nullptr)
-    throw Error("The model of an IslandModel drives no simulation; give it one whose simulation() is not null.");
+    throw Error("The model of an IslandModel drives no simulation; pass a model whose simulation() is not null.");
   return *simulation;
 }
 
@@ -37,22 +37,22 @@ struct IslandWatch::State {
         feed(simulation, options.blocks) {}
 
   void watch();
-  void look();
+  void search();
 
   Simulation& simulation;
   IslandWatchOptions options;
 
   // The watching thread's side.
   IslandFinder finder;
-  std::vector<Removal> waiting;  // found, and without room in the ring
-  std::mutex mutex;              // of what stands below; the loop never takes it
+  std::vector<Removal> waiting;  // found, while the ring is full
+  std::mutex mutex;              // of the members below; the loop never locks it
   std::condition_variable wake;
   bool stopping = false;
-  std::vector<Island> left;
+  std::vector<Island> removed;
 
-  // Between the two. What has left is freed in the watching thread.
+  // Between the two. Finished removals are freed in the watching thread.
   ChangeFeed feed;
-  HandoverRing<Removal> to_leave{kIslands}, over{kIslands};
+  HandoverRing<Removal> to_remove{kIslands}, over{kIslands};
 
   // The loop's side.
   Removal current;
@@ -80,33 +80,33 @@ void IslandWatch::State::watch() {
   std::unique_lock lock(mutex);
   while (!wake.wait_for(lock, std::chrono::duration<double>(options.period), [this] { return stopping; })) {
     lock.unlock();
-    look();
+    search();
     lock.lock();
   }
 }
 
-void IslandWatch::State::look() {
+void IslandWatch::State::search() {
   for (ChangedBlock block; feed.receive(block);) finder.update(block.origin, block.fill.data());
   for (Island& island : finder.find())
     waiting.push_back(std::make_unique<IslandRemoval>(IslandRemoval{std::move(island)}));
   std::size_t sent = 0;
-  while (sent < waiting.size() && to_leave.push(std::move(waiting[sent]))) ++sent;
+  while (sent < waiting.size() && to_remove.push(std::move(waiting[sent]))) ++sent;
   waiting.erase(waiting.begin(), waiting.begin() + std::ptrdiff_t(sent));
   for (Removal done; over.pop(done);) {
     if (done->joined) continue;
     const std::lock_guard lock(mutex);
-    if (left.size() == kMaxLeft) left.erase(left.begin());
-    left.push_back(std::move(done->island));
+    if (removed.size() == kMaxRemoved) removed.erase(removed.begin());
+    removed.push_back(std::move(done->island));
   }
 }
 
 void IslandWatch::tick() noexcept {
   State& s = *state_;
-  if (!s.current && !(s.over.has_room() && s.to_leave.pop(s.current))) return;
+  if (!s.current && !(s.over.has_room() && s.to_remove.pop(s.current))) return;
   IslandRemoval& removal = *s.current;
   const bool is_over = remove_island(s.simulation, removal, s.options.blocks_per_tick);
   if (!is_over) return;
-  if (removal.joined)  // it is still there: the search must hear of it
+  if (removal.joined)  // it stays, so the search must know its blocks again
     for (const BlockVoxels& block : removal.island.blocks) s.feed.mark(block.origin);
   else
     ++s.count;
@@ -115,9 +115,9 @@ void IslandWatch::tick() noexcept {
 
 std::uint64_t IslandWatch::count() const noexcept { return state_->count; }
 
-std::vector<Island> IslandWatch::left() {
+std::vector<Island> IslandWatch::removed() {
   const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->left, {});
+  return std::exchange(state_->removed, {});
 }
 
 IslandModel::IslandModel(LoopModel& model, const IslandWatchOptions& options)

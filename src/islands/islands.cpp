@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMaxWatchedBlocks = 1 << 25;  // 2 GB of bits
 
-/// Sets whose members are joined bit by bit, and what is known of each whole set.
+/// Disjoint sets that can be joined, with data of each set.
 template <class Of>
 class JoinedSets {
  public:
@@ -41,8 +41,8 @@ class JoinedSets {
 
 }  // namespace
 
-/// A search for pieces: each grows over the voxels that are joined to it, until it meets another one, or is closed.
-/// Pieces that were one body before belong to one group; of each group one piece stays.
+/// A search for pieces. Each grows over the voxels that are joined to it, until it meets another piece or is closed.
+/// Pieces that were one body before belong to one group; one piece of each group stays.
 class IslandSearch {
  public:
   using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // of a piece, by number of the block
@@ -58,13 +58,13 @@ class IslandSearch {
       const std::size_t piece = pieces_.add({groups_.root(group), 0, true, false, {{block, one}}});
       ++groups_[groups_.root(group)].open;
       grow(piece);
-      wait_for_turn(piece);
-      for (const Part& part : found_[block])  // other parts may be of other groups, and are still to be met
+      enqueue(piece);
+      for (const Part& part : found_[block])  // parts of other groups must still be met
         if (!(one & part.voxels).empty()) seeds = seeds.without(part.voxels);
     }
   }
 
-  /// Grows the smallest pieces until it is known of each group which of them are closed and do not stay.
+  /// Grows the smallest pieces until it is known which pieces of each group are closed and do not stay.
   void grow_until_settled() {
     while (!waiting_.empty()) {
       const auto [voxels, piece] = waiting_.top();
@@ -72,11 +72,11 @@ class IslandSearch {
       const bool has_grown = pieces_.root(piece) != piece || pieces_[piece].voxels != voxels;
       if (has_grown || !pieces_[piece].open || is_settled(piece)) continue;
       grow(piece);
-      wait_for_turn(piece);
+      enqueue(piece);
     }
   }
 
-  /// Grows all pieces to their ends.
+  /// Grows all pieces completely.
   void grow_all() {
     for (std::size_t n = 0; n < pieces_.size(); ++n)
       while (pieces_.root(n) == n && pieces_[n].open) grow(n);
@@ -89,7 +89,7 @@ class IslandSearch {
     return all;
   }
 
-  /// The closed pieces, but for the one of each group that stays.
+  /// The closed pieces, except the one of each group that stays.
   [[nodiscard]] std::vector<Parts> islands() {
     std::unordered_map<std::size_t, Parts> parts;
     for (const auto& [block, here] : found_)
@@ -98,7 +98,7 @@ class IslandSearch {
     std::unordered_map<std::size_t, std::size_t> stays;  // of each group
     for (const auto& [piece, all] : parts) {
       const auto [known, first] = stays.try_emplace(groups_.root(pieces_[piece].group), piece);
-      if (!first && is_rather_kept(piece, known->second, parts)) known->second = piece;
+      if (!first && is_preferred(piece, known->second, parts)) known->second = piece;
     }
     std::vector<Parts> islands;
     for (auto& [piece, all] : parts) {
@@ -112,34 +112,34 @@ class IslandSearch {
  private:
   struct Piece {
     std::size_t group;
-    std::int64_t voxels;                                 // found so far
-    bool open;                                           // it may go on
-    bool fixed;                                          // it holds a voxel that is; then it need not go on
-    std::vector<std::pair<std::size_t, BlockMask>> way;  // where it goes on: blocks, and voxels of them
+    std::int64_t voxels;                                      // found so far
+    bool open;                                                // it may grow further
+    bool fixed;                                               // it holds a fixed voxel, and need not grow further
+    std::vector<std::pair<std::size_t, BlockMask>> frontier;  // where it grows: blocks, and voxels of them
   };
   struct Group {
-    int open = 0;             // pieces of it
+    int open = 0;             // open pieces of the group
     std::int64_t closed = 0;  // [voxels] of its largest closed piece
-    bool fixed = false;       // a piece of it is
+    bool fixed = false;       // a piece of it is fixed
   };
   struct Part {
-    BlockMask voxels;  // all that is joined to one of them inside the block
+    BlockMask voxels;  // joined inside the block
     std::size_t piece;
   };
 
-  void wait_for_turn(std::size_t piece) {
+  void enqueue(std::size_t piece) {
     const std::size_t at = pieces_.root(piece);
     if (pieces_[at].open) waiting_.push({pieces_[at].voxels, at});
   }
 
-  /// An open piece is the only one, and all the others are known to be smaller, or not to be what is fixed.
+  /// Whether the open piece is the only one of its group, and the others are known to be smaller or not fixed.
   [[nodiscard]] bool is_settled(std::size_t piece) {
     const Group& group = groups_[groups_.root(pieces_[piece].group)];
     if (group.open > 1) return false;
     return finder_.options_.fixed ? !group.fixed : pieces_[piece].voxels > group.closed;
   }
 
-  [[nodiscard]] bool is_rather_kept(std::size_t a, std::size_t b, std::unordered_map<std::size_t, Parts>& parts) {
+  [[nodiscard]] bool is_preferred(std::size_t a, std::size_t b, std::unordered_map<std::size_t, Parts>& parts) {
     const Piece &of_a = pieces_[a], &of_b = pieces_[b];
     if (of_a.fixed != of_b.fixed) return of_a.fixed;
     if (of_a.open != of_b.open) return of_a.open;
@@ -147,10 +147,10 @@ class IslandSearch {
     return parts[a] < parts[b];
   }
 
-  /// Goes one block on.
+  /// Grows a piece by one block.
   void grow(std::size_t piece) {
-    auto [block, bits] = pieces_[piece].way.back();
-    pieces_[piece].way.pop_back();
+    auto [block, bits] = pieces_[piece].frontier.back();
+    pieces_[piece].frontier.pop_back();
     std::vector<Part>& here = found_[block];
     for (Part& part : here)
       if (!(bits & part.voxels).empty()) {
@@ -167,17 +167,17 @@ class IslandSearch {
         const auto next = finder_.blocks_.number_of(beside(origin, side));
         if (!next) continue;
         const BlockMask there = bits.across(side) & finder_.solid_[*next];
-        if (!there.empty()) of.way.emplace_back(*next, there);
+        if (!there.empty()) of.frontier.emplace_back(*next, there);
       }
       if (is_fixed(origin, bits)) fix(piece);
     }
-    if (pieces_[piece].open && pieces_[piece].way.empty()) close(piece);
+    if (pieces_[piece].open && pieces_[piece].frontier.empty()) close(piece);
   }
 
-  /// Two pieces are one, and so are their groups.  @return its root
+  /// Joins two pieces and their groups.  @return the root
   std::size_t join(std::size_t a, std::size_t b) {
     if (a == b) return a;
-    if (pieces_[a].way.size() < pieces_[b].way.size()) std::swap(a, b);
+    if (pieces_[a].frontier.size() < pieces_[b].frontier.size()) std::swap(a, b);
     Piece &into = pieces_[a], &other = pieces_[b];
     const std::size_t group = join_groups(groups_.root(into.group), groups_.root(other.group));
     groups_[group].open -= int(into.open) + int(other.open);
@@ -186,8 +186,8 @@ class IslandSearch {
     into.fixed |= other.fixed;
     into.open = !into.fixed;
     into.group = group;
-    into.way.insert(into.way.end(), other.way.begin(), other.way.end());
-    other.way = {};
+    into.frontier.insert(into.frontier.end(), other.frontier.begin(), other.frontier.end());
+    other.frontier = {};
     groups_[group].open += int(into.open);
     return a;
   }
@@ -228,13 +228,13 @@ class IslandSearch {
     return false;
   }
 
-  using Turn = std::pair<std::int64_t, std::size_t>;  // voxels, piece
+  using Entry = std::pair<std::int64_t, std::size_t>;  // voxels, piece
 
   const IslandFinder& finder_;
   JoinedSets<Piece> pieces_;
   JoinedSets<Group> groups_;
   std::unordered_map<std::size_t, std::vector<Part>> found_;  // by number of the block
-  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> waiting_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
 };
 
 // --- the finder -----------------------------------------------------------------------------------------------------
@@ -245,7 +245,7 @@ IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& opti
   const double blocks = blocks_.count();
   if (blocks > kMaxWatchedBlocks)
     throw Error("the workpiece spans " + format_number(blocks) + " blocks, more than " +
-                format_number(kMaxWatchedBlocks) + " in which islands can be looked for; crop it.");
+                format_number(kMaxWatchedBlocks) + " in which islands can be found; crop it.");
   solid_.resize(std::size_t(blocks));
   workpiece.for_each_block([&](const BlockView& block) {
     if (const auto number = blocks_.number_of(block.origin))
@@ -256,7 +256,7 @@ IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& opti
 void IslandFinder::update(const VoxelIndex& origin, const float* fill) {
   BlockView block;
   block.origin = origin;
-  block.uniform_material = 1;  // whatever it is
+  block.uniform_material = 1;  // any material
   block.fill = fill;
   update(block);
 }
@@ -268,51 +268,52 @@ void IslandFinder::update(const Workpiece& workpiece, std::span<const VoxelIndex
 void IslandFinder::update(const BlockView& block) {
   const auto number = blocks_.number_of(block.origin);
   if (!number) return;
-  // Where nothing is asked of the fill, a voxel without any is empty all the same.
-  const float least = std::max(float(options_.min_fill), std::numeric_limits<float>::min());
-  const BlockMask now = block.filled_voxels(least), went = solid_[*number].without(now);
+  // A voxel without fill is empty even if min_fill is 0.
+  const float min_fill = std::max(float(options_.min_fill), std::numeric_limits<float>::min());
+  const BlockMask now = block.filled_voxels(min_fill), lost = solid_[*number].without(now);
   solid_[*number] = now;
-  const auto known = gone_.find(*number);
-  const BlockMask gone = known == gone_.end() ? went : (known->second | went).without(now);
-  if (!gone.empty())
-    gone_.insert_or_assign(*number, gone);
-  else if (known != gone_.end())
-    gone_.erase(known);  // undone
+  const auto known = removed_.find(*number);
+  const BlockMask removed = known == removed_.end() ? lost : (known->second | lost).without(now);
+  if (!removed.empty())
+    removed_.insert_or_assign(*number, removed);
+  else if (known != removed_.end())
+    removed_.erase(known);  // undone
 }
 
 std::vector<Island> IslandFinder::find() {
   IslandSearch search(*this);
-  // What went and hung together was one body with all that it touched.
-  for (auto gone = std::exchange(gone_, {}); !gone.empty();) {
+  // Connected removed voxels and their neighbours were one body.
+  for (auto removed = std::exchange(removed_, {}); !removed.empty();) {
     const std::size_t group = search.add_group();
     std::map<std::size_t, BlockMask> touched;
-    std::vector<std::pair<std::size_t, BlockMask>> way = {{gone.begin()->first, gone.begin()->second.first()}};
-    while (!way.empty()) {
-      const auto [block, seeds] = way.back();
-      way.pop_back();
-      const auto here = gone.find(block);
-      if (here == gone.end()) continue;
+    std::vector<std::pair<std::size_t, BlockMask>> frontier = {
+        {removed.begin()->first, removed.begin()->second.first()}};
+    while (!frontier.empty()) {
+      const auto [block, seeds] = frontier.back();
+      frontier.pop_back();
+      const auto here = removed.find(block);
+      if (here == removed.end()) continue;
       const BlockMask part = seeds.joined(here->second);
-      if (here->second = here->second.without(part); here->second.empty()) gone.erase(here);
+      if (here->second = here->second.without(part); here->second.empty()) removed.erase(here);
       touched[block] = touched[block] | part.grown();
       const VoxelIndex origin = blocks_.origin_of(block);
       for (int side = 0; side < kSides; ++side)
         if (const BlockMask there = part.across(side); !there.empty())
           if (const auto next = blocks_.number_of(beside(origin, side))) {
             touched[*next] = touched[*next] | there;
-            way.emplace_back(*next, there);
+            frontier.emplace_back(*next, there);
           }
     }
     for (const auto& [block, seeds] : touched) search.begin(block, seeds, group);
   }
   search.grow_until_settled();
   std::vector<Island> islands;
-  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(take_out(parts));
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(extract(parts));
   return islands;
 }
 
-/// A piece as an island, with the blocks around it that may hold its skin; it is taken to be gone.
-Island IslandFinder::take_out(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
+/// Makes an island of a piece, with the blocks around it that may hold its skin, and treats it as removed.
+Island IslandFinder::extract(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
   std::map<std::size_t, BlockMask> all;
   for (const auto& [block, voxels] : parts) {
     solid_[block] = solid_[block].without(voxels);
@@ -340,7 +341,7 @@ std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions
     search.grow_all();
   }
   std::vector<Island> islands;
-  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.take_out(parts));
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.extract(parts));
   return islands;
 }
 

@@ -25,7 +25,7 @@ struct CutDepthVectors {
   }
 };
 
-/// ChipChord in vectors: where its comments say why.
+/// ChipChord in vectors; its comments give the reasons.
 struct ChordVectors {
   Vec energy;
   CutDepthVectors cut;
@@ -35,20 +35,20 @@ struct ChordVectors {
 HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float tooth_rate, Vec rate, Vec top, Vec bottom,
                                        Vec speed, float feed) {
   using Chord = ChipChord<float>;
-  const Vec zero = hn::Zero(Floats()), slowest = broadcast(Chord::kMinRoots), four = broadcast(4.0F);
+  const Vec zero = hn::Zero(Floats()), min_roots = broadcast(Chord::kMinRoots), four = broadcast(4.0F);
   const Vec toward = hn::MulAdd(hn::Abs(speed), broadcast(1 / Chord::kGrazing), broadcast(Chord::kMinFeed));
-  const Vec share = hn::Min(broadcast(1.0F), toward * broadcast(1 / std::max(feed, Chord::kMinFeed)));
-  const Vec chips = broadcast(tooth_rate) * share;
+  const Vec factor = hn::Min(broadcast(1.0F), toward * broadcast(1 / std::max(feed, Chord::kMinFeed)));
+  const Vec chips = broadcast(tooth_rate) * factor;
   const Vec edge = material.edge_length * chips, square = material.size_length * chips;
   const Vec b = hn::Sqrt(square), w0 = material.cutting_depth, w0_squared = w0 * w0;
   const auto root_of_speed = [&](Vec depth) HWY_ATTR {
     const Vec q = hn::Max(zero, hn::MulSub(rate, hn::MulSub(depth, depth, w0_squared), edge));
-    return (q + q) / hn::Max(b + hn::Sqrt(hn::MulAdd(four, q, square)), slowest);
+    return (q + q) / hn::Max(b + hn::Sqrt(hn::MulAdd(four, q, square)), min_roots);
   };
   const Vec at_top = root_of_speed(top);
   const Vec outside = hn::Min(broadcast(1.0F), broadcast(-2.0F) * bottom / (top - bottom));
   const Vec other = hn::IfThenElse(bottom > zero, root_of_speed(bottom), outside * hn::Sqrt(hn::Max(zero, speed)));
-  const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, slowest);  // 1/sigma
+  const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, min_roots);  // 1/sigma
   ChordVectors chord = {material.energy * dearer, CutDepthVectors(top, zero)};
   chord.cut.excess = hn::IfThenElseZero(rate > zero, at_top * at_top * dearer / rate);
   chord.cut.least = hn::Sqrt(hn::Max(zero, hn::MulSub(top, top, chord.cut.excess)));

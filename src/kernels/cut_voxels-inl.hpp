@@ -17,7 +17,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// VoxelSection in vectors: where its comments say why.
+/// VoxelSection in vectors; its comments give the reasons.
 class SectionVectors {
  public:
   HWY_INLINE explicit SectionVectors(Vec largest) : p_(largest) {
@@ -48,11 +48,11 @@ class SectionVectors {
     return broadcast(0.5F) * per_area_ * squares;
   }
 
-  /// Of DepthIntegrals, what a voxel in contact has.
-  struct Pressed {
+  /// DepthIntegrals::depth and volume.
+  struct DepthAndVolume {
     Vec depth, volume;
   };
-  [[nodiscard]] HWY_INLINE Pressed pressed(Vec height, Vec depth) const {
+  [[nodiscard]] HWY_INLINE DepthAndVolume depth_and_volume(Vec height, Vec depth) const {
     const Corners x = corners(height);
     return {broadcast(1.0F / 6) * per_area_ * depths(x, depth), broadcast(0.5F) * per_area_ * volumes(x, depth)};
   }
@@ -89,8 +89,8 @@ class SectionVectors {
   /// 6 p q times the integral of the depth.
   [[nodiscard]] HWY_INLINE static Vec depths(const Corners& x, Vec to) {
     const auto of = [&](Vec ramp) HWY_ATTR {
-      const Vec m = hn::Min(ramp, to), most = hn::Max(ramp, to);
-      return m * m * hn::MulSub(broadcast(3.0F), most, m);
+      const Vec m = hn::Min(ramp, to), larger = hn::Max(ramp, to);
+      return m * m * hn::MulSub(broadcast(3.0F), larger, m);
     };
     return of(x.all) - of(x.without_p) - of(x.without_q);
   }
@@ -121,43 +121,43 @@ HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate,
   // tanh(y)/y = m/(1 - y m) with m = (1 - e^-2y)/(2y), and by its series where (1 - tanh(y)/y)/y^2 would cancel
   const Vec y = hn::Sqrt(balance), m = mean_of_decay(y + y);
   const auto small = balance < broadcast(0.01F);
-  const Vec lack_of_small = hn::NegMulAdd(balance, broadcast(2.0F / 15), broadcast(1.0F / 3));
-  const Vec c = hn::IfThenElse(small, hn::NegMulAdd(balance, lack_of_small, one), m / hn::NegMulAdd(y, m, one));
-  const Vec lack = hn::IfThenElse(small, lack_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
-  const Vec gone =
-      hn::MulAdd(time * c, hn::MulSub(t, t, min_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
+  const Vec deficit_of_small = hn::NegMulAdd(balance, broadcast(2.0F / 15), broadcast(1.0F / 3));
+  const Vec c = hn::IfThenElse(small, hn::NegMulAdd(balance, deficit_of_small, one), m / hn::NegMulAdd(y, m, one));
+  const Vec deficit = hn::IfThenElse(small, deficit_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
+  const Vec recession = hn::MulAdd(time * c, hn::MulSub(t, t, min_squared),
+                                   speed * time * time * hn::MulAdd(time * gain, deficit, t * c));
   const Vec as_evaluated = dt * cut.excess;
-  return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
+  return recession / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
 }
 
 /// FoundationLaw on parts of voxels.
 struct PartOutcome {
-  Vec rubbing, cut;            // [N/m^3] springs: of what is not deep enough to be cut, and of what is
+  Vec rubbing, cut;            // [N/m^3] springs: too shallow to be cut, and deep enough
   Vec left;                    // [1] fill after the sub-step
-  Vec energy;                  // [J/m^3] u of what is cut, as its chips are
-  Vec credit, price;           // [1] fill that went without work, and [J/m^3] what it would have cost
-  Vec refused;                 // [1] fill whose work was done, but which single precision cannot take away
+  Vec energy;                  // [J/m^3] u of the cut material, with its chips
+  Vec credit, price;           // [1] fill that was removed without work, and [J/m^3] its cutting energy
+  Vec refused;                 // [1] fill whose work was done, but which rounding did not remove
   Vec before, after;           // [J/m^3] stored at the beginning and the end
-  Vec released;                // [J/m^3] what went in less what is stored; zero where nothing is cut
+  Vec released;                // [J/m^3] energy put in less energy stored; zero where nothing is cut
   Vec kept;                    // [1] fill that was not crushed
-  Vec yielding;                // [1] of the volume in contact that presses no more however deep it gets
-  Vec top;                     // [m] of what is left by crushing
+  Vec yielding;                // [1] part of the contact volume that is at the crushing limit
+  Vec top;                     // [m] depth of the top of what crushing left
   Mask crushed;                // only where some are
-  Vec elastic, volume, depth;  // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
+  Vec elastic, volume, depth;  // [N/m^3] springs without cutting; [1] volume in contact; [m] its integral of the depth
   Vec area;                    // [voxel edges^2] of the head's surface
 
-  /// [N/m^4] change of the force with depth, as the springs yield while they are cut
+  /// [N/m^4] Change of the force with depth, reduced as the springs yield while they are cut.
   [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, const DampingVectors& damped, float time) const {
     const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
-    // The faster they are, the less deep those at the strength.
+    // The crushing limit moves up with the closing speed.
     const Vec limit = hn::IfThenElseZero(damped.factor > broadcast(1.0F), broadcast(0.5F) * top * yielding);
     const Vec damper = damped.slope * material.damping * (depth - limit) * broadcast(1 / time);
     return material.stiffness * yields * hn::MulAdd(volume - yielding, damped.factor, damper);
   }
 };
 
-/// @tparam kCrushes       some of them are deep enough to be crushed:
-/// @param crushing_depth  [m] deeper than this
+/// @tparam kCrushes       some voxels are deeper than crushing_depth
+/// @param crushing_depth  [m] deeper material is crushed
 template <bool kCrushes>
 HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s,
                                       Vec mean_rate, Vec fill, Vec damped, Vec crushing_depth, bool may_cut,
@@ -184,7 +184,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     p.yielding = hn::IfThenElseZero(p.crushed, p.top * per_l * section.area_at(height));
   }
   const Vec top = p.top * per_l;
-  const auto part = section.pressed(height, top);
+  const auto part = section.depth_and_volume(height, top);
   p.volume = hn::IfThenElseZero(inside, part.volume);
   p.area = hn::IfThenElseZero(inside, section.area_at(hn::Neg(far_plane)));
   p.depth = hn::IfThenElseZero(inside, part.depth) * l;
@@ -212,15 +212,15 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(p.top) * per_l);
     Vec path = work / p.price;  // k_d dt
     Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
-    if (release) {  // helped by what is stored where the layer's top is on average
+    if (release) {  // helped by the energy stored at the mean depth of the layer's top
       const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kMinEnergyShare));
       path = work / p.price;
       share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     }
-    const Vec gone = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
-    const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kMaxExponent)));
+    const Vec decay = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
+    const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(decay, broadcast(FoundationLaw::kMaxExponent)));
     const Vec mean = mean_of_decay(exponent);
     p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
@@ -228,7 +228,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     p.left = p.kept - loss;
     p.refused = loss - (p.kept - p.left);
     const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kMinPart));
-    // Never zero, so that it also says which lanes are finished.
+    // Never zero, so that it also marks the finished lanes.
     p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));
     p.left = hn::IfThenZeroElse(finished, p.left);
   }
@@ -237,20 +237,20 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   const Vec height_left = may_cut ? section.height_of(p.left) : height;
   const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
   p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
-  const Mask taken = fill - p.left > broadcast(FoundationLaw::kMinLoss) * fill;
-  // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
+  const Mask removed = fill - p.left > broadcast(FoundationLaw::kMinLoss) * fill;
+  // Released energy is zero where nothing is cut, and never negative: the error of the midpoint rule is `entered`.
   p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after);
   p.released = zero;
-  if constexpr (kCrushes) {  // what is crushed to the last is finished too
+  if constexpr (kCrushes) {  // a voxel that is crushed completely is finished too
     const Mask none_kept = hn::And(p.crushed, p.kept <= zero);
     p.credit = hn::IfThenElse(none_kept, broadcast(1e-30F), p.credit);
   }
-  if ((may_cut || kCrushes) && !hn::AllFalse(d, taken)) {
+  if ((may_cut || kCrushes) && !hn::AllFalse(d, removed)) {
     const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
-    // What a contact evaluated at the end pushes harder than on average was not stored before.
+    // The excess force of a contact that is evaluated at the end was not stored before.
     const Vec harder = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
     const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before + harder);
-    p.released = hn::IfThenElseZero(taken, hn::Max(zero, surplus));
+    p.released = hn::IfThenElseZero(removed, hn::Max(zero, surplus));
     p.before = p.before + p.released;
   }
   return p;

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What dry friction has to know of the contact of a standing head; included once per instruction set.
+// SPDX-License-Identifier: Apache-2.0 Sums for the dry friction of a standing head; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_FRICTION_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_FRICTION_INL_HPP
 #undef HAPTICUT_KERNELS_FRICTION_INL_HPP
@@ -14,7 +13,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// What friction knows of the materials of a vector of voxels.
+/// Friction constants of the materials of a vector of voxels.
 struct FrictionConstants {
   alignas(64) float static_friction[kWidth], dynamic_friction[kWidth], tangential_stiffness[kWidth], stiffness[kWidth];
 
@@ -38,8 +37,8 @@ class FrictionVectors {
     for (Vec& term : terms_) term = broadcast(0.0F);
   }
 
-  /// @param normal  [N/m^3] force along the normals; zero in lanes without one
-  /// @param filled  [1] of the volume, in contact
+  /// @param normal  [N/m^3] normal force; zero in lanes without contact
+  /// @param filled  [1] part of the volume that is in contact
   /// @param radial, axial  of the normals, as in SpringVectors
   HWY_NOINLINE void add(Vec normal, Vec filled, const FrictionConstants& constants, const Vectors& r, Vec radial,
                         Vec axial) {

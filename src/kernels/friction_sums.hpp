@@ -9,8 +9,8 @@
 
 namespace hapticut::kernels {
 
-/// Sums over the samples of a standing head, lane by lane, of which SpreadFriction is made: with the friction limit q =
-/// mu_s f of each and its moment m = (n, r x n), whose last number is 0 on a head of revolution,
+/// Sums over the samples of a standing head, lane by lane, from which SpreadFriction is computed. q = mu_s f is the
+/// friction limit of a sample and m = (n, r x n) its moment, whose last component is 0 on a head of revolution:
 ///
 ///     A = Sum q P^T P - Sum q m m^T,   P^T P = [ 1       -[r]x         ]
 ///                                              [ [r]x    |r|^2 - r r^T ]
@@ -20,10 +20,10 @@ struct FrictionSums {
     kStatic,                 // q [N/m^3]
     kDynamic,                // mu_d f
     kAnchor,                 // q k_t where k_t is given
-    kSpring,                 // k_v phi where it is not
+    kSpring,                 // k_v phi where k_t is not given
     kFirst,                  // q r
     kSecond = kFirst + 3,    // q r r^T, its upper half row by row
-    kNormals = kSecond + 6,  // q m m^T of the first five of m, likewise
+    kNormals = kSecond + 6,  // q m m^T of the first five components of m, likewise
     kTerms = kNormals + 15
   };
   static constexpr std::size_t kLanes = BlockChange::kStrip;
@@ -31,7 +31,7 @@ struct FrictionSums {
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
 
   /// @param voxel_volume  [m^3]
-  /// @param weight        [1] of each sample, for those that wait for their turn
+  /// @param weight        [1] of each sample: the level of detail
   [[nodiscard]] SpreadFriction total(double voxel_volume, double weight) const {
     std::array<double, kTerms> sums = {};
     for (std::size_t term = 0; term < kTerms; ++term)

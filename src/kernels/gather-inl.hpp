@@ -15,26 +15,26 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// [voxels] From the middle of a strip to its farthest voxel: half of seven along k and of one along j, rounded up.
+/// [voxels] From the middle of a strip to its farthest voxel: 3.5 along k and 0.5 along j, rounded up.
 constexpr float kHalfStrip = 3.6F;
-/// [voxels] From the middle of a block to the farthest place of it that lies in the zone about the axis: half the
-/// diagonal of the 7 x 7 x 7 edges between its voxels, and the zone, rounded up.
+/// [voxels] From the middle of a block to its farthest point in the zone about the axis: half the diagonal of the 7 x 7
+/// x 7 edges between its voxels, plus the zone, rounded up.
 constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
 
-/// Voxels of a few blocks, one after the other in the order of the blocks. What follows the last one repeats the first,
-/// so that every lane of a vector can be computed.
+/// Voxels of a few blocks, in the order of the blocks. The entries after the last voxel repeat the first, so that every
+/// lane of a vector can be computed.
 struct VoxelList {
-  static constexpr int kEnough = 256;  // to be pressed: fewer do not fill their vectors
-  static constexpr int kRoom = kEnough + kBlockVoxels + kStripLanes;
-  alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] their centres in T
-  alignas(64) float fill[kRoom];                   // before the sub-step
-  alignas(64) float fill_after[kRoom];             // the sub-step
-  alignas(64) std::int32_t index[kRoom];           // 512 times the number of its block, plus its place in the block
-  std::int32_t run_first[kRoom];                   // where the voxels come from: vector by vector, its first index,
-  std::uint16_t run_lanes[kRoom];                  // and which of its lanes
+  static constexpr int kEnough = 256;  // voxels for a call of the law: fewer would not fill the vectors
+  static constexpr int kCapacity = kEnough + kBlockVoxels + kStripLanes;
+  alignas(64) float x[kCapacity], y[kCapacity], z[kCapacity];  // [m] their centres in T
+  alignas(64) float fill[kCapacity];                           // before the sub-step
+  alignas(64) float fill_after[kCapacity];                     // after the sub-step
+  alignas(64) std::int32_t index[kCapacity];  // 512 times the number of the block, plus the offset in the block
+  std::int32_t run_first[kCapacity];          // origin of the voxels: for each vector its first index
+  std::uint16_t run_lanes[kCapacity];         // and its lanes
   int runs = 0;
   int count = 0;
-  MaterialId material = kEmpty;  // of all of them; kEmpty: their materials may differ
+  MaterialId material = kEmpty;  // of all voxels; kEmpty: their materials may differ
 
   [[nodiscard]] HWY_INLINE Vectors place(int first) const {
     return {hn::Load(Floats(), x + first), hn::Load(Floats(), y + first), hn::Load(Floats(), z + first)};
@@ -51,7 +51,7 @@ struct VoxelList {
   HWY_INLINE void clear() { runs = count = 0; }
 };
 
-/// Strips that are written for the first time, voxel by voxel: the others of theirs keep their fills.
+/// Copies the fills of strips that are written for the first time, so that voxels that are not listed keep theirs.
 HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
   const BlockView& block = task.block;
   if (task.fill_after != block.fill)
@@ -62,7 +62,7 @@ HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
   task.change.strips |= strips;
 }
 
-/// Looks through the solid voxels of blocks for those that may be inside the head.
+/// Finds the solid voxels of blocks that may be inside the head.
 template <class Springs>
 class Gather {
  public:
@@ -84,16 +84,16 @@ class Gather {
     }
   }
 
-  /// Appends the voxels of a block.
+  /// Appends the voxels of a block to the list.
   /// @param number  of the block
-  /// @return bit n: some of them are of strip n
+  /// @return bit n: strip n has listed voxels
   HWY_INLINE std::uint32_t append(const BlockView& block, int number, VoxelList& list) const {
     return append_skimmed(block, number, list, 0, nullptr);
   }
 
-  /// @param done  bit n: leaves strip n out
-  /// @param skim  called with the first of a vector of voxels, places, fills and which may be inside: returns those of
-  /// them that are to be listed; nullptr: all
+  /// @param done  bit n: strip n is skipped
+  /// @param skim  called with the first index of a vector of voxels, their positions, their fills, and a mask of those
+  /// that may be inside; returns the mask of those to list; nullptr: all
   template <class Skim>
   HWY_INLINE std::uint32_t append_skimmed(const BlockView& block, int number, VoxelList& list, std::uint32_t done,
                                           const Skim& skim) const {
@@ -131,7 +131,7 @@ class Gather {
     return strips;
   }
 
-  /// Number of those of a block.
+  /// Number of the voxels of a block that may be inside the head.
   [[nodiscard]] HWY_INLINE int count(const BlockView& block) const {
     int count = 0;
     for_each(
@@ -141,12 +141,12 @@ class Gather {
     return count;
   }
 
-  /// Calls `found(r)` for each vector of voxels of the strips all of whose voxels are solid and lie deeper than a
-  /// margin [m] inside a ball.
-  /// @return bit n: those of strip n do
+  /// Calls `found(r)` for each vector of voxels of those strips whose voxels are all solid and deeper than a margin [m]
+  /// inside a ball.
+  /// @return bit n: strip n is such a strip
   template <class Found>
   HWY_INLINE std::uint32_t for_each_within(const BlockView& block, float margin, const Found& found) const {
-    static_assert(Springs::kCentral);  // whose `hits` is exact, and which does not end at a margin
+    static_assert(Springs::kCentral);  // because its `hits` is exact, also for a negative margin
     const Eigen::Vector3f base = first_voxel(block);
     std::uint32_t done = 0;
     Vectors lanes[kParts];
@@ -177,8 +177,8 @@ class Gather {
  private:
   static constexpr hn::RebindToSigned<Floats> kInts = {};
 
-  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
-  /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
+  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels that may be inside the head: the index of the first
+  /// voxel in the block, the positions [m] in T, and the lanes that may be inside, as a mask and as bits.
   template <class Found>
   HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
@@ -209,7 +209,7 @@ class Gather {
     }
   }
 
-  /// Places of the voxels of a strip that begins at the block's first voxel.
+  /// Positions of the voxels of a strip that begins at the block's first voxel.
   HWY_INLINE void first_strip(const Eigen::Vector3f& base, Vectors (&lanes)[kParts]) const {
     for (std::size_t part = 0; part < kParts; ++part)
       lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
@@ -271,7 +271,8 @@ class Gather {
 
   const Springs springs_;
   const ContactJob& job_;
-  const float beyond_;  // [m] how far outside the head a voxel's centre may be whose part reaches into it
+  const float
+      beyond_;  // [m] distance outside the head at which a voxel's centre can be while the voxel reaches into it
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
   Vectors lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel

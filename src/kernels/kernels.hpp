@@ -13,10 +13,10 @@
 #include "hapticut/workpiece/removal.hpp"
 #include "kernels/stiffness_sums.hpp"
 
-/// @file
-/// The stages that work on one block, in the widest vector instructions of the machine, chosen when the program starts.
-/// They compute what the scalar functions of the same names in the public headers compute, within rounding: those are
-/// the reference that tests hold them against, and what runs where the library was built without Highway.
+/// The stages that work on one block, in the widest vector instructions of the machine, which are chosen when the
+/// program starts. They compute the same as the scalar functions of the same names in the public headers, within
+/// rounding. The scalar functions are the reference in the tests, and they run when the library was built without
+/// Highway.
 ///
 ///     a block: 8 x 8 x 8 voxels        a slab: the 64 voxels of one i; in memory k goes fastest, then j, then i
 ///
@@ -32,7 +32,7 @@
 ///                k
 ///
 /// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
-/// NEON. A row is that of the staged kernels, whose vectors have at most eight lanes.
+/// NEON. A row is the unit of the staged kernels, whose vectors have at most eight lanes.
 ///
 ///     press = sample + law + sum, in one pass over the voxels of a few blocks:
 ///
@@ -40,42 +40,42 @@
 ///              Gather::for_each        Gather::append      Press::sample        Press::press_parts       PressSums
 ///              from their middles      into a list         w, n, slip           f, fill, energies        F, T, ledger
 ///
-/// What to read, in this order. Before all, the scalar forms, which have the formulas and their reasons:
-/// workpiece/contact.hpp, force/laws/foundation.hpp, force/resultant.hpp. Then here:
+/// Reading order. First the scalar forms, which contain the formulas and their reasons: workpiece/contact.hpp,
+/// force/laws/foundation.hpp, force/resultant.hpp. Then here:
 ///
-///     kernels.hpp               what goes in and what comes out
+///     kernels.hpp               input and output of the kernels
 ///     spring_vectors-inl.hpp    depth and direction of a vector of points,
 ///     springs-inl.hpp           for each shape of head,
 ///     profile_springs-inl.hpp   and for profiles
 ///     strips-inl.hpp            lanes, masks, materials and velocities of a strip
 ///     gather-inl.hpp            which voxels of a block may be inside the head
-///     contact_sums.hpp          what a sub-step adds up in double precision, lane by lane,
+///     contact_sums.hpp          sums of a sub-step in double precision, lane by lane,
 ///     press_sums-inl.hpp        and in vectors over a few blocks;
-///     stiffness_sums.hpp        what a coupling wants besides,
+///     stiffness_sums.hpp        stiffness, for a coupling,
 ///     stiffness_sums-inl.hpp    and its vectors;
-///     friction_sums.hpp         what dry friction wants,
+///     friction_sums.hpp         sums for dry friction,
 ///     friction-inl.hpp          and its vectors
-///     materials-inl.hpp         constants of the voxels in work, and what was removed of each material
-///     places-inl.hpp            where they come from, and where goes what is left
-///     motion-inl.hpp            how the head's surface moves at them
-///     smooth-inl.hpp            what is different at smooth surfaces
+///     materials-inl.hpp         constants of the current voxels, and removed volume of each material
+///     places-inl.hpp            where voxels come from, and where their new fills go
+///     motion-inl.hpp            velocity of the head's surface at voxels
+///     smooth-inl.hpp            smooth surfaces
 ///     chip-inl.hpp              cutting energy that depends on the chip
 ///     cut_voxels-inl.hpp        the default law on parts of voxels
 ///     press-inl.hpp             the default law on blocks: Press::press_deep for whole voxels of a standing head, and
 ///                               for all others Press::sample, then Press::press_parts
-///     press_blocks-inl.hpp      which Press for which head
+///     press_blocks-inl.hpp      the Press for each shape of head
 ///     rows-inl.hpp              rows; with them the staged kernels for all other laws,
 ///     sampling-inl.hpp          sample_contact
 ///     resultant-inl.hpp         and sum_resultant
 ///     simd_kernels.cpp          the choice of an instruction set; targets/ has a file for each
-///     scalar_kernels.cpp        the same without Highway
+///     scalar_kernels.cpp        kernels without Highway
 ///
 /// A file `-inl.hpp` is compiled once for each instruction set. Vectors are added, multiplied and compared with
 /// operators, which Highway has on all the sets in use (targets/which.hpp). `MulAdd(a, b, c)` is a b + c, rounded once
-/// where the machine can; `NegMulAdd` is c - a b, `MulSub` is a b - c. Sums are written x = x + y: of x += y, which
-/// takes an address, g++ 12 makes 1 % more instructions. Intrinsics of one machine are in `mask_of` and `spread` of
-/// strips-inl.hpp, each beside its general form, and nowhere else. Why one pass, and what was measured on the way:
-/// docs/decisions/0004-one-pass.md.
+/// where the machine can; `NegMulAdd` is c - a b, `MulSub` is a b - c. Sums are written x = x + y, because g++ 12 makes
+/// 1 % more instructions from x += y, which takes an address. Intrinsics of one machine occur only in `mask_of` and
+/// `spread` of strips-inl.hpp, each beside its general form. docs/decisions/0004-one-pass.md says why there is one
+/// pass, and what was measured.
 namespace hapticut::kernels {
 
 /// Stage `sample_contact` for any head.
@@ -90,27 +90,27 @@ struct ContactJob;
 /// Stage `sum_resultant`.
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept;
 
-/// What every block of a sub-step has in common.
+/// Input that all blocks of a sub-step share.
 struct ContactJob {
   const ToolHead& head;
   GridInHead grid;
   HeadMotion motion;
   const ContactMaterials& materials;
   bool damped;                   ///< some material has damping
-  unsigned level_of_detail = 1;  ///< n: only an n-th of the strips is evaluated
-  unsigned turn = 0;             ///< which of them
+  unsigned level_of_detail = 1;  ///< n: only one n-th of the strips is evaluated
+  unsigned phase = 0;            ///< which of them
 
-  /// Strips take turns by diagonal planes.
+  /// Whether a strip is evaluated in this phase. Strips alternate by diagonal planes.
   /// @param origin  of the block
-  /// @param slab    0 ... 7, the strip's place along i
-  /// @param strip   0 ... 3, and along j
+  /// @param slab    0 ... 7, index of the strip along i
+  /// @param strip   0 ... 3, index along j
   [[nodiscard]] bool has_phase(const VoxelIndex& origin, int slab, int strip) const {
-    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + turn) % level_of_detail == 0;
+    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + phase) % level_of_detail == 0;
   }
 };
 
-/// What the blocks of a sub-step give together.
-struct Pressed {
+/// Result of all blocks of a sub-step.
+struct ContactOutcome {
   Resultant resultant;
   LawEnergies energies;
 };
@@ -119,8 +119,8 @@ struct Pressed {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : Pressed {      // the scalar reference adds up what it finds
-  ByMaterial<double> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
+struct ContactSums : ContactOutcome {  // the scalar reference sums the results
+  ByMaterial<double> removed = {};     ///< [voxels] filled volume that was removed, by MaterialId
 };
 struct FrictionSums {  // likewise
   SpreadFriction sum;
@@ -137,7 +137,7 @@ struct FrictionSums {  // likewise
 
 namespace hapticut::kernels {
 
-/// One block to be pressed: what it holds, where its fills go, and what became of them.
+/// One block to evaluate: its content, the target of its new fills, and its changes.
 struct PressTask {
   BlockView block;
   float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`
@@ -145,18 +145,18 @@ struct PressTask {
   BlockChange change;           ///< the result
 };
 
-/// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` in one pass, which stores a sample once, in a list:
-/// what the step runs unless it was given another law.
-/// @param sums       of the sub-step, to add to; `pressed` says what they mean
-/// @param stiffness  sums to add to; null: not wanted
-/// @param friction   likewise; of a head that stands
+/// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` in one pass, which stores a sample once, in a list.
+/// The step runs this kernel unless it has another law.
+/// @param sums       of the sub-step, to add to; `outcome_of` converts them
+/// @param stiffness  sums to add to; null: not needed
+/// @param friction   sums to add to, of a standing head; null: not needed
 void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                   StiffnessSums* stiffness = nullptr, FrictionSums* friction = nullptr) noexcept;
 
-/// What the blocks that were pressed give together. Voxels that waited for their turn are represented by those that had
-/// it; what was removed is exact. LawEnergies::cutting is what it took beyond u of all that was removed: callers, who
-/// know the materials of `removed`, add that.
+/// Converts the sums of a sub-step to its result. With a level of detail, the evaluated voxels stand for all; the
+/// removed volume is exact. LawEnergies::cutting is only the part beyond u times the removed volume: callers, who know
+/// the materials of `removed`, add the rest.
 /// @param voxel_volume  [m^3]
-[[nodiscard]] Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
+[[nodiscard]] ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 
 }  // namespace hapticut::kernels

@@ -14,7 +14,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// The constants of a vector of voxels, and what was removed of one material since they were loaded.
+/// The constants of a vector of voxels, and the volume removed of one material since they were loaded.
 class LoadedMaterials {
  public:
   HWY_INLINE LoadedMaterials(const ContactMaterials& table, ContactSums& totals)
@@ -22,7 +22,7 @@ class LoadedMaterials {
 
   [[nodiscard]] HWY_INLINE const MaterialVectors& vectors() const { return vectors_; }
 
-  /// The material of all of them, or kEmpty where they differ.
+  /// The material of all lanes, or kEmpty if they differ.
   [[nodiscard]] HWY_INLINE MaterialId one() const { return id_; }
 
   /// Loads the constants of a material, unless they are those of the voxels before.
@@ -41,14 +41,14 @@ class LoadedMaterials {
     vectors_ = MaterialVectors(table_, ids);
   }
 
-  /// Books what was removed [voxels].
-  /// @return false where the materials of the lanes differ: then nothing was booked
+  /// Books removed volume [voxels].
+  /// @return false if the materials of the lanes differ; then nothing was booked
   [[nodiscard]] HWY_INLINE bool book(Vec removed) {
     if (id_ == kEmpty) return false;
     removed_ = removed_ + removed;
     return true;
   }
-  /// Adds it to the sums of the sub-step.
+  /// Adds the booked volume to the sums of the sub-step.
   HWY_INLINE void flush() {
     alignas(64) float lanes[kWidth];
     hn::Store(removed_, Floats(), lanes);
@@ -62,7 +62,7 @@ class LoadedMaterials {
   const ContactMaterials& table_;
   ContactSums& totals_;
   MaterialVectors vectors_;
-  MaterialId id_ = kEmpty;  // kEmpty: those of the lanes differ
+  MaterialId id_ = kEmpty;  // kEmpty: the materials of the lanes differ
   Vec removed_;             // [voxels] of id_
 };
 

@@ -20,12 +20,12 @@ HWY_INLINE Vectors surface_velocity(const HeadMotion& m, const Vectors& r) {
   return velocity_at(r, m.velocity, m.angular_velocity + Eigen::Vector3f(0, 0, m.spin));
 }
 
-/// [m^2/s^2] square of the slip at the voxels' centres: of what is not along the normal
+/// [m^2/s^2] Square of the slip at the voxels' centres: of the velocity across the normal.
 HWY_INLINE Vec slip_of_centers(const Vectors& velocity, const Sample& s) {
   return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(s.rate, s.rate, dot(velocity, velocity)));
 }
 
-/// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
+/// [m/s] Closing speed of voxels along the normal: n (v + omega x r) = v n + omega (r x n).
 template <bool kCentral>
 HWY_INLINE Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vector3f& v,
                              const Eigen::Vector3f& omega) {
@@ -36,7 +36,7 @@ HWY_INLINE Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vec
   return hn::MulAdd(s.lever(r), turning, rate);
 }
 
-/// [m^2/s^2] FoundationLaw::AxisSlip::squared, less that of the voxel's centre
+/// [m^2/s^2] FoundationLaw::AxisSlip::squared less the square of the slip at the voxel's centre.
 HWY_INLINE Vec slip_about_axis(const HeadMotion& m, const Vectors& r, Vec of_center) {
   using Slip = FoundationLaw::AxisSlip;
   const Slip slip(m);
@@ -44,11 +44,11 @@ HWY_INLINE Vec slip_about_axis(const HeadMotion& m, const Vectors& r, Vec of_cen
   const Vec below = hn::MulAdd(q * q, hn::MulAdd(q, broadcast(Slip::kSteep), broadcast(Slip::kFlat)), one);
   const Vec peak = broadcast(Slip::kPeak) * hn::NegMulAdd(q, broadcast(Slip::kZero), one);
   const Vec excess = broadcast(slip.per_slip) * (peak / below + broadcast(Slip::kFar));
-  const Vec beyond = hn::Max(excess, broadcast(slip.least) - of_center);
+  const Vec beyond = hn::Max(excess, broadcast(slip.min_squared) - of_center);
   return hn::IfThenElseZero(q < broadcast(FoundationLaw::kAxisZone * FoundationLaw::kAxisZone), beyond);
 }
 
-/// [m^2/s^2] The same of voxels that were sampled: what the couple about the axis does work against.
+/// [m^2/s^2] slip_about_axis of sampled voxels, against which the couple about the axis does work.
 HWY_INLINE Vec slip_beyond_centers(const HeadMotion& m, const Vectors& r, const Sample& s) {
   return slip_about_axis(m, r, slip_of_centers(surface_velocity(m, r), s));
 }

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Where the voxels that the press kernel works on come from, and where goes what is left of them; included once per
-// instruction set.
+// Origin of the voxels that the press kernel works on, and target of their new fills; included once per instruction
+// set.
 #if defined(HAPTICUT_KERNELS_PLACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PLACES_INL_HPP
 #undef HAPTICUT_KERNELS_PLACES_INL_HPP
@@ -30,7 +29,7 @@ class Places {
     }
   }
 
-  /// Of voxel n of the list: its block's task and its place in the block.
+  /// The task of the block of voxel n of the list, its offset in the block, and its material.
   [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const { return tasks_[unsigned(voxels_.index[n]) / kBlockVoxels]; }
   [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return voxels_.index[n] % kBlockVoxels; }
   [[nodiscard]] HWY_INLINE MaterialId material_of(int n) const {
@@ -38,7 +37,7 @@ class Places {
     return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
   }
 
-  /// What the sub-step left of the listed voxels goes back to where they came from.
+  /// Writes the new fills of the listed voxels back to their blocks.
   HWY_INLINE void write_fills() const {
     const float* after = voxels_.fill_after;
     for (int n = 0; n < voxels_.runs; ++n) {
@@ -53,7 +52,7 @@ class Places {
     for (int lane = 0; lane < int(kWidth); ++lane) ids[lane] = material_of(first + lane);
     material_.load(ids);
   }
-  /// Books what was removed, by material.
+  /// Books removed volume, by material.
   HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
     if (material_.book(removed)) return;
     alignas(64) float lanes[kWidth];
@@ -66,7 +65,7 @@ class Places {
 
   VoxelList& voxels_;
   ContactSums& totals_;
-  PressTask* tasks_ = nullptr;  // all of them
+  PressTask* tasks_ = nullptr;  // all tasks
   LoadedMaterials material_;
 };
 

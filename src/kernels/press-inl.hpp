@@ -23,12 +23,11 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// A few blocks one after the other. The voxels inside the head are gathered first, so that no lane computes for
-/// nothing.
+/// Evaluates a few blocks in sequence. The voxels inside the head are gathered first, so that no lane is wasted.
 template <class Springs>
 class Press : Places {
  public:
-  /// @param voxels, samples  room for those of a few blocks
+  /// @param voxels, samples  buffers for those of a few blocks
   HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, SampleList& samples,
                    ContactSums& totals, StiffnessVectors* stiffness, FrictionVectors* friction)
       : Places(job.materials, voxels, totals),
@@ -41,12 +40,12 @@ class Press : Places {
         friction_(friction),
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
-        turns_(m_.spin != 0),
+        spins_(m_.spin != 0),
         deep_enough_(kVoxelReach * m_.voxel_size + (Springs::kCentral ? m_.velocity.norm() * m_.duration : 0.0F)),
         axes_((job.grid.voxel_steps / double(m_.voxel_size)).template cast<float>()) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
-    PressSums sums;  // close at hand in the loop
+    PressSums sums;  // local, so that the loop keeps them in registers or cache
     tasks_ = tasks.data();
     for (std::size_t n = 0; n <= tasks.size(); ++n) {
       const bool done = n == tasks.size();
@@ -63,7 +62,7 @@ class Press : Places {
   }
 
  private:
-  /// Appends the voxels of a block to the list, but for those that need none.
+  /// Appends the voxels of a block to the list, except those that are evaluated at once.
   HWY_INLINE void gather(int number, PressSums& sums) {
     PressTask& task = tasks_[number];
     allow(task);
@@ -81,29 +80,29 @@ class Press : Places {
       strips = gather_.append(task.block, number, voxels_);
     }
     if (strips == 0) return;
-    near_axis_ |= turns_ && gather_.near_axis(task.block);
+    near_axis_ |= spins_ && gather_.near_axis(task.block);
     if (writes()) begin_strips(task, strips);
   }
 
-  // Voxels of a head that stands and takes nothing away which are whole, and wholly inside the head all the time, need
-  // no section: the mean depth of a cube is that of its centre, and the mean of its square l^2/12 more.
+  // For a head that stands and removes nothing, whole voxels that stay wholly inside the head need no section: the mean
+  // depth of a cube is that of its centre, and the mean of its square is larger by l^2/12.
 
-  /// Presses, of a block of one material, the strips that lie so inside a ball: nothing but springs, in registers.
-  /// @return bit n: strip n was pressed
+  /// Evaluates the strips of a block of one material that are so inside a ball: only springs, in registers.
+  /// @return bit n: strip n was evaluated
   HWY_INLINE std::uint32_t press_strips_within(const BlockView& block, DeepSums& sums) {
     if constexpr (Springs::kCentral) {
       if (damped_ || m_.lead > 0 || stiffness_ != nullptr || friction_ != nullptr) return 0;
       if (block.material != nullptr || block.fill != nullptr) return 0;
       material_.load(block.uniform_material);
       const Vec k = material_.vectors().stiffness;
-      const Eigen::Vector3f way = m_.velocity * m_.duration;
+      const Eigen::Vector3f path = m_.velocity * m_.duration;
       DeepSums more;
       const std::uint32_t done = gather_.for_each_within(
           block, deep_enough_, [&](const Vectors& r) HWY_ATTR __attribute__((always_inline)) {
             const SpringVectors<Vec> spring = springs_.near(r.x, r.y, r.z);
             Sample s;
             s.radial = spring.radial, s.axial = spring.axial;
-            const Vec advance = rate_of_depth<true>(r, s, way, way);
+            const Vec advance = rate_of_depth<true>(r, s, path, path);
             const Vec pushed = more.add_spring(k, spring.depth, advance, 0.5F, m_.voxel_size);
             more.template add_push<true>(r, s, pushed);
             more.add_place(r, pushed);
@@ -116,8 +115,8 @@ class Press : Places {
     return 0;
   }
 
-  /// Presses those of a vector of voxels.
-  /// @return which of them are left
+  /// Evaluates the whole voxels of a vector that are deep inside the head.
+  /// @return the lanes that are left
   HWY_INLINE Mask press_deep(const BlockView& block, int voxel, const Vectors& r, Vec fill, Mask hit, DeepSums& sums) {
     const Floats d;
     const Vec one = broadcast(1.0F);
@@ -163,7 +162,7 @@ class Press : Places {
     return hn::AndNot(deep, hit);
   }
 
-  /// Of whole voxels, their tops' depth where it may be the greatest.
+  /// Updates the maximum depth by the tops of whole voxels.
   HWY_INLINE void note_depth(Vec depth, const Vectors& r, const Sample& s, Mask deep, DeepSums& sums) {
     const Floats d;
     const Vec reach = broadcast(kVoxelReach * m_.voxel_size);
@@ -174,9 +173,9 @@ class Press : Places {
     deepest_ = hn::GetLane(hn::MaxOfLanes(d, sums.depth));
   }
 
-  /// Samples all voxels of the list before the law is evaluated on any: in one loop for both, the processor would wait
-  /// for one long chain of results after the other.
-  /// @tparam kStands  the head stands and takes nothing away: less to ask
+  /// Samples all voxels of the list before the law is evaluated on any. With one loop for both, the processor would
+  /// wait for long chains of dependent results.
+  /// @tparam kStands  the head stands and removes nothing, which needs fewer checks
   template <bool kStands>
   HWY_INLINE void press_listed(PressSums& sums) {
     const Floats d;
@@ -206,11 +205,11 @@ class Press : Places {
     may_crush_ = may_write_ && m_.crushes;
   }
   [[nodiscard]] HWY_INLINE bool writes() const { return may_cut_ || may_crush_; }
-  [[nodiscard]] HWY_INLINE bool stands() const { return !turns_ && !writes(); }
+  [[nodiscard]] HWY_INLINE bool stands() const { return !spins_ && !writes(); }
 
   /// Stage sample_contact.
-  /// @param r       [m] places of voxels, in T
-  /// @param listed  the lanes that count, if they are inside the head
+  /// @param r       [m] positions of voxels, in T
+  /// @param listed  the lanes that count if they are inside the head
   template <bool kStands>
   HWY_INLINE Sample sample(const Vectors& r, Vec fill, Mask listed, PressSums& sums) const {
     const Floats d;
@@ -229,7 +228,7 @@ class Press : Places {
     s.top = hn::IfThenElseZero(inside, s.top);
     s.depth = hn::IfThenElseZero(inside, depth);
     sums.voxels += int(hn::CountTrue(d, inside));
-    if (!kStands && turns_) {
+    if (!kStands && spins_) {
       const Vectors v = surface_velocity(m_, r);
       s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
       Vec slip_squared = slip_of_centers(v, s);
@@ -283,15 +282,15 @@ class Press : Places {
       if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(p.energy - material.energy, cut, sums.chips);
       if constexpr (kCrushes) {
         sums.chips = hn::NegMulAdd(material.energy, fill - p.kept, sums.chips);
-        // Less what of it helped cutting, which is booked there.
-        const Vec taken = release_ ? hn::NegMulAdd(p.energy - p.price, cut, p.released) : p.released;
-        sums.crushed = sums.crushed + hn::IfThenElseZero(p.crushed, taken);
+        // Without the part that helped cutting, which is booked as such.
+        const Vec lost = release_ ? hn::NegMulAdd(p.energy - p.price, cut, p.released) : p.released;
+        sums.crushed = sums.crushed + hn::IfThenElseZero(p.crushed, lost);
       }
       book_removed(fill - p.left, first, inside);
       hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
     }
     const Vec spring = p.rubbing + p.cut, normal = spring * damped.factor;
-    const Vec kappa = !kStands && turns_ ? material.cutting_ratio : zero;
+    const Vec kappa = !kStands && spins_ ? material.cutting_ratio : zero;
     if constexpr (kStands) {
       sums.template add_push<Springs::kCentral>(r, s, normal);
     } else {
@@ -319,7 +318,7 @@ class Press : Places {
     const FrictionConstants constants(job_.materials, [&](int lane) HWY_ATTR {
       return material_.one() != kEmpty ? material_.one() : material_of(first + lane);
     });
-    const Vectors place = r;  // a copy, so that the one in the loop needs no address
+    const Vectors place = r;  // a copy, so that the loop's own vector needs no address
     friction_->add(normal, scaled<Springs::kSmooth>(s, filled, kBeta * kBeta), constants, place, s.radial, s.axial);
   }
 
@@ -328,15 +327,15 @@ class Press : Places {
   const ContactJob& job_;
   const HeadMotion& m_;
   SampleList& samples_;
-  StiffnessVectors* const stiffness_;  // null: not wanted
+  StiffnessVectors* const stiffness_;  // null: not needed
   FrictionVectors* const friction_;    // likewise
-  const bool damped_, release_, turns_;
-  const float deep_enough_;     // [m] for a voxel to lie wholly inside; of a ball, all the time
+  const bool damped_, release_, spins_;
+  const float deep_enough_;     // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
   const Eigen::Matrix3f axes_;  // of the grid, in T
-  // Of the voxels listed:
+  // Of the listed voxels:
   bool may_write_ = true, may_cut_ = true, may_crush_ = false;
   bool near_axis_ = false;  // some of them are near the spindle's axis
-  float deepest_ = 0;       // [m] of all that were pressed without being listed
+  float deepest_ = 0;       // [m] of all voxels that were evaluated without being listed
 };
 
 }  // namespace strips

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the press kernel adds up, lane by lane; included once per instruction set.
+// Sums of the press kernel, lane by lane; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_PRESS_SUMS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PRESS_SUMS_INL_HPP
 #undef HAPTICUT_KERNELS_PRESS_SUMS_INL_HPP
@@ -17,15 +17,15 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// What stage sample_contact finds of a vector of voxels.
+/// Result of stage sample_contact for a vector of voxels.
 struct Sample {
   Vec depth;          // [m] of the voxel's centre below the surface; zero in lanes that do not count
   Vec radial, axial;  // of the normal, as in SpringVectors
-  Vec rate;           // [m/s] of the depth
+  Vec rate;           // [m/s] rate of change of the depth
   Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
   Vec inverse_slip;   // [s/m] zero where the head stands
   Vec slip_path;      // [m] in the sub-step, likewise
-  Vec top, largest;   // of the filled part: its greatest depth [m], zero in lanes that do not count, and max |n_i|
+  Vec top, largest;   // of the filled part: its maximum depth [m], zero in lanes that do not count; and max |n_i|
   Vec smooth;         // [m^2] as in SpringVectors; read only of springs that are kSmooth
 
   [[nodiscard]] HWY_INLINE Mask on_smooth() const { return smooth > hn::Zero(Floats()); }
@@ -57,10 +57,10 @@ class SampleList {
 
  private:
   static constexpr int kVectors = 10;
-  alignas(64) float values_[kVectors][VoxelList::kRoom];
+  alignas(64) float values_[kVectors][VoxelList::kCapacity];
 };
 
-/// Force and torque of what only pushes, and where.
+/// Force and torque of normal forces, and their positions.
 struct PushSums {
   Vec force_x, force_y, force_z, torque_x, torque_y;
   Vec moment_x, moment_y, moment_z, normal_force;
@@ -70,7 +70,7 @@ struct PushSums {
     moment_x = moment_y = moment_z = normal_force = broadcast(0.0F);
   }
 
-  /// @param size  [N/m^3] of the force along the normal
+  /// @param size  [N/m^3] normal force
   HWY_INLINE void add_place(const Vectors& r, Vec size) {
     normal_force = normal_force + size;
     moment_x = hn::MulAdd(size, r.x, moment_x);
@@ -78,7 +78,7 @@ struct PushSums {
     moment_z = hn::MulAdd(size, r.z, moment_z);
   }
 
-  /// @param normal  [N/m^3] along the normal: all there is
+  /// @param normal  [N/m^3] normal force, without drag
   template <bool kCentral>
   HWY_INLINE void add_push(const Vectors& r, const Sample& s, Vec normal) {
     const Vec across = normal * s.radial;
@@ -92,7 +92,7 @@ struct PushSums {
   }
 };
 
-/// What whole voxels add up to that lie wholly inside a standing head.
+/// Sums of whole voxels that are wholly inside a standing head.
 struct DeepSums : PushSums {
   Vec twice_after, change, damping, depth;
   int voxels = 0;
@@ -100,9 +100,9 @@ struct DeepSums : PushSums {
   HWY_INLINE DeepSums() { twice_after = change = damping = depth = broadcast(0.0F); }
 
   /// @param k       [N/m^4] zero in lanes that do not count
-  /// @param w       [m] of the centres, by which they push; they advance by `advance` in the sub-step
-  /// @param to_end  [1] of the advance, from then on
-  /// @return [N/m^3] along the normal
+  /// @param w       [m] depth of the centres, which advances by `advance` in the sub-step
+  /// @param to_end  [1] part of the advance from there to the end
+  /// @return [N/m^3] normal force
   HWY_INLINE Vec add_spring(Vec k, Vec w, Vec advance, float to_end, float voxel_size) {
     const Vec pushed = k * w, at_end = hn::MulAdd(advance, broadcast(to_end), w);
     change = hn::MulAdd(pushed, advance, change);
@@ -115,7 +115,7 @@ struct DeepSums : PushSums {
 struct PressSums : PushSums {
   Vec torque_z, push_x, push_y, push_z, area;
   Vec before, change, released, crushed, helped, chips, credited, damping, rubbing, couple, fill, depth;
-  int voxels = 0, whole = 0;  // whole: of them not counted in `fill`
+  int voxels = 0, whole = 0;  // whole: not counted in `fill`
 
   HWY_INLINE PressSums() {
     torque_z = push_x = push_y = push_z = area = broadcast(0.0F);
@@ -123,8 +123,8 @@ struct PressSums : PushSums {
     damping = rubbing = couple = fill = depth = broadcast(0.0F);
   }
 
-  /// @param normal  [N/m^3] along the normal
-  /// @param drag    [N s/m^4] and against the velocity v
+  /// @param normal  [N/m^3] normal force
+  /// @param drag    [N s/m^4] against the velocity v
   HWY_INLINE void add_reaction(const Vectors& r, const Sample& s, Vec normal, Vec drag, const Vectors& v) {
     const Vec across = normal * s.radial;
     const Vec x = hn::MulAdd(across, r.x, drag * v.x), y = hn::MulAdd(across, r.y, drag * v.y),
@@ -137,7 +137,7 @@ struct PressSums : PushSums {
     torque_z = hn::MulAdd(r.x, y, hn::NegMulAdd(r.y, x, torque_z));
   }
 
-  /// @param normal  [N/m^3] along the normal, the drag apart
+  /// @param normal  [N/m^3] normal force, without the drag
   HWY_INLINE void add_normal(const Vectors& r, const Sample& s, Vec normal) {
     const Vec across = normal * s.radial;
     push_x = hn::MulAdd(across, r.x, push_x);

@@ -18,7 +18,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What all profiles have in common: which points may be inside.
+/// Bounds of a profile: which points may be inside.
 struct ProfileBounds {
   static constexpr bool kCentral = false, kSmooth = true;
   float radius, bottom, top;         // [m] see ProfileTable
@@ -43,7 +43,7 @@ struct ProfileBounds {
     return hn::And(squared < bound, between);
   }
 
-  /// A curve that is above points outside ends before.
+  /// Points outside that a curve would call inside lie beyond its end: they are far outside.
   template <class V, class M>
   HWY_INLINE SpringVectors<V> no_deeper_than_the_surface(M outside, SpringVectors<V> spring, V z) const {
     const auto ends = hn::And(outside, spring.depth > same(z, 0.0F));
@@ -51,7 +51,7 @@ struct ProfileBounds {
     return spring;
   }
 
-  /// Springs as the table has them, made those of points that may lie outside its bounds.
+  /// Corrects springs of the table for points that may lie outside its bounds.
   template <class V>
   HWY_INLINE SpringVectors<V> bounded(SpringVectors<V> spring, V x, V y, V z) const {
     const V zero = same(z, 0.0F), rho = hn::Sqrt(hn::MulAdd(x, x, y * y));
@@ -65,19 +65,19 @@ struct ProfileBounds {
   template <class V, class M>
   HWY_INLINE V from_corners(M smooth, V rho, V z) const {
     const hn::DFromV<V> d;
-    V least = hn::Zero(d);
-    if (hn::AllFalse(d, smooth)) return least;
-    least = same(z, 1.0F);
+    V min_square = hn::Zero(d);
+    if (hn::AllFalse(d, smooth)) return min_square;
+    min_square = same(z, 1.0F);
     for (const ProfileCorner<float>& corner : corners)
-      least = hn::Min(least, square_from_corner(rho - same(z, corner.rho), z - same(z, corner.z)));
-    return hn::IfThenElseZero(smooth, least);
+      min_square = hn::Min(min_square, square_from_corner(rho - same(z, corner.rho), z - same(z, corner.z)));
+    return hn::IfThenElseZero(smooth, min_square);
   }
 
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
   template <class V>
   HWY_INLINE static auto floor_of(V v) {
     const hn::RebindToSigned<hn::DFromV<V>> ints;
-    constexpr float kUnit = 12582912.0F;  // 2^23 + 2^22: room for v - 0.5 < 0
+    constexpr float kUnit = 12582912.0F;  // 2^23 + 2^22, also for v - 0.5 < 0
     const V sum = v - same(v, 0.5F) + same(v, kUnit);
     return hn::BitCast(ints, sum) - hn::BitCast(ints, same(v, kUnit));
   }
@@ -97,7 +97,7 @@ struct ProfileBounds {
   }
 };
 
-/// One line or arc for all points of a vector, by as few operations as its kind needs; see ProfileCurves.
+/// One line or arc for all points of a vector, with few operations; see ProfileCurves.
 class CurveSprings {
  public:
   CurveSprings(const ProfileTable& t, std::uint32_t n)
@@ -120,7 +120,7 @@ class CurveSprings {
     center_z_ = float(c.z[n] + c.normal_z[n] / k);
     curvature_ = float(k);
     radius_ = float(1 / k);
-    turn_ = k > 0 ? 1.0F : -1.0F;
+    sense_ = k > 0 ? 1.0F : -1.0F;
   }
 
   [[nodiscard]] bool is_smooth() const { return scale_ > 1; }
@@ -136,31 +136,32 @@ class CurveSprings {
   /// @return without SpringVectors::smooth
   template <class V>
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
-    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), none = same(z, 0.0F), scale = same(z, scale_);
+    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), zero = same(z, 0.0F), scale = same(z, scale_);
     if (kind_ == Kind::line)
       return {depth_below(hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), scale),
-              hn::Neg(m_rho * inverse_rho), hn::Neg(m_z), none};
-    const V v_z = z - same(z, center_z_), turn = same(z, turn_);
+              hn::Neg(m_rho * inverse_rho), hn::Neg(m_z), zero};
+    const V v_z = z - same(z, center_z_), sense = same(z, sense_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
-      const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
-      return {depth_below(hn::NegMulAdd(distance_squared, turned, same(z, radius_)), scale), turned, turned * v_z,
-              none};
+      const V inward = sense * inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
+      return {depth_below(hn::NegMulAdd(distance_squared, inward, same(z, radius_)), scale), inward, inward * v_z,
+              zero};
     }
     // R - |x - c| without its cancellation, because the arc may be flat.
     const V v_rho = rho - same(z, center_rho_);
     const V q_rho = rho - same(z, start_rho_), q_z = z - same(z, start_z_);
     const V distance_squared = hn::MulAdd(v_rho, v_rho, v_z * v_z);
     const V inverse = inverse_root(hn::Max(distance_squared, same(z, kMinSquare)));
-    const V curvature = same(z, curvature_), turned = turn * inverse;
+    const V curvature = same(z, curvature_), signed_inverse = sense * inverse;
     const V inward = hn::MulAdd(m_rho, q_rho, m_z * q_z);
     const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
-    const V root = curvature * (distance_squared * turned);
-    return {depth_below(twice / (same(z, 1.0F) + root), scale), turned * inverse_rho * v_rho, turned * v_z, none};
+    const V root = curvature * (distance_squared * signed_inverse);
+    return {depth_below(twice / (same(z, 1.0F) + root), scale), signed_inverse * inverse_rho * v_rho,
+            signed_inverse * v_z, zero};
   }
 
  private:
-  enum class Kind { line, arc, arc_about_axis };  // the latter no flatter than the head
+  enum class Kind { line, arc, arc_about_axis };  // arc_about_axis: no flatter than the head
   static constexpr double kOnAxis = 1e-7;         // [1] of the radius
 
   float start_rho_, start_z_;            // [m] see ProfileCurves
@@ -169,11 +170,11 @@ class CurveSprings {
   float offset_ = 0;                     // [m] of a line: from the origin, along its normal
   float center_rho_ = 0, center_z_ = 0;  // [m] of an arc
   float radius_ = 0, curvature_ = 0;     // [m], [1/m] of an arc; negative where it is hollow
-  float turn_ = 1;                       // [1] their sign
+  float sense_ = 1;                      // [1] sign of the curvature
   Kind kind_;
 };
 
-/// A profile of which one rule decides everywhere: ProfileTable::everywhere and lid.
+/// A profile for which one rule holds everywhere: ProfileTable::everywhere and lid.
 struct PlainProfileVectors : ProfileBounds {
   CellRule rule;
   bool has_lid;
@@ -194,26 +195,26 @@ struct PlainProfileVectors : ProfileBounds {
     const V rho = squared * inverse_rho;
     SpringVectors<V> spring = first.at(squared, inverse_rho, rho, z);
     auto smooth = hn::FirstN(d, first.is_smooth() ? hn::Lanes(d) : 0);
-    const auto take = [&](auto where, const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
+    const auto select = [&](auto where, const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
       spring.depth = hn::IfThenElse(where, other.depth, spring.depth);
       spring.radial = hn::IfThenElse(where, other.radial, spring.radial);
       spring.axial = hn::IfThenElse(where, other.axial, spring.axial);
       smooth = curve.is_smooth() ? hn::Or(smooth, where) : hn::AndNot(where, smooth);
     };
-    const auto take_nearer = [&](const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
+    const auto select_nearer = [&](const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
       const V depth = depth_below_both(spring.depth, other.depth);
       const auto is_edge_of_both = curve.is_smooth() ? hn::Not(smooth) : smooth;
       const V lesser = hn::Min(spring.depth, other.depth);
-      take(other.depth < spring.depth, curve, other);
+      select(other.depth < spring.depth, curve, other);
       spring.depth = hn::IfThenElse(is_edge_of_both, depth, lesser);
     };
     if (rule == CellRule::nearer) {
-      take_nearer(second, second.at(squared, inverse_rho, rho, z));
+      select_nearer(second, second.at(squared, inverse_rho, rho, z));
     } else if (rule != CellRule::first) {
       const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
-      take(rule == CellRule::sides ? second.begins_before(rho, z) : other.depth > spring.depth, second, other);
+      select(rule == CellRule::sides ? second.begins_before(rho, z) : other.depth > spring.depth, second, other);
     }
-    if (has_lid) take_nearer(lid, lid.at(squared, inverse_rho, rho, z));
+    if (has_lid) select_nearer(lid, lid.at(squared, inverse_rho, rho, z));
     spring.smooth = from_corners(smooth, rho, z);
     return spring;
   }
@@ -230,7 +231,7 @@ struct CurveVectors {
 
   /// Where points are beyond the curve's starting point, towards the shank.
   HWY_INLINE auto begins_before(V at_rho, V at_z) const { return normal_z * (at_rho - rho) >= normal_rho * (at_z - z); }
-  /// These, but the other ones where the mask is set.
+  /// These curves, replaced by `other` where the mask is set.
   template <class M>
   HWY_INLINE CurveVectors unless(M mask, const CurveVectors& other) const {
     return {hn::IfThenElse(mask, other.rho, rho),
@@ -264,13 +265,13 @@ struct MeridianVectors {
     return hn::MulSub(other.twice, same(root, 1.0F) + root, hn::MulAdd(twice, other.root, twice));
   }
   template <class M>
-  HWY_INLINE void take(M mask, const MeridianVectors& other) {
+  HWY_INLINE void select(M mask, const MeridianVectors& other) {
     twice = hn::IfThenElse(mask, other.twice, twice), root = hn::IfThenElse(mask, other.root, root);
     g_rho = hn::IfThenElse(mask, other.g_rho, g_rho), g_z = hn::IfThenElse(mask, other.g_z, g_z);
     inverse_root = hn::IfThenElse(mask, other.inverse_root, inverse_root);
     scale = hn::IfThenElse(mask, other.scale, scale);
   }
-  /// @param smooth  of all
+  /// @param smooth  of all lanes
   HWY_INLINE SpringVectors<V> spring(V inverse_rho, V smooth) const {
     return {twice / (same(root, 1.0F) + root), g_rho * inverse_root * inverse_rho, g_z * inverse_root, smooth};
   }
@@ -306,7 +307,7 @@ struct ProfileVectors : ProfileBounds {
   }
 
  private:
-  /// Cells at (rho, z); 0 where `bounds` says that there is none.
+  /// Cells at (rho, z); 0 outside `bounds`.
   template <class V, class M>
   HWY_INLINE auto cell_at(const std::uint32_t* cells, V rho, V z, M bounds) const {
     const hn::RebindToSigned<hn::DFromV<V>> ints;
@@ -340,7 +341,7 @@ struct ProfileVectors : ProfileBounds {
     const V deeper = meridian.deeper(second);
     const auto nearer = hn::And(is(CellRule::nearer), deeper < hn::Zero(d));
     const auto farther = hn::And(is(CellRule::farther), deeper > hn::Zero(d));
-    meridian.take(hn::Or(nearer, farther), second);
+    meridian.select(hn::Or(nearer, farther), second);
     return spring_of(meridian);
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runs where Highway is not available: the scalar reference itself.
+// The kernels without Highway: the scalar reference itself.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace hapticut::kernels {
 namespace {
 
-/// Leaves out what has no turn.
+/// Leaves out strips that are not evaluated in this phase.
 BlockView with_phase(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
   BlockView view = block;
   solid = block.solid_voxels();
@@ -22,7 +22,7 @@ BlockView with_phase(const ContactJob& job, const BlockView& block, BlockMask& s
   return view;
 }
 
-/// Of one block, for each call of a kernel anew.
+/// Buffer for one block, reused by each call of a kernel.
 ContactBlock& scratch() noexcept {
   thread_local ContactBlock contact;
   return contact;
@@ -67,9 +67,9 @@ int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
   return scratch().samples;
 }
 
-Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   const double weight = job.level_of_detail;
-  Pressed all = sums;
+  ContactOutcome all = sums;
   all.resultant.wrench_T.force *= weight;
   all.resultant.wrench_T.torque *= weight;
   all.resultant.voxels *= int(job.level_of_detail);
@@ -79,7 +79,7 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   all.resultant.push_T *= weight;
   all.resultant.moment_T *= weight;
   all.resultant.area *= weight;
-  // What waited for its turn takes up the work, and loses nothing.
+  // Voxels that were not evaluated store the work, and lose nothing.
   all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed);
   all.energies.damping *= weight;
   for (std::size_t id = 1; id < sums.removed.size(); ++id)

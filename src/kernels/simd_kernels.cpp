@@ -35,7 +35,7 @@ HWY_EXPORT(SumResultant);
 
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) noexcept {
-  if (quadrature == Quadrature::sub_voxel)  // which has no vectors yet
+  if (quadrature == Quadrature::sub_voxel)  // not vectorised
     return head.visit_springs<float>(
         [&](const auto& springs) { hapticut::sample_contact(springs, block, grid, quadrature, out); });
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
@@ -55,15 +55,15 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 
-Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   using Term = ContactSums::Term;
   const double weight = job.level_of_detail;
   const auto total = [&](Term term) { return weight * sums.total(term) * voxel_volume; };
-  Pressed all;
+  ContactOutcome all;
   Resultant& resultant = all.resultant;
   resultant.wrench_T.force = -Vec3(total(Term::kForceX), total(Term::kForceY), total(Term::kForceZ));
   resultant.wrench_T.torque = -Vec3(total(Term::kTorqueX), total(Term::kTorqueY), total(Term::kTorqueZ));
-  // The couple does its work against all of the turning: the spin's, and the handpiece's.
+  // The couple does work against the whole rotation: of the spin and of the handpiece.
   if (const float turning = job.motion.turning(); job.motion.spin != 0 && turning != 0)
     resultant.wrench_T.torque.z() -= total(Term::kCouple) / double(turning);
   resultant.voxels = sums.voxels * int(job.level_of_detail);
@@ -75,15 +75,15 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   resultant.moment_T = Vec3(total(Term::kMomentX), total(Term::kMomentY), total(Term::kMomentZ));
   resultant.area = weight * sums.total(Term::kArea);
   LawEnergies& energies = all.energies;
-  const double taken = total(Term::kReleased) / weight;
+  const double lost = total(Term::kReleased) / weight;
   energies.elastic_before = total(Term::kBefore);
-  energies.elastic =
-      energies.elastic_before + (total(Term::kChange) + (weight - 1) * taken);  // what waited for its turn lost nothing
+  energies.elastic = energies.elastic_before +
+                     (total(Term::kChange) + (weight - 1) * lost);  // voxels that were not evaluated lost nothing
   energies.crushed = total(Term::kCrushed) / weight;
-  energies.released = taken - total(Term::kHelped) / weight - energies.crushed;
+  energies.released = lost - total(Term::kHelped) / weight - energies.crushed;
   energies.cutting = total(Term::kChips) / weight;  // beyond u
   energies.damping = total(Term::kDamping);
-  energies.rubbing = total(Term::kRubbing) / weight;  // over all the time since the last turn
+  energies.rubbing = total(Term::kRubbing) / weight;  // over the time since the last evaluation
   energies.credited = total(Term::kCredited) / weight;
   return all;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is different at smooth surfaces, in vectors; included once per instruction set.
+// Smooth surfaces, in vectors; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_SMOOTH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_SMOOTH_INL_HPP
 #undef HAPTICUT_KERNELS_SMOOTH_INL_HPP
@@ -16,7 +16,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 namespace strips {
 
 /// `value`, times `factor` where the surface is smooth.
-/// @tparam kSmooth  some of it may be
+/// @tparam kSmooth  some of the surface may be smooth
 template <bool kSmooth>
 HWY_INLINE Vec scaled(const Sample& s, Vec value, float factor) {
   if constexpr (kSmooth) return hn::IfThenElse(s.on_smooth(), value * broadcast(factor), value);

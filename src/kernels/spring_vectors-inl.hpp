@@ -49,9 +49,9 @@ template <class V>
 HWY_INLINE V depth_below_both(V one, V other) {
   const hn::DFromV<V> d;
   const auto outside = hn::Max(one, other) < hn::Zero(d);
-  const V least = hn::Min(one, other);
-  if (hn::AllFalse(d, outside)) return least;
-  return hn::IfThenElse(outside, hn::Neg(hn::Sqrt(hn::MulAdd(one, one, other * other))), least);
+  const V lesser = hn::Min(one, other);
+  if (hn::AllFalse(d, outside)) return lesser;
+  return hn::IfThenElse(outside, hn::Neg(hn::Sqrt(hn::MulAdd(one, one, other * other))), lesser);
 }
 
 constexpr float kFarOutside = -1;     // [m] where there is no surface near
@@ -61,7 +61,7 @@ constexpr float kMinSquare = 1e-24F;  // [m^2] keeps the direction on the axis, 
 template <class V>
 HWY_INLINE V inverse_root(V v) {
 #if HWY_TARGET <= HWY_AVX3
-  // From a guess within 2^-14 by one of Newton's steps: sooner done than a root and a division.
+  // From an estimate within 2^-14 by one Newton step, which is faster than a root and a division.
   const V guess = hn::ApproximateReciprocalSqrt(v);
   const V error = hn::NegMulAdd(v * guess, guess, same(v, 1.0F));
   return hn::MulAdd(same(v, 0.5F) * guess, error, guess);

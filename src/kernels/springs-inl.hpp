@@ -16,11 +16,11 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Each shape answers two questions: `hits(x, y, z, margin)`, which of a vector of points may be inside the head grown
-/// by a margin [m], as far as can be told without a square root, and `at(x, y, z)`, the springs at those that may be
-/// inside the head itself: elsewhere its answer means nothing. `near(x, y, z)` also answers for points a little
-/// outside, with a negative depth, as the scalar springs do. All normals of a shape that is `kCentral` meet in the
-/// head's origin, so that its springs have no torque about it. `kSmooth`: some of the surface may be smooth.
+/// Each shape has these functions. `hits(x, y, z, margin)` tells which of a vector of points may be inside the head
+/// grown by a margin [m], as far as is known without a square root. `at(x, y, z)` gives the springs at points that may
+/// be inside the head; elsewhere its result is undefined. `near(x, y, z)` also works for points a little outside, with
+/// a negative depth, as the scalar springs do. All normals of a shape that is `kCentral` meet in the head's origin, so
+/// that its springs have no torque about it. `kSmooth`: some of the surface may be smooth.
 struct SphereVectors {
   static constexpr bool kCentral = true, kSmooth = false;
   float radius;
@@ -98,8 +98,9 @@ struct FlatVectors {
       return {hn::IfThenElseZero(inside, side), inverse, zero, zero};
     } else if constexpr (kRule == FlatRule::both) {
       const V depth_squared = hn::MulAdd(side, side, z * z);
-      const V share = inverse_root(hn::Max(depth_squared, same(x, kMinSquare)));
-      return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share), zero};
+      const V inverse_depth = inverse_root(hn::Max(depth_squared, same(x, kMinSquare)));
+      return {hn::IfThenElseZero(inside, depth_squared * inverse_depth), side * inverse_depth * inverse,
+              hn::Neg(z * inverse_depth), zero};
     } else {
       const V cutting = hn::Min(side, z), top = depth_below(above, same(x, kBeta));
       const auto on_top = top < cutting, on_side = hn::AndNot(on_top, side < z);

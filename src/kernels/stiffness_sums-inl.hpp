@@ -24,7 +24,7 @@ class StiffnessVectors {
   }
 
   /// @param slope  [N/m^4] of the springs; zero in lanes without one
-  /// @param q      the force that one along the normals n brings with it
+  /// @param q      force for a unit normal force, with its drag
   HWY_NOINLINE void add(Vec slope, const Vectors& r, const Vectors& n, const Vectors& q) {
     const Vec row[6] = {q.x, q.y, q.z, cross_x(r, q), cross_y(r, q), cross_z(r, q)};
     const Vec column[6] = {n.x, n.y, n.z, cross_x(r, n), cross_y(r, n), cross_z(r, n)};
@@ -51,7 +51,7 @@ class StiffnessVectors {
   Vec terms_[StiffnessSums::kTerms];
 };
 
-/// Springs along the normals with what the spin drags along, and how that turns with the slip.
+/// Adds springs along the normals with the drag of the spin, and the rotation of the drag with the slip.
 /// @param slope   [N/m^4]
 /// @param normal  [N/m^3] force along the normals
 /// @param kappa   [1] 0: the spindle stands
@@ -64,9 +64,9 @@ HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kapp
       {hn::MulAdd(along, n.x, drag * v.x), hn::MulAdd(along, n.y, drag * v.y), hn::MulAdd(along, n.z, drag * v.z)});
   if (m.spin == 0) return;
   const Vectors b = {hn::MulSub(n.y, v.z, n.z * v.y), hn::MulSub(n.z, v.x, n.x * v.z), hn::MulSub(n.x, v.y, n.y * v.x)};
-  const Vec square = dot(b, b), least = broadcast(1e-12F);
-  const Vec damper =
-      hn::IfThenElseZero(square > least, drag * normal / (hn::Max(square, least) * broadcast(m.time_to_move())));
+  const Vec square = dot(b, b), min_square = broadcast(1e-12F);
+  const Vec damper = hn::IfThenElseZero(square > min_square,
+                                        drag * normal / (hn::Max(square, min_square) * broadcast(m.time_to_move())));
   sums.add(damper, r, b, b);
   constexpr float kRegular = FoundationLaw::kSlipRegularization, kSlow = StiffnessSums::kSlowSlip;
   const auto slow = square <= broadcast(kSlow * kSlow);

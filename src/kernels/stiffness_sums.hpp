@@ -10,17 +10,18 @@
 
 namespace hapticut::kernels {
 
-/// Sums of the contact's stiffness over samples, `Sum s (q, r x q) (n, r x n)^T`, row by row: a spring answers to a
-/// motion along its normal n by a force along q, n and what the spin drags along with it, kappa times the slip's
-/// direction. Without spin the sum is symmetric and positive semidefinite.
+/// Sums of the contact's stiffness over samples, `Sum s (q, r x q) (n, r x n)^T`, row by row. A spring answers a motion
+/// along its normal n with a force along q, which is n plus the drag of the spin, kappa times the direction of the
+/// slip. Without spin the sum is symmetric and positive semidefinite.
 ///
-/// Where the spin drags, it does so along the slip, and a motion across that turns it: a damper along n x slip, taken
-/// over the sub-step. Where the slip is slow, below its regularisation, the drag grows with it: a damper along it. How
-/// normals turn is left out (Gauss and Newton's approximation).
+/// The drag of the spin is along the slip. A motion across the slip rotates the drag: this is a damper along n x slip,
+/// over the sub-step. Where the slip is slower than its regularisation, the drag grows with it: this is a damper along
+/// the slip. The rotation of the normals is neglected (Gauss-Newton approximation).
 struct StiffnessSums {
   static constexpr std::size_t kTerms = 36;
   static constexpr std::size_t kLanes = BlockChange::kStrip;
-  static constexpr float kSlowSlip = 10 * FoundationLaw::kSlipRegularization;  ///< [m/s] beyond which the drag is whole
+  static constexpr float kSlowSlip =
+      10 * FoundationLaw::kSlipRegularization;  ///< [m/s] above which the drag is complete
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};  ///< [N/m^4], [N/m^3], [N/m^2]
 
@@ -36,9 +37,9 @@ struct StiffnessSums {
   }
 };
 
-/// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it: each is a spring and damper
-/// of `f' = k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step, with the constants at
-/// its surface. The reference for the vectors.
+/// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it. Each sample is a spring and
+/// damper of `f' = k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step, with the
+/// constants at its surface. Reference for the vectors.
 inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const ContactMaterials& materials,
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
@@ -56,32 +57,34 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const DepthIntegrals<float> part = section.integrals(height, top);
     const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel
     const bool at_limit = m.crushes && b.top[i] >= (1 - 1e-5F) * damped.crushing_depth(material.crushing_depth);
-    const float crushed = at_limit ? top * section.area_at(height) : 0.0F;  // which goes on to go, not to press
-    // The faster it is, the less deep the limit.
+    const float crushed =
+        at_limit ? top * section.area_at(height) : 0.0F;  // at the crushing limit: its force does not grow
+    // The crushing limit moves up with the closing speed.
     const float moving = depth - (damped.factor > 1 ? 0.5F * b.top[i] * crushed : 0.0F);
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped.factor));  // k phi
     const double slope =
         spring * double((part.volume - crushed) * damped.factor + damped.slope * damping * moving / m.time_to_move());
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
-    const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
+    const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& motion) {
       Eigen::Matrix<double, 6, 1> row, column;
       row << q, arm.cross(q);
-      column << way, arm.cross(way);
+      column << motion, arm.cross(motion);
       for (std::size_t term = 0; term < StiffnessSums::kTerms; ++term)
         sums.lanes[term][i % StiffnessSums::kLanes] += strength * row[int(term / 6)] * column[int(term % 6)];
     };
     add(slope, along, n.cast<double>());
-    // The drag turns with the slip: the two are parallel, and a motion across them turns both.
+    // The drag rotates with the slip: the two are parallel, and a motion across them rotates both.
     const Eigen::Vector3f velocity = m.velocity + (m.angular_velocity + Eigen::Vector3f(0, 0, m.spin)).cross(r);
     const Eigen::Vector3d across = n.cross(velocity).cast<double>();
     const double slip = across.norm();
     if (m.spin == 0 || slip < 1e-6) continue;
     const double drag = double((force - force.dot(n) * n).norm()) / volume;
-    const double damper = drag / (slip * double(m.time_to_move())), least = double(FoundationLaw::kSlipRegularization);
+    const double damper = drag / (slip * double(m.time_to_move())),
+                 regular = double(FoundationLaw::kSlipRegularization);
     add(damper, across / slip, across / slip);
     if (slip > double(StiffnessSums::kSlowSlip)) continue;
     const Eigen::Vector3d along_slip = (velocity - velocity.dot(n) * n).cast<double>() / slip;
-    add(damper * least * least / (slip * slip + least * least), along_slip, along_slip);
+    add(damper * regular * regular / (slip * slip + regular * regular), along_slip, along_slip);
   }
 }
 

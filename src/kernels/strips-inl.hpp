@@ -165,7 +165,7 @@ HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const
           hn::NegMulAdd(oy, r.x, hn::MulAdd(ox, r.y, broadcast(v.z())))};
 }
 
-/// Where the strips of any block are, from the block's first voxel; more exactly, where some place of theirs is.
+/// Positions of the strips of a block, or of a point of each, from the block's first voxel.
 struct StripOffsets {
   float x[kStrips], y[kStrips], z[kStrips];  // [m]
 
@@ -191,8 +191,8 @@ HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
   return difference == 0;
 }
 
-/// The numbers of the lanes whose bits are set, one after the other; what follows them is of no account. Compress
-/// of Highway 1.0.3 copies its table onto the stack in each call where vectors are of eight lanes.
+/// The numbers of the lanes whose bits are set, in sequence; the entries after them are undefined. Compress of Highway
+/// 1.0.3 copies its table onto the stack in each call with vectors of eight lanes.
 HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
   const hn::RebindToSigned<Floats> ints;
   if constexpr (kWidth > 8) return hn::Compress(hn::Iota(ints, 0), hn::RebindMask(ints, mask_of(lanes)));
@@ -206,7 +206,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
   return hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(ints)>(), kNumbers[lanes].data()));
 }
 
-/// Values that follow each other, to the lanes of a vector whose bits are set; the other lanes stay as they are.
+/// Writes consecutive values to the lanes of a vector whose bits are set; the other lanes do not change.
 HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
 #if HWY_TARGET <= HWY_AVX3
   const auto mask = __mmask16(lanes);

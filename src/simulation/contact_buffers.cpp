@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What ContactStages needs to know of a head and its voxels beforehand, and room for what a step may list.
+// Buffers of ContactStages, sized for a head and its voxels.
 #include <algorithm>
 #include <utility>
 
@@ -9,10 +8,10 @@
 namespace hapticut {
 namespace {
 
-constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
+constexpr int kListedSubSteps = 64;  // whose changed blocks all fit the list, before duplicates are dropped
 
-/// [m] Up to which height a head is thinner than its voxels; below all of it where it ends as wide as it is high there,
-/// or wider, as a ball does.
+/// [m] Height up to which the point of a head is thinner than its voxels; below the whole head when its end is at least
+/// as wide as it is high there, as that of a ball.
 double thin_up_to(const ToolHead& head, double voxel_size) {
   constexpr double kThin = 0.75, kStep = 0.125;  // [voxels] radius, and heights that are tried
   const HeadBox box = head.bounding_box();
@@ -30,7 +29,7 @@ WorstCase worst_case_of(std::size_t max_voxels, std::size_t max_blocks, const Si
 
 }  // namespace
 
-ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
+ContactStages::Buffers::Buffers(const ToolHead& head, double voxel_size, const SimulationConfig& config)
     : max_voxels(hapticut::max_voxels(head, voxel_size)),
       max_blocks(hapticut::max_blocks(head, voxel_size)),
       thin_up_to(hapticut::thin_up_to(head, voxel_size)) {
@@ -39,20 +38,20 @@ ContactStages::Room::Room(const ToolHead& head, double voxel_size, const Simulat
   reserve_touched(changed, max_blocks * std::size_t(std::min(config.max_sweep, kListedSubSteps)));
 }
 
-void ContactStages::exchange_buffers(Room& room) noexcept {
+void ContactStages::exchange_buffers(Buffers& buffers) noexcept {
   forget_changes();
   emptied_.clear();
   blocks_.clear();
-  std::swap(max_voxels_, room.max_voxels);
-  std::swap(max_blocks_, room.max_blocks);
-  std::swap(thin_up_to_, room.thin_up_to);
-  std::swap(changed_, room.changed);
-  std::swap(blocks_, room.blocks);
-  std::swap(emptied_, room.emptied);
-  turn_ = 0;
+  std::swap(max_voxels_, buffers.max_voxels);
+  std::swap(max_blocks_, buffers.max_blocks);
+  std::swap(thin_up_to_, buffers.thin_up_to);
+  std::swap(changed_, buffers.changed);
+  std::swap(blocks_, buffers.blocks);
+  std::swap(emptied_, buffers.emptied);
+  phase_ = 0;
 }
 
-WorstCase ContactStages::Room::worst_case(const SimulationConfig& config) const noexcept {
+WorstCase ContactStages::Buffers::worst_case(const SimulationConfig& config) const noexcept {
   return worst_case_of(max_voxels, max_blocks, config);
 }
 

@@ -49,13 +49,14 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
                 "other laws. Leave it automatic.");
   if (quadrature_ == Quadrature::sub_voxel && !law_->integrates_parts())
     throw Error(
-        "SimulationConfig::quadrature = sub_voxel was given with a law that is asked for the force at points. Choose "
+        "SimulationConfig::quadrature = sub_voxel was given with a law that computes the force at points. Choose "
         "automatic or centroid, FoundationLaw, or a law that integrates_parts().");
   if (!law_->is_foundation() && voxel_budget_ != 0)
-    throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
-                " was given with another law than FoundationLaw, which alone has a level of detail. Leave it at 0.");
-  Room room(head, workpiece.voxel_size(), config);
-  exchange_buffers(room);
+    throw Error(
+        "SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
+        " was given with a law other than FoundationLaw, but only FoundationLaw has a level of detail. Leave it at 0.");
+  Buffers buffers(head, workpiece.voxel_size(), config);
+  exchange_buffers(buffers);
 }
 
 void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
@@ -76,8 +77,8 @@ void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
   set_cutting_share(share);
 }
 
-/// Into how many parts the voxels inside the head must be divided to stay within the budget. They are counted only
-/// where the blocks have more.
+/// Number of parts into which the voxels inside the head must be divided to stay within the budget. The voxels are
+/// counted only when the blocks hold more than the budget.
 int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks,
                                    const kernels::ContactJob& job) const noexcept {
   if (voxel_budget_ == 0 || max_voxels_ <= voxel_budget_) return 1;
@@ -132,8 +133,8 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
   return meet(blocks, at, nullptr, stiffness_T);
 }
 
-/// @param removal      null: nothing is changed
-/// @param stiffness_T  null: not wanted
+/// @param removal      null: no block is changed
+/// @param stiffness_T  null: not needed
 Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
                               Stiffness* stiffness_T) noexcept {
   Encounter encounter;
@@ -141,25 +142,25 @@ Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadP
     encounter = ask_law(blocks, at, removal);
   } else if (at.motion.cuts() || !at.motion.crushes) {
     encounter = run_kernels(blocks, at, removal, stiffness_T);
-  } else {  // a head that does not cut hardly ever crushes: so it is looked at when something is that deep
-    HeadPlacement gently = at;
-    gently.motion.crushes = false;
-    encounter = run_kernels(blocks, gently, nullptr, stiffness_T);
+  } else {  // a head that does not cut rarely crushes, so crushing is evaluated only when something is that deep
+    HeadPlacement without_crushing = at;
+    without_crushing.motion.crushes = false;
+    encounter = run_kernels(blocks, without_crushing, nullptr, stiffness_T);
     if (crushes(encounter, at.motion)) encounter = run_kernels(blocks, at, removal, stiffness_T);
   }
-  encounter.drop_what_is_not_finite();
+  encounter.drop_if_not_finite();
   return encounter;
 }
 
-/// Whether something may be as deep as what is crushed: the less deep, the faster the contact closes, and below a
-/// smooth surface, which a ball has not.
-bool ContactStages::crushes(const Encounter& pressed, const HeadMotion& motion) const noexcept {
+/// Whether some material may be deeper than its crushing depth. This depth falls with the closing speed of the contact,
+/// and below a smooth surface (a ball has none).
+bool ContactStages::crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept {
   const HeadBox box = head_.bounding_box();
   const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
-  const double fastest = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
+  const double max_speed = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
   const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
-  const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * fastest));
-  return scale * pressed.resultant.depth > double(damping.crushing_depth(min_crushing_depth_));
+  const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * max_speed));
+  return scale * encounter.resultant.depth > double(damping.crushing_depth(min_crushing_depth_));
 }
 
 /// FoundationLaw, block by block in one pass of vector instructions.
@@ -175,13 +176,13 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
   bool exhausted = false;
   for (std::size_t first = 0; first < blocks.size();) {
     std::size_t count = 0;
-    while (first + count < blocks.size() && count < kPressedAtOnce) {
+    while (first + count < blocks.size() && count < kBlocksAtOnce) {
       const CuttableBlock& block = blocks[first + count];
       const bool writable = removes && can_cut(block);
       exhausted |= removes && !writable;
       if (keeps && writable && block.fill != nullptr) workpiece_.remember(block.view);
       tasks_[count++] = {block.view, keeps ? fill_target(block) : new_fill_.data(), writable, {}};
-      if (keeps && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
+      if (keeps && block.fill == nullptr) break;  // new_fill_ must be copied before another block overwrites it
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
                           rubs ? &friction : nullptr);
@@ -206,29 +207,29 @@ void ContactStages::record(const ByMaterial<double>& removed, RemovalRecord& rem
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                                           const HeadPlacement& at) const noexcept {
   kernels::ContactJob job = {
-      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damping_ > 0, 1, turn_};
+      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damping_ > 0, 1, phase_};
   job.level_of_detail = unsigned(level_of_detail(blocks, job));
   job.motion.level_of_detail = float(job.level_of_detail);
   return job;
 }
 
 Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept {
-  const kernels::Pressed pressed = kernels::pressed(job, sums, voxel_volume_);
+  const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, voxel_volume_);
   Encounter encounter;
-  encounter.resultant = pressed.resultant;
-  encounter.energies = pressed.energies;
+  encounter.resultant = outcome.resultant;
+  encounter.energies = outcome.energies;
   encounter.level_of_detail = int(job.level_of_detail);
   const auto materials = std::size_t(workpiece_.materials().size());
   double& cutting = encounter.energies.cutting;
   for (std::size_t id = 1; id <= materials; ++id)
     cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
-  // Of what was crushed, the difference of a sum in double and one in single precision is left.
+  // If only crushing removed material, a rounding difference of two sums is left.
   cutting = job.motion.cuts() ? std::max(0.0, cutting) : 0.0;
   return encounter;
 }
 
 /// Any other law, stage by stage on the samples of one block.
-/// @param removal  null: nothing is changed
+/// @param removal  null: no block is changed
 Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                  RemovalRecord* removal) noexcept {
   Encounter encounter;
@@ -266,17 +267,17 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   return encounter;
 }
 
-/// Whether what is cut from a block can be written down. Where no reserved block is left, material is felt but not cut.
+/// Whether new fills of a block can be stored. When no reserved block is left, material is felt but not cut.
 bool ContactStages::can_cut(const CuttableBlock& block) const noexcept {
   return block.fill != nullptr || workpiece_.has_reserve_for(block.view.origin);
 }
 
-/// Where the new fills of a block are written: into the block itself, once it has fills of its own.
+/// Where the new fills of a block are written: into the block itself if it already has own fills.
 float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
   return block.fill != nullptr ? block.fill : new_fill_.data();
 }
 
-/// Whether something was cut from a full block, and not only felt.
+/// Whether some material of a full block was cut, and not only felt.
 bool ContactStages::is_cut(const BlockChange& change) const noexcept {
   for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
     const float* first = new_fill_.data() + BlockChange::kStrip * std::countr_zero(strips);
@@ -285,14 +286,14 @@ bool ContactStages::is_cut(const BlockChange& change) const noexcept {
   return false;
 }
 
-/// Gives a block that was cut for the first time the new fills as its own, and notes its emptied voxels.
+/// Stores the new fills of a block that was cut for the first time, and lists its emptied voxels.
 void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change) noexcept {
   if (change.strips == 0 || (block.fill == nullptr && !is_cut(change))) return;
   workpiece_.forget_redo();
   list_change(block.view.origin);
   if (block.fill == nullptr) {
     float* fill = workpiece_.writable_fill(block.view.origin);
-    HAPTICUT_ASSERT(fill != nullptr);  // can_cut said so
+    HAPTICUT_ASSERT(fill != nullptr);  // because can_cut
     for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
       const int first = BlockChange::kStrip * std::countr_zero(strips);
       std::copy_n(new_fill_.data() + first, BlockChange::kStrip, fill + first);
@@ -313,10 +314,10 @@ void ContactStages::change_all() noexcept {
 
 void ContactStages::list_change(const VoxelIndex& origin) noexcept {
   if (!changed_blocks_.complete) return;
-  if (changed_.size() == changed_.capacity()) {  // only in sweeps of very many sub-steps, and in great undos
+  if (changed_.size() == changed_.capacity()) {  // only in steps of very many sub-steps, and in large undos
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-    // Sorting again for a few more would take the longer, the fuller the list is.
+    // Sorting again for every few new entries would take too long.
     changed_blocks_.complete = 4 * changed_.size() <= 3 * changed_.capacity();
   }
   if (changed_blocks_.complete) changed_.push_back(origin);
@@ -326,35 +327,35 @@ void ContactStages::list_change(const VoxelIndex& origin) noexcept {
 void ContactStages::remove_emptied(RemovalRecord& removal) noexcept {
   for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece_, removal);
   emptied_.clear();
-  ++turn_;
+  ++phase_;
 }
 
-std::size_t ContactStages::undo(std::size_t most) noexcept {
+std::size_t ContactStages::undo(std::size_t max_blocks) noexcept {
   std::size_t undone = 0;
-  do {  // one at least, or a caller that asks for 0 would never arrive
+  do {  // at least one, or a caller that passes 0 would never finish
     const auto origin = workpiece_.undo_block();
     if (!origin) break;
     list_change(*origin);
-  } while (++undone < most);
-  turn_ = 0;
+  } while (++undone < max_blocks);
+  phase_ = 0;
   return undone;
 }
 
-bool ContactStages::redo(std::size_t most) noexcept {
-  turn_ = 0;
+bool ContactStages::redo(std::size_t max_blocks) noexcept {
+  phase_ = 0;
   std::size_t redone = 0;
   do {
     const auto origin = workpiece_.redo_block();
     if (!origin) return true;
     list_change(*origin);
-  } while (++redone < most);
+  } while (++redone < max_blocks);
   return false;
 }
 
 void ContactStages::start_afresh() {
   change_all();
   bounds_ = workpiece_.bounds();
-  turn_ = 0;
+  phase_ = 0;
 }
 
 }  // namespace hapticut

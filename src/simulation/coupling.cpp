@@ -12,16 +12,16 @@
 namespace hapticut {
 namespace {
 
-// What brakes a tool that the spindle throws about.
+// Brake of a tool that the spindle throws about.
 constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
 
-constexpr double kMinDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
-constexpr double kLightest = 1e-3;                             // [kg] of a tool that a hand could hold
+constexpr double kMinDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and the chosen ratio
+constexpr double kMinMass = 1e-3;                              // [kg] of a tool that a hand could hold
 
-/// [J] of a spring whose force a limit holds from some stretch on.
-double energy_of(double stretch, double stiffness, double largest) {
-  const double full = largest / stiffness;
-  return stretch > full ? largest * (stretch - 0.5 * full) : 0.5 * stiffness * stretch * stretch;
+/// [J] Energy of a spring whose force is limited.
+double energy_of(double stretch, double stiffness, double max_force) {
+  const double full = max_force / stiffness;
+  return stretch > full ? max_force * (stretch - 0.5 * full) : 0.5 * stiffness * stretch * stretch;
 }
 
 }  // namespace
@@ -31,23 +31,22 @@ void validate(const CouplingGains& gains) { require_fields_within(gains, "Coupli
 CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<double> mass) {
   if (!(device.stiffness > 0))
     throw Error("the device " + device.model +
-                " promises no stiffness, so no coupling can be chosen for it; set CouplingGains yourself.");
+                " states no stiffness, so no coupling can be chosen for it; set CouplingGains.");
   CouplingGains gains;
   gains.stiffness = device.stiffness;
-  const auto heaviest = [&](double ratio) { return std::pow(device.damping / (2 * ratio), 2) / gains.stiffness; };
+  const auto max_mass = [&](double ratio) { return std::pow(device.damping / (2 * ratio), 2) / gains.stiffness; };
   const double common = gains.mass;
-  gains.mass = mass.value_or(device.damping > 0 ? std::min(common, heaviest(kDampingRatio)) : common);
-  if (!mass && gains.mass < kLightest)
-    throw Error(
-        "a stiffness of " + format_number(device.stiffness) + " N/m with a damping of " +
-        format_number(device.damping) + " N s/m, which the device " + device.model +
-        " promises, would ring with any tool of more than " + format_number(heaviest(kMinDampingRatio)) +
-        " kg. Give the stiffness that it renders in DeviceCapabilities::stiffness, or set CouplingGains yourself.");
+  gains.mass = mass.value_or(device.damping > 0 ? std::min(common, max_mass(kDampingRatio)) : common);
+  if (!mass && gains.mass < kMinMass)
+    throw Error("a stiffness of " + format_number(device.stiffness) + " N/m with a damping of " +
+                format_number(device.damping) + " N s/m, which the device " + device.model +
+                " states, would ring with any tool of more than " + format_number(max_mass(kMinDampingRatio)) +
+                " kg. Give the stiffness that it renders in DeviceCapabilities::stiffness, or set CouplingGains.");
   gains.inertia *= gains.mass / common;
-  if (device.damping > 0 && gains.mass > heaviest(kMinDampingRatio))
+  if (device.damping > 0 && gains.mass > max_mass(kMinDampingRatio))
     throw Error("CouplingGains::mass [kg] = " + format_number(gains.mass) + " would ring on the device " +
                 device.model + ", whose damping is " + format_number(device.damping) + " N s/m. Choose at most " +
-                format_number(heaviest(kMinDampingRatio)) + " kg.");
+                format_number(max_mass(kMinDampingRatio)) + " kg.");
   gains.damping = 2 * std::sqrt(gains.stiffness * gains.mass);
   if (device.damping > 0) gains.damping = std::min(gains.damping, device.damping);
   if (device.peak_force > 0) gains.max_force = device.peak_force;
@@ -65,13 +64,12 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   validate(gains);
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(
-        "the simulation evaluates contact in the middle of a step, where an implicit coupling would swing. Make it "
-        "with "
-        "SimulationConfig::contact_time = ContactTime::end.");
-  const bool is_somewhere =
+        "the simulation evaluates contact in the middle of a step, where an implicit coupling would oscillate. "
+        "Make it with SimulationConfig::contact_time = ContactTime::end.");
+  const bool is_placed =
       !simulation.starts_afresh() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
-  if (!is_somewhere) return;
-  held_ = is_somewhere_ = true;
+  if (!is_placed) return;
+  held_ = is_placed_ = true;
   result_.X_WH = X_WD_ = simulation.last_input().X_WH;
 }
 
@@ -86,15 +84,15 @@ void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
   std::swap(lists_, lists);
 }
 
-/// What the hand is given for a part of a tick: the coupling's wrench at its end, after the last one.
-class VirtualCoupling::Answer final : public HandCoupling {
+/// The output to the hand for a part of a tick: the coupling's wrench at its end, after the last part.
+class VirtualCoupling::CoupledOutput final : public HandCoupling {
  public:
-  Answer(VirtualCoupling& coupling, const Part& part, const Pose& X_WH, const Twist& tool, const Twist& hand)
+  CoupledOutput(VirtualCoupling& coupling, const Part& part, const Pose& X_WH, const Twist& tool, const Twist& hand)
       : coupling_(coupling), part_(part), after_(coupling.pull(X_WH, tool, part.X_WD, hand)) {}
 
   std::optional<HandOutput> answer(const StepResult& stepped) noexcept override {
     Wrench& wrench = coupling_.result_.coupling;
-    wrench = {-after_.wrench.force, coupling_.turns() ? Vec3(-after_.wrench.torque) : stepped.model.torque};
+    wrench = {-after_.wrench.force, coupling_.has_torque() ? Vec3(-after_.wrench.torque) : stepped.model.torque};
     if (part_.left > 0) return std::nullopt;
     return HandOutput{part_.X_WD, wrench, part_.tick};
   }
@@ -107,41 +105,43 @@ class VirtualCoupling::Answer final : public HandCoupling {
   Pull after_;
 };
 
-const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt) noexcept {
-  // Copies, because they may be parts of the last result, which changes.
-  const Pose pose = hand_pose;           // NOLINT(performance-unnecessary-copy-initialization)
-  const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
+const CoupledResult& VirtualCoupling::step(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
+  return follow({X_WD, V_WD, dt});  // copies, because they may be parts of the last result, which changes
+}
+
+const CoupledResult& VirtualCoupling::follow(const StepInput& hand) noexcept {
+  const auto& [X_WD, V_WD, dt] = hand;
   begin_tick();
-  const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
-  if (refused != StepStatus::ok) return wait(refused);
-  if (!velocity_fits(pose, velocity, dt)) return wait(StepStatus::velocity_rejected);
+  const StepStatus refused = check_input(simulation_->config(), X_WD, V_WD, dt);
+  if (refused != StepStatus::ok) return suspend(refused);
+  if (!velocity_fits(X_WD, V_WD, dt)) return suspend(StepStatus::velocity_rejected);
   part_after_exchange();
-  if (held_ && !waits_ && is_jump(pose, dt)) return wait(StepStatus::jump_rejected);
-  if (held_ && !waits_ && is_rotated_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
-  if (waits_ && !may_continue_from_here(pose)) {
-    if (simulation_->touches(pose) || simulation_->touches(advance(pose, velocity, -dt))) {
-      if (!is_somewhere_) result_.X_WH = pose;
-      return wait(StepStatus::tool_waits);
+  if (held_ && !waits_ && is_jump(X_WD, dt)) return suspend(StepStatus::jump_rejected);
+  if (held_ && !waits_ && is_rotated_away(X_WD)) rejoin_ = Rejoin::free, waits_ = true;
+  if (waits_ && !may_continue_from_here(X_WD)) {
+    if (simulation_->touches(X_WD) || simulation_->touches(advance(X_WD, V_WD, -dt))) {
+      if (!is_placed_) result_.X_WH = X_WD;
+      return suspend(StepStatus::tool_waits);
     }
     held_ = false;
   }
   if (!std::exchange(held_, true)) {
-    is_somewhere_ = true;
-    result_.X_WH = advance(pose, velocity, -dt);
-    result_.V_WH = velocity;
-    begin_grip(pose, velocity, dt);
+    is_placed_ = true;
+    result_.X_WH = advance(X_WD, V_WD, -dt);
+    result_.V_WH = V_WD;
+    begin_grip(X_WD, V_WD, dt);
   } else if (waits_) {
-    begin_grip(pose, velocity, dt);
+    begin_grip(X_WD, V_WD, dt);
   }
   waits_ = false;
   rejoin_ = Rejoin::near;
-  const Twist hand_path = twist_between(X_WD_, pose, dt);
+  const Twist hand_path = twist_between(X_WD_, X_WD, dt);
   const Pose X_WD_before = X_WD_;
   result_.parts = plan_parts(dt);
   for (int part = 1; part <= result_.parts; ++part) {
-    const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
-    const StepStatus status = move({X_WD, dt / result_.parts, result_.parts - part, dt}, hand_path, velocity);
-    if (has_any(status, kRejected | StepStatus::tool_waits)) return wait(status);
+    const Pose at_end = part == result_.parts ? X_WD : advance(X_WD_before, hand_path, dt * part / result_.parts);
+    const StepStatus status = move({at_end, dt / result_.parts, result_.parts - part, dt}, hand_path, V_WD);
+    if (has_any(status, kRejected | StepStatus::tool_waits)) return suspend(status);
     result_.status |= status;
   }
   result_.hand = {simulation_->last_result().force, simulation_->last_result().torque};
@@ -176,35 +176,35 @@ WorstCase VirtualCoupling::worst_case() const {
   return worst;
 }
 
-/// The hand moves on, the tool after it.
+/// Moves the hand and the tool by one part of a tick.
 StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
   const Twist tool_before = result_.V_WH;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
   const Twist tool = NewtonSearch(*this, part, hand).find();
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
-  if (!turns()) X_WH.rotation = part.X_WD.rotation;
+  if (!has_torque()) X_WH.rotation = part.X_WD.rotation;
   const double work_before = simulation_->last_result().energy.hand_work, missed = result_.energy.imbalance();
-  Answer answer(*this, part, X_WH, tool, hand);
-  const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &answer);
+  CoupledOutput output(*this, part, X_WH, tool, hand);
+  const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &output);
   if (has_any(stepped.status, kRejected | StepStatus::tool_waits)) return stepped.status;
   keep_lists(stepped);
   result_.level_of_detail = std::max(result_.level_of_detail, stepped.contact.level_of_detail);
 
   result_.X_WH = X_WH;
   result_.V_WH = tool;
-  book(before, answer.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
-  // A tool at rest is found to a small way.
-  const double way = std::max((tool.linear.norm() + (turns() ? tool.angular.norm() * reach() : 0)) * part.dt,
-                              NewtonSearch::kSolved * simulation_->workpiece().voxel_size());
-  const double force = std::max(stepped.model.force.norm(), answer.after().wrench.force.norm());
-  if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarShare * force) * way)
+  book(before, output.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
+  // The pose of a tool at rest is found within a small distance.
+  const double distance = std::max((tool.linear.norm() + (has_torque() ? tool.angular.norm() * reach() : 0)) * part.dt,
+                                   NewtonSearch::kSolved * simulation_->workpiece().voxel_size());
+  const double force = std::max(stepped.model.force.norm(), output.after().wrench.force.norm());
+  if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarFraction * force) * distance)
     result_.status |= StepStatus::not_in_balance;
-  if (stepped.contact.voxels > 0 && !answer.after().brake.isZero(0)) result_.status |= StepStatus::tool_braked;
+  if (stepped.contact.voxels > 0 && !output.after().brake.isZero(0)) result_.status |= StepStatus::tool_braked;
   X_WD_ = part.X_WD;
   return stepped.status;
 }
 
-/// What the parts of a tick have changed, together.
+/// Adds what a part of a tick has changed to the lists of the tick.
 void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.removed_volume += stepped.removed_volume;
   for (const RemovedVoxel& voxel : stepped.removed_voxels) {
@@ -222,14 +222,14 @@ void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.changed_blocks.origins = lists_.changed;
 }
 
-VirtualCoupling::Limited VirtualCoupling::limited(const Vec3& spring, const Vec3& damper, double largest) noexcept {
+VirtualCoupling::Limited VirtualCoupling::limited(const Vec3& spring, const Vec3& damper, double max_size) noexcept {
   Limited l = {spring + damper, spring, Mat3::Identity()};
-  if (const double size = l.force.norm(); size > largest) {
+  if (const double size = l.force.norm(); size > max_size) {
     const Vec3 along = l.force / size;
-    l.slope = largest / size * (Mat3::Identity() - along * along.transpose());
-    l.force = largest * along;
+    l.slope = max_size / size * (Mat3::Identity() - along * along.transpose());
+    l.force = max_size * along;
   }
-  if (const double size = spring.norm(); size > largest) l.spring *= largest / size;
+  if (const double size = spring.norm(); size > max_size) l.spring *= max_size / size;
   return l;
 }
 
@@ -237,16 +237,16 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
                                             const Twist& hand) const noexcept {
   Pull p;
   p.stretch = X_WD.translation - X_WH.translation;
-  p.turn = turns() ? vector_from_rotation(X_WD.rotation * X_WH.rotation.transpose()) : Vec3(Vec3::Zero());
+  p.rotation = has_torque() ? vector_from_rotation(X_WD.rotation * X_WH.rotation.transpose()) : Vec3(Vec3::Zero());
   p.linear = limited(gains_.stiffness * p.stretch, gains_.damping * (hand.linear - tool.linear), gains_.max_force);
-  p.angular = limited(gains_.angular_stiffness * p.turn, gains_.angular_damping * (hand.angular - tool.angular),
+  p.angular = limited(gains_.angular_stiffness * p.rotation, gains_.angular_damping * (hand.angular - tool.angular),
                       gains_.max_torque);
   p.wrench = {p.linear.force, p.angular.force};
   brake(p, tool.linear, hand.linear);
   return p;
 }
 
-/// Takes from a tool that is faster than its hand what its spindle gave it.
+/// Brakes a tool that its spindle has made faster than the hand.
 void VirtualCoupling::brake(Pull& pull, const Vec3& tool, const Vec3& hand) const noexcept {
   pull.brake.setZero();
   pull.brake_slope.setZero();
@@ -270,27 +270,27 @@ void VirtualCoupling::set_gains(const CouplingGains& gains) noexcept {
 }
 
 double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
-  const double turning = turns() ? 0.5 * gains_.inertia * tool.angular.squaredNorm() : 0.0;
+  const double turning = has_torque() ? 0.5 * gains_.inertia * tool.angular.squaredNorm() : 0.0;
   return 0.5 * gains_.mass * tool.linear.squaredNorm() + turning;
 }
 
 double VirtualCoupling::spring_energy(const Pull& p) const noexcept {
   const double linear = energy_of(p.stretch.norm(), gains_.stiffness, gains_.max_force);
-  return turns() ? linear + energy_of(p.turn.norm(), gains_.angular_stiffness, gains_.max_torque) : linear;
+  return has_torque() ? linear + energy_of(p.rotation.norm(), gains_.angular_stiffness, gains_.max_torque) : linear;
 }
 
 void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path,
                            double tool_work, double dt) noexcept {
   CouplingEnergy& energy = result_.energy;
   const Twist& tool = result_.V_WH;
-  const Vec3 torque = turns() ? after.wrench.torque : Vec3(-result_.coupling.torque);
+  const Vec3 torque = has_torque() ? after.wrench.torque : Vec3(-result_.coupling.torque);
   const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
-  const Vec3 way = (hand_path.linear - tool.linear) * dt;
-  double damper = (after.linear.force - after.linear.spring).dot(way) - after.brake.dot(tool.linear) * dt;
-  // What the spring's end force does on the way, less what it stores more; what the mass loses.
-  double implicit = after.linear.spring.dot(way) - (spring_energy(after) - spring_energy(before)) +
+  const Vec3 stretching = (hand_path.linear - tool.linear) * dt;
+  double damper = (after.linear.force - after.linear.spring).dot(stretching) - after.brake.dot(tool.linear) * dt;
+  // Work of the spring's force at the end, less the energy that it stores; and the loss of the mass.
+  double implicit = after.linear.spring.dot(stretching) - (spring_energy(after) - spring_energy(before)) +
                     0.5 * gains_.mass * (tool.linear - tool_before.linear).squaredNorm();
-  if (turns()) {
+  if (has_torque()) {
     const Vec3 turning = (hand_path.angular - tool.angular) * dt;
     damper += (after.angular.force - after.angular.spring).dot(turning);
     implicit +=

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// When the tool of a coupling is parted from its hand, and when it goes with it again.
+// When the tool of a coupling is separated from its hand, and when it rejoins it.
 #include <algorithm>
 #include <numbers>
 
@@ -10,28 +9,28 @@ namespace hapticut {
 
 namespace {
 
-constexpr double kMaxRotation = 0.9 * std::numbers::pi;  // [rad] of a hand against its tool
+constexpr double kMaxRotation = 0.9 * std::numbers::pi;  // [rad] between hand and tool
 
 }  // namespace
 
-/// The hand takes the tool: it brought it to its speed before, and stretched the spring.
-void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept {
-  X_WD_ = advance(pose, velocity, -dt);
+/// The hand takes the tool. The energies of its speed and of the stretched spring count as work of the hand.
+void VirtualCoupling::begin_grip(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
+  X_WD_ = advance(X_WD, V_WD, -dt);
   result_.energy = {};
   result_.energy.kinetic = kinetic_energy(result_.V_WH);
-  result_.energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, velocity));
+  result_.energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, V_WD));
   result_.energy.hand_work = result_.energy.turnover = result_.energy.kinetic + result_.energy.spring;
   simulation_->release_hand();
 }
 
-/// What the tool is in after an exchange, it has not cut its way into.
+/// After an exchange the tool waits, because it has not cut its way into the material that it is in.
 void VirtualCoupling::part_after_exchange() noexcept {
   if (!simulation_->starts_afresh() || (!held_ && simulation_->steps() == 0)) return;
   waits_ = true;
   rejoin_ = Rejoin::free;
 }
 
-void VirtualCoupling::Way::add(const Twist& velocity, double dt) noexcept {
+void VirtualCoupling::Distance::add(const Twist& velocity, double dt) noexcept {
   constexpr double kMemory = 0.1;  // [s]
   const double kept = std::max(0.0, 1 - dt / kMemory);
   linear = kept * linear + velocity.linear.norm() * dt;
@@ -39,40 +38,40 @@ void VirtualCoupling::Way::add(const Twist& velocity, double dt) noexcept {
   time = kept * time + dt;
 }
 
-/// Whether the velocities say what the poses do. An estimate of a device lags and is noisy, but it does not say many
-/// times the way, as a velocity in mm/s or in degrees does, with which the damper would push the tool.
-bool VirtualCoupling::velocity_fits(const Pose& pose, const Twist& velocity, double dt) noexcept {
-  constexpr double kTold = 30;                              // [1] times the way of the poses
-  constexpr double kNoiseLinear = 0.2, kNoiseAngular = 20;  // [m/s], [rad/s] that an estimate may say of a hand at rest
-  if (given_) by_pose_.add(twist_between(*given_, pose, dt), dt);
-  if (given_) by_velocity_.add(velocity, dt);
-  given_ = pose;
-  return by_velocity_.linear <= kNoiseLinear * by_velocity_.time + kTold * by_pose_.linear &&
-         by_velocity_.angular <= kNoiseAngular * by_velocity_.time + kTold * by_pose_.angular;
+/// Whether the velocities fit the poses. The estimate of a device lags and is noisy, but it is not many times the
+/// velocity of the poses, as a velocity in mm/s or in degrees is. Such a velocity would make the damper push the tool.
+bool VirtualCoupling::velocity_fits(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
+  constexpr double kMaxRatio = 30;                          // [1] times the distance of the poses
+  constexpr double kNoiseLinear = 0.2, kNoiseAngular = 20;  // [m/s], [rad/s] of an estimate for a hand at rest
+  if (given_) by_pose_.add(twist_between(*given_, X_WD, dt), dt);
+  if (given_) by_velocity_.add(V_WD, dt);
+  given_ = X_WD;
+  return by_velocity_.linear <= kNoiseLinear * by_velocity_.time + kMaxRatio * by_pose_.linear &&
+         by_velocity_.angular <= kNoiseAngular * by_velocity_.time + kMaxRatio * by_pose_.angular;
 }
 
-/// Whether no motion of a hand leads to a pose from the last one.
-bool VirtualCoupling::is_jump(const Pose& pose, double dt) const noexcept {
-  return !is_path_of_a_hand(X_WD_, pose, dt) || !is_rotation_of_a_hand(X_WD_, pose, dt);
+/// Whether a pose is too far from the last one for a motion of a hand.
+bool VirtualCoupling::is_jump(const Pose& X_WD, double dt) const noexcept {
+  return !is_path_of_a_hand(X_WD_, X_WD, dt) || !is_rotation_of_a_hand(X_WD_, X_WD, dt);
 }
 
-/// Whether the hand has turned so far from the tool that with a little more the torque would have the other sign.
-bool VirtualCoupling::is_rotated_away(const Pose& pose) const noexcept {
-  return turns() && rotated_beyond(result_.X_WH, pose, kMaxRotation);
+/// Whether the hand is rotated so far from the tool that with a little more the torque would change its sign.
+bool VirtualCoupling::is_rotated_away(const Pose& X_WD) const noexcept {
+  return has_torque() && rotated_beyond(result_.X_WH, X_WD, kMaxRotation);
 }
 
-/// Whether the hand is about where it was when the tool was left.
-bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
-  return (pose.translation - X_WD_.translation).norm() + rotation_between(X_WD_, pose) * reach() <= kNear;
+/// Whether the hand is near its pose at which the tool was parked.
+bool VirtualCoupling::is_near(const Pose& X_WD) const noexcept {
+  return (X_WD.translation - X_WD_.translation).norm() + rotation_between(X_WD_, X_WD) * reach() <= kNear;
 }
 
-/// Whether a tool that waits may be pulled after its hand from where it is.
-bool VirtualCoupling::may_continue_from_here(const Pose& pose) const noexcept {
-  return held_ && is_near(pose) && !is_rotated_away(pose) &&
+/// Whether a tool that waits may follow its hand from where it is.
+bool VirtualCoupling::may_continue_from_here(const Pose& X_WD) const noexcept {
+  return held_ && is_near(X_WD) && !is_rotated_away(X_WD) &&
          (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
 }
 
-/// [m] of the farthest point of the head from the handle
+/// [m] Maximum distance of the head's points from the handle.
 double VirtualCoupling::reach() const noexcept {
   return simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
 }
@@ -80,11 +79,11 @@ double VirtualCoupling::reach() const noexcept {
 void VirtualCoupling::park(Rejoin rejoin) noexcept {
   begin_tick();
   if (rejoin == Rejoin::free) rejoin_ = rejoin;
-  wait(StepStatus::ok);
+  suspend(StepStatus::ok);
 }
 
-/// Nothing is given to the hand, and the tool stays.
-const CoupledResult& VirtualCoupling::wait(StepStatus status) noexcept {
+/// Gives the hand no force, and keeps the tool where it is.
+const CoupledResult& VirtualCoupling::suspend(StepStatus status) noexcept {
   waits_ = true;
   simulation_->release_hand();
   result_.hand = result_.coupling = {};

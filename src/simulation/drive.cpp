@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motor in the step: what the contact takes of it, and how fast it turns the head then.
+// The motor in the step: its load by the contact, and its speed under this load.
 #include <algorithm>
 #include <cmath>
 
@@ -11,14 +11,14 @@ namespace {
 constexpr int kMaxTrials = 6;
 constexpr double kSettled = 2e-3;                         // [1] of a speed
 constexpr double kSteadyLoad = 0.1;                       // [1] of a torque
-constexpr double kFasterHand = 1.25, kSlowHand = 0.5e-3;  // [1], [m/s] what a hand may hurry without a trial
+constexpr double kFasterHand = 1.25, kSlowHand = 0.5e-3;  // [1], [m/s] growth of the hand's speed without a trial
 constexpr double kTurningSpeed = 1;                       // [m/s] of the rim of a head that is about to turn
 
 }  // namespace
 
-/// Finds, before anything is cut, the speed at which the motor has the torque that the contact takes at that speed.
-/// What the load of the sub-step before tells is enough while neither it nor the hand changes much, and the motor has
-/// twice as much to give.
+/// Finds, before anything is cut, the speed at which the motor's torque equals the torque of the contact. The load of
+/// the sub-step before is good enough while neither it nor the hand changes much, and the motor has a reserve of twice
+/// the torque.
 void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::drive_spindle);
   if (!motor.is_limited()) return;
@@ -31,21 +31,22 @@ void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, Sub
   load.first_torque = load.torque;
   load.first_speed = motor.speed();
   if (known || blocks.empty()) return;
-  // Secants on what a torque asks for too much; the first, and those that point elsewhere, are plain repetition.
-  double lack = 0, before = 0;  // [N·m] of the trial before, and its torque
+  // Secant steps on the residual torque. The first step, and steps with the wrong sign of the slope, are fixed-point
+  // steps.
+  double residual = 0, before = 0;  // [N·m] of the trial before, and its torque
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     const double torque = load.torque, speed = motor.speed();
-    const double taken = torque_to_spin(contact_stages.press(blocks, sub_step.head));
-    load_spindle(taken, sub_step);
+    const double needed = torque_to_spin(contact_stages.press(blocks, sub_step.head));
+    load_spindle(needed, sub_step);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
-    const double slope = (taken - torque - lack) / (torque - before);
-    if (trial > 0 && slope < 0 && !motor.stalled()) load_spindle(torque - (taken - torque) / slope, sub_step);
-    lack = taken - torque;
+    const double slope = (needed - torque - residual) / (torque - before);
+    if (trial > 0 && slope < 0 && !motor.stalled()) load_spindle(torque - (needed - torque) / slope, sub_step);
+    residual = needed - torque;
     before = torque;
   }
 }
 
-/// The speed of the motor under a torque, and the head with it.
+/// Sets the speed of the motor under a torque, and the spin of the head.
 void Simulation::State::load_spindle(double torque, SubStep& sub_step) noexcept {
   load.torque = torque;
   motor.drive(torque, sub_step.duration);
@@ -53,7 +54,7 @@ void Simulation::State::load_spindle(double torque, SubStep& sub_step) noexcept 
   set_spin(sub_step.head.motion);
 }
 
-/// A stalled head presses as if it were about to turn.
+/// Sets the spin of the head. A stalled head presses as if it were about to turn.
 void Simulation::State::set_spin(HeadMotion& motion) const noexcept {
   motion.spin = float(motor.stalled() ? turning_spin() : motor.speed());
   motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.any_crushing();
@@ -61,31 +62,32 @@ void Simulation::State::set_spin(HeadMotion& motion) const noexcept {
   motion.tooth_rate = contact_stages.any_chips() ? float(tooth_rate(tool.cutter(), double(motion.spin))) : 0;
 }
 
-/// [rad/s] Fast enough beside a hand that all of the head's surface slips along the spin.
+/// [rad/s] Fast enough, compared with a hand, that all of the head's surface slips along the spin.
 double Simulation::State::turning_spin() const noexcept {
   return std::copysign(std::min(std::abs(motor.setting()), kTurningSpeed / tool.head().cutting_radius()),
                        motor.setting());
 }
 
-/// How much of the cutting ratio acts: all but what dry friction has of a slow head, or what the motor can hold.
+/// Updates the part of the cutting ratio that acts: what dry friction leaves of it at a slow head, or what the motor
+/// can hold at a stalled one.
 void Simulation::State::update_cutting_share() noexcept {
   cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
                                   : 1 - standing_share(motor.speed(), tool.head().cutting_radius());
   contact_stages.set_cutting_share(cutting_share);
 }
 
-/// [N·m] about +z
+/// [N·m] Torque about +z that turns the head.
 double Simulation::State::torque_to_spin(const Encounter& encounter) const noexcept {
   const double torque = -encounter.resultant.wrench_T.torque.z();
   return motor.stalled() ? torque / cutting_share : torque;
 }
 
-/// Nothing turns against the material of a stalled head: what its hand does against the motor's torque, the motor
-/// takes.
+/// Books the work of a stalled head, which does not rub: the motor absorbs the work that the hand does against its
+/// torque.
 void Simulation::State::book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept {
   load.torque = torque_to_spin(encounter);
-  const double turning = -encounter.resultant.wrench_T.torque.z() * turning_spin() * sub_step.duration;
-  const double by_motor = turning - encounter.energies.rubbing;
+  const double work = -encounter.resultant.wrench_T.torque.z() * turning_spin() * sub_step.duration;
+  const double by_motor = work - encounter.energies.rubbing;
   result.energy.motor_work += by_motor;
   result.energy.turnover += std::abs(by_motor);
   encounter.energies.rubbing = 0;

@@ -1,6 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a simulation can be given between two steps: tool, materials, friction, removal, another workpiece, the way
-// forth.
+// Exchanges between two steps: tool, materials, friction, removal, another workpiece; and redo.
 #include "hapticut/simulation/exchange.hpp"
 
 #include <algorithm>
@@ -15,7 +13,7 @@
 namespace hapticut {
 namespace {
 
-/// How many voxels a step may list.
+/// Number of voxels that a step can list.
 std::size_t listed_voxels(const SimulationConfig& config, std::size_t max_voxels) {
   return config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity : max_voxels;
 }
@@ -27,7 +25,7 @@ std::size_t listed_voxels(const SimulationConfig& config, std::size_t max_voxels
 struct PreparedTool::State {
   Tool tool;
   double voxel_size;  // [m]
-  ContactStages::Room room;
+  ContactStages::Buffers buffers;
   WorstCase worst_case;
   std::vector<RemovedVoxel> removed;
   double stiffness;  // [N/m^4] stiffness_for_head
@@ -37,13 +35,13 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   require_positive(voxel_size, "PreparedTool: voxel_size [m]");
   validate_head(tool.head(), voxel_size);
   config.law->require_head(tool.head());
-  ContactStages::Room room(tool.head(), voxel_size, config);
-  const WorstCase worst = room.worst_case(config);
+  ContactStages::Buffers buffers(tool.head(), voxel_size, config);
+  const WorstCase worst = buffers.worst_case(config);
   std::vector<RemovedVoxel> removed;
-  reserve_touched(removed, listed_voxels(config, room.max_voxels));
+  reserve_touched(removed, listed_voxels(config, buffers.max_voxels));
   const double stiffness = stiffness_for_head(tool.head());
   state_ = std::make_unique<State>(
-      State{std::move(tool), voxel_size, std::move(room), worst, std::move(removed), stiffness});
+      State{std::move(tool), voxel_size, std::move(buffers), worst, std::move(removed), stiffness});
 }
 
 PreparedTool::PreparedTool(PreparedTool&&) noexcept = default;
@@ -71,8 +69,7 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 
 // --- between steps --------------------------------------------------------------------------------------------------
 
-/// What the contact reads of the materials, with the stiffness that suits them and the head where it was left to the
-/// simulation.
+/// Sets the constants of the materials for the contact, with the chosen stiffness if it was left to the simulation.
 void Simulation::State::set_contact_materials() noexcept {
   if (chooses_stiffness) config.reference_stiffness = head_stiffness / max_relative_stiffness(workpiece.materials());
   contact_stages.set_materials(
@@ -80,7 +77,7 @@ void Simulation::State::set_contact_materials() noexcept {
   set_material_friction();
 }
 
-/// The friction of each material that the standing head meets.
+/// Sets the friction of each material against a standing head.
 void Simulation::State::set_material_friction() noexcept {
   for (int id = 1; id <= workpiece.materials().size(); ++id) {
     const Material& m = *workpiece.materials().find(MaterialId(id));
@@ -95,7 +92,8 @@ void Simulation::State::compare_cutters() noexcept {
   });
 }
 
-/// The next step is the first of the tool: nothing is known of where it was. What it is in now must not be felt.
+/// Makes the next step the first of the tool: its pose is unknown. The hand must not feel the material that the tool is
+/// in now.
 void Simulation::State::start_afresh() noexcept {
   parted = parted || has_pose;
   has_pose = false;
@@ -110,7 +108,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   if (p.voxel_size != s.workpiece.voxel_size()) return false;
   const WorstCase worst = s.contact_stages.worst_case(s.config);
   std::swap(s.tool, p.tool);
-  s.contact_stages.exchange_buffers(p.room);
+  s.contact_stages.exchange_buffers(p.buffers);
   s.removal.exchange_list(p.removed);
   std::swap(s.head_stiffness, p.stiffness);
   p.worst_case = worst;
@@ -208,11 +206,11 @@ void Simulation::set_removal(RemovalLaw removal) noexcept {
 
 std::size_t Simulation::redo_marks() const noexcept { return state_->workpiece.redo_marks(); }
 
-bool Simulation::redo(std::size_t most) noexcept {
+bool Simulation::redo(std::size_t max_blocks) noexcept {
   State& s = *state_;
   s.contact_stages.forget_changes();
   if (s.workpiece.redo_marks() == 0) return true;
-  const bool done = s.contact_stages.redo(most);
+  const bool done = s.contact_stages.redo(max_blocks);
   s.start_afresh();
   return done;
 }

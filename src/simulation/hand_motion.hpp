@@ -7,21 +7,21 @@
 
 #include "hapticut/core/spatial.hpp"
 
-/// @file
-/// What a hand with a stylus can do: what is more is an error of the device, or another place.
+/// Limits of the motion of a hand with a stylus. A larger motion is an error of the device or a new position.
 namespace hapticut {
 
-inline constexpr double kNear = 2e-3;               // [m] from where it was left, or refused
-inline constexpr double kMaxHandSpeed = 6;          // [m/s] three times what hands do
-inline constexpr double kMaxSlip = 0.1;             // [rad] that a reading may be off by
+inline constexpr double kNear = 2e-3;               // [m] from the last pose
+inline constexpr double kMaxHandSpeed = 6;          // [m/s] three times the speed of hands
+inline constexpr double kMaxSlip = 0.1;             // [rad] error of a reading
 inline constexpr double kMaxHandAngularSpeed = 40;  // [rad/s]
 
-/// [rad]
+/// [rad] Angle of the rotation between two poses.
 inline double rotation_between(const Pose& from, const Pose& to) {
   return vector_from_rotation(to.rotation * from.rotation.transpose()).norm();
 }
 
-/// Whether a turn is larger than an angle [rad], from its trace: cheaper than the turn, for every step asks.
+/// Whether a rotation is larger than an angle [rad], from its trace. This is cheaper than the angle, and every step
+/// needs it.
 inline bool rotated_beyond(const Pose& from, const Pose& to, double angle) {
   return angle < std::numbers::pi && from.rotation.cwiseProduct(to.rotation).sum() < 1 + 2 * std::cos(angle);
 }

@@ -1,72 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step would feel, and how stiff the contact would be, without taking it.
+// The force and the stiffness of the contact that a step would meet, without taking the step.
 #include <Eigen/Eigenvalues>
 
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
 
-ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt,
-                               ProbedMotions motions) const noexcept {
-  State& s = *state_;  // whose room the contact is worked out in; nothing that a step depends on changes
-  if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
-  const bool goes_on = s.has_pose && !(s.hand_released_since && s.is_put_elsewhere(pose, velocity, dt));
-  const Pose from = goes_on ? s.X_WH : advance(pose, velocity, -dt);
-  const int sub_steps = s.plan_sweep(from, pose);
+ContactProbe Simulation::probe(const Pose& X_WH, const Twist& V_WH, double dt, ProbedMotions motions) const noexcept {
+  State& s = *state_;  // uses its buffers for the contact; nothing that a step depends on changes
+  if (check_input(s.config, X_WH, V_WH, dt) != StepStatus::ok) return {};
+  const bool continues = s.has_pose && !(s.hand_released_since && s.is_placed_elsewhere(X_WH, V_WH, dt));
+  const Pose from = continues ? s.last_X_WH : advance(X_WH, V_WH, -dt);
+  const int sub_steps = s.sub_steps_between(from, X_WH);
   if (sub_steps > s.config.max_sweep) return {};
-  ContactProbe probed = s.probe_path(from, pose, sub_steps, velocity, dt);
+  ContactProbe probed = s.probe_path(from, X_WH, sub_steps, V_WH, dt);
   if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
-    probed.stiffness = s.measure_stiffness(from, pose, sub_steps, velocity, dt, motions, probed.wrench);
+    probed.stiffness = s.measure_stiffness(from, X_WH, sub_steps, V_WH, dt, motions, probed.wrench);
   return probed;
 }
 
-bool Simulation::touches(const Pose& pose) const noexcept {
-  return check_input(state_->config, pose, {}, state_->config.min_dt) == StepStatus::ok && state_->touches(pose);
+bool Simulation::touches(const Pose& X_WH) const noexcept {
+  return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok && state_->touches(X_WH);
 }
 
-/// Whether the head at a pose would touch material.
-bool Simulation::State::touches(const Pose& pose) noexcept {
-  const HeadPlacement at = plan_sub_step(pose, 0, config.min_dt, {}, {}).head;
+/// Whether the head would touch material with the handle at a pose.
+bool Simulation::State::touches(const Pose& X_WH) noexcept {
+  const HeadPlacement at = plan_sub_step(X_WH, 0, config.min_dt, {}, {}).head;
   return contact_stages.press(contact_stages.find_blocks(at), at).resultant.voxels > 0;
 }
 
-/// What is felt from one pose to another.
-ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+/// The contact on the path from one pose to another.
+ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
                                            double dt) noexcept {
   ContactProbe probed;
-  const Twist path = twist_between(from, pose, dt);
+  const Twist path = twist_between(from, to, dt);
   DeepContact deep = deep_contact;
   LimitSurface friction = anchor;
   for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
+    const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, V_WH);
     const ContactProbe part = probe_sub_step(sub_step, deep, friction);
-    const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
-    probed.wrench.force += share * part.wrench.force;
-    probed.wrench.torque += share * part.wrench.torque;
-    probed.stiffness += share * moves * part.stiffness;
+    const double weight = 1.0 / sub_steps, moves = (i + 1) * weight;  // [1] of the motion of the path's end
+    probed.wrench.force += weight * part.wrench.force;
+    probed.wrench.torque += weight * part.wrench.torque;
+    probed.stiffness += weight * moves * part.stiffness;
     probed.contact = part.contact;
     probed.sliding = part.sliding;
   }
   return probed;
 }
 
-/// The stiffness of a law that gives none, by a small motion along each axis; its symmetric, never negative part. The
-/// moved ways have as many sub-steps as the one that was felt: another number would be another force.
-Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+/// The stiffness for a law that reports none, by a small motion along each axis; its symmetric, positive semidefinite
+/// part. The moved paths have as many sub-steps as the original path, because another number would give another force.
+Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
                                                double dt, ProbedMotions motions, const Wrench& felt) noexcept {
   constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
   const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
-  Stiffness scaled = Stiffness::Zero();  // a turn counts as the shift of the farthest point
+  Stiffness scaled = Stiffness::Zero();  // a rotation counts as the shift of the farthest point
   const int axes = motions == ProbedMotions::all ? 6 : 3;
   for (int axis = 0; axis < axes; ++axis) {
-    Pose moved = pose;
-    Twist faster = velocity;
+    Pose moved = to;
+    Twist faster = V_WH;
     const Vec3 along = Vec3::Unit(axis % 3);
     if (axis < 3) {
       moved.translation += shift * along;
       faster.linear += shift / dt * along;
     } else {
-      moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * pose.rotation;
+      moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * to.rotation;
       faster.angular += shift / reach / dt * along;
     }
     const Wrench there = probe_path(from, moved, sub_steps, faster, dt).wrench;
@@ -96,13 +95,13 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   const LimitSurface::Outcome pull = pull_of_anchor(sub_step, encounter, friction);
   wrench_T.force += R_WT.transpose() * pull.wrench.force;
   wrench_T.torque += R_WT.transpose() * pull.wrench.torque;
-  // While it slides, friction goes with the forces along the normals, as if their pattern stayed.
+  // While it slides, friction grows with the normal forces, as if their distribution did not change.
   const Vec3& push_T = encounter.resultant.push_T;
   if (const double push = push_T.norm(); friction.sliding() && push > 0) {
-    Eigen::Matrix<double, 6, 1> rubs;
-    rubs << R_WT.transpose() * pull.wrench.force, R_WT.transpose() * pull.wrench.torque;
-    const Eigen::Matrix<double, 1, 6> pressed = push_T.transpose() / (push * push) * stiffness_T.topRows<3>();
-    stiffness_T += rubs * pressed;
+    Eigen::Matrix<double, 6, 1> friction_T;
+    friction_T << R_WT.transpose() * pull.wrench.force, R_WT.transpose() * pull.wrench.torque;
+    const Eigen::Matrix<double, 1, 6> normal_growth = push_T.transpose() / (push * push) * stiffness_T.topRows<3>();
+    stiffness_T += friction_T * normal_growth;
   }
   stiffness_T += transport(pull.stiffness, R_WT.transpose(), Vec3::Zero());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voxels leave a simulation that nothing has cut.
+// Removal of voxels without cutting.
 #include "hapticut/simulation/simulation.hpp"
 #include "simulation/simulation_state.hpp"
 
@@ -8,23 +8,23 @@ namespace hapticut {
 bool Simulation::remove_voxels(const BlockVoxels& removed) noexcept {
   State& s = *state_;
   const BlockView before = s.workpiece.block(removed.origin);
-  const BlockVoxels taken = {removed.origin, removed.voxels & before.solid_voxels()};
-  if (taken.voxels.empty()) return true;
+  const BlockVoxels present = {removed.origin, removed.voxels & before.solid_voxels()};
+  if (present.voxels.empty()) return true;
   ByMaterial<double> volume = {};
-  taken.voxels.for_each(
+  present.voxels.for_each(
       [&](int voxel) { volume[before.material_of(voxel)] += double(before.fill_of(voxel)) * s.voxel_volume; });
   if (before.fill != nullptr)
     s.workpiece.remember(before);
   else if (s.workpiece.writable_fill(removed.origin) == nullptr)
     return false;
   s.workpiece.forget_redo();
-  s.workpiece.empty_voxels(removed.origin, taken.voxels);
+  s.workpiece.empty_voxels(removed.origin, present.voxels);
   s.contact_stages.list_change(removed.origin);
-  for (std::size_t id = 0; id < volume.size(); ++id) s.taken_volume[id] += volume[id];
-  for (StepObserver* observer : s.observers.all()) observer->on_removal(taken);
+  for (std::size_t id = 0; id < volume.size(); ++id) s.detached_volume[id] += volume[id];
+  for (StepObserver* observer : s.observers.all()) observer->on_removal(present);
   return true;
 }
 
-const ByMaterial<double>& Simulation::taken_volume_by_material() const noexcept { return state_->taken_volume; }
+const ByMaterial<double>& Simulation::detached_volume_by_material() const noexcept { return state_->detached_volume; }
 
 }  // namespace hapticut

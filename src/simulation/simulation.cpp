@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Setting a simulation up, and looking into it.
+// Set-up and queries of a simulation.
 #include "hapticut/simulation/simulation.hpp"
 
 #include <algorithm>
@@ -7,14 +7,15 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
 namespace {
 
-// Memory for all voxels that a head may reach is taken at set-up; more than this is a mistake in the unit.
+// Memory for all voxels that a head may reach is reserved at set-up; a larger head is a mistake in the unit.
 constexpr double kMaxVoxels = 1e9, kMaxDiagonal = 4000;  // [voxels]
-constexpr double kThinnest = 1.5;                        // [voxels] of a head: its forces are off by a fifth then
+constexpr double kMinThickness = 1.5;                    // [voxels] of a head: there its forces are wrong by a fifth
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
@@ -26,10 +27,10 @@ void validate_pair(const Workpiece& workpiece, const Tool& tool) {
 
 void validate_head(const ToolHead& head, double voxel_size) {
   const HeadBox box = head.bounding_box();
-  const double thinnest = (box.max - box.min).minCoeff();
-  if (thinnest < kThinnest * voxel_size)
-    throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than " + format_number(kThinnest) +
-                " voxels of " + format_number(voxel_size * 1e3) +
+  const double thickness = (box.max - box.min).minCoeff();
+  if (thickness < kMinThickness * voxel_size)
+    throw Error("the head is " + format_number(thickness * 1e3) + " mm thin, less than " +
+                format_number(kMinThickness) + " voxels of " + format_number(voxel_size * 1e3) +
                 " mm; it would slip between voxels. Choose smaller voxels.");
   const Vec3 spans = (box.max - box.min) / voxel_size;
   if (!(spans.prod() <= kMaxVoxels && spans.norm() <= kMaxDiagonal))
@@ -94,7 +95,7 @@ void Simulation::add_observer(StepObserver& observer) {
     throw Error("the simulation has this observer already; add it once.");
   if (present.count == kMaxObservers)
     throw Error("the simulation has " + std::to_string(kMaxObservers) +
-                " observers, which is all it can have; remove one first.");
+                " observers, which is the maximum; remove one first.");
   present.places[present.count++] = &observer;
 }
 
@@ -143,12 +144,12 @@ bool Simulation::set_undo_mark() noexcept { return state_->workpiece.set_mark();
 
 std::size_t Simulation::undo_marks() const noexcept { return state_->workpiece.marks(); }
 
-bool Simulation::undo(std::size_t most) noexcept {
+bool Simulation::undo(std::size_t max_blocks) noexcept {
   State& s = *state_;
   s.contact_stages.forget_changes();
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
-  s.contact_stages.undo(most);
+  s.contact_stages.undo(max_blocks);
   s.start_afresh();
   return s.workpiece.marks() < marks;
 }

@@ -12,8 +12,7 @@
 #include "simulation/contact_stages.hpp"
 #include "simulation/stage_timer.hpp"
 
-/// @file
-/// What a simulation holds, and the stages of its step.
+/// The state of a simulation, and the stages of its step.
 namespace hapticut {
 
 /// One equal part of the tool's motion during a step, seen where the contact is evaluated: at its middle or its end.
@@ -22,19 +21,19 @@ struct SubStep {
   Pose X_WH;           // of the handle
   Pose X_WT;           // of the head
   Twist path_T;        // of To along the path, in T
-  HeadPlacement head;  // the same for the stages that see voxels
+  HeadPlacement head;  // of the head, for the stages that see voxels
 };
 
-/// What the contact takes of the motor.
+/// The load of the contact on the motor.
 struct SpindleLoad {
-  double torque = 0;        // [N·m] about +z; of a stalled head, what it would take to turn it
-  double hand_speed = 0;    // [m/s] of the head's fastest point, but for the spin
-  double first_torque = 0;  // [N·m] of the sub-step before
-  double first_speed = 0;   // [rad/s] of the motor, as that tells
-  bool settled = false;     // they were nearly those of the sub-step
+  double torque = 0;        // [N·m] about +z; of a stalled head, the torque that would turn it
+  double hand_speed = 0;    // [m/s] maximum speed of the head's points without the spin
+  double first_torque = 0;  // [N·m] prediction from the sub-step before
+  double first_speed = 0;   // [rad/s] of the motor under that torque
+  bool settled = false;     // the prediction was nearly right
 };
 
-/// Who is told of steps.
+/// The observers of a simulation.
 struct Observers {
   std::array<StepObserver*, Simulation::kMaxObservers> places = {};
   std::size_t count = 0;
@@ -63,13 +62,15 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     const StageTimer timer = timed(&StageTimes::check_input);
     return check_input(config, input.X_WH, input.V_WH, input.dt);
   }
-  [[nodiscard]] bool take_up(bool coupled) noexcept;
-  [[nodiscard]] bool is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept;
-  [[nodiscard]] bool is_jump(int sub_steps) const noexcept;
-  [[nodiscard]] bool jumps_into_material(const Pose& pose) noexcept;
-  [[nodiscard]] bool follow_jump() noexcept;
-  void place_at(const Pose& pose) noexcept;
-  [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
+  [[nodiscard]] StepStatus find_start(bool coupled) noexcept;
+  [[nodiscard]] bool start_tool(bool coupled) noexcept;
+  [[nodiscard]] bool is_placed_elsewhere(const Pose& X_WH, const Twist& V_WH, double dt) const noexcept;
+  [[nodiscard]] bool is_jump() const noexcept;
+  [[nodiscard]] bool jumps_into_material(const Pose& X_WH) noexcept;
+  [[nodiscard]] StepStatus follow_jump() noexcept;
+  void place_at(const Pose& X_WH) noexcept;
+  [[nodiscard]] int plan_sweep(const Pose& from, const Pose& to) const noexcept;
+  [[nodiscard]] int sub_steps_between(const Pose& from, const Pose& to) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
   [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
@@ -91,7 +92,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
                                                      LimitSurface& anchor) noexcept;
   [[nodiscard]] Encounter press_standing(const SubStep& sub_step) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
-  void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
+  void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double weight) noexcept;
   [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void give_output(HandCoupling* coupling) noexcept;
   void finish_step(int sub_steps, const Twist& path) noexcept;
@@ -106,18 +107,18 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     for (StepObserver* observer : observers.all()) observer->on_exchange();
   }
 
-  // The same without a change: `Simulation::probe`.
-  [[nodiscard]] bool touches(const Pose& pose) noexcept;
-  [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+  // Stages without a change: `Simulation::probe`.
+  [[nodiscard]] bool touches(const Pose& X_WH) noexcept;
+  [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
                                         double dt) noexcept;
-  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                             LimitSurface& friction) noexcept;
 
   Workpiece workpiece;
   Tool tool;
-  bool chooses_stiffness;  // by the head and the materials that are there
+  bool chooses_stiffness;  // from the head and the materials
   SimulationConfig config;
 
   // Derived from them at set-up.
@@ -128,15 +129,15 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // What one step hands to the next.
   bool has_pose = false;
-  bool other_cutter = false;          // than the one that materials are made for
-  bool parted = false;                // from its hand, by an exchange
-  Pose X_WH;                          // at the end of the last accepted step
+  bool other_cutter = false;          // the materials are for another kind of cutter
+  bool parted = false;                // the tool from its hand, by an exchange
+  Pose last_X_WH;                     // at the end of the last accepted step
   bool after_refusal = false;         // the last step's input was refused
-  std::optional<Vec3> mean_velocity;  // [m/s] of To, in W, of the last time
-  std::optional<Pose> jumped_to;      // what the last step was given, when that was a jump
+  std::optional<Vec3> mean_velocity;  // [m/s] of To, in W, over the last steps
+  std::optional<Pose> jumped_to;      // input of the last step, if that was a jump
   SpindleMotor motor;
   SpindleLoad load;
-  double cutting_share = 1;  // [1] of the cutting ratio: what slow heads and stalled ones have of it
+  double cutting_share = 1;  // [1] of the cutting ratio that acts: less than 1 for slow and stalled heads
   DeepContact deep_contact;  // in W
   LimitSurface anchor;       // of dry friction, in W
   Output output;
@@ -144,19 +145,19 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   StepInput input;  // of the last step
   std::uint64_t steps = 0;
   std::size_t free_blocks = 0;       // when the last step began
-  bool hand_released_since = false;  // the last step
-  bool after_release = false;        // the last step was
-  bool held = false;                 // the spindle, which then stands
-  double held_setting = 0;           // [rad/s] that was asked of it
-  bool halted_since = false;         // the spindle, since the last step
-  bool after_halt = false;           // the last step was
+  bool hand_released_since = false;  // the hand was released since the last step
+  bool after_release = false;        // the hand was released before this step
+  bool held = false;                 // the spindle is held at standstill
+  double held_setting = 0;           // [rad/s] its speed setting meanwhile
+  bool halted_since = false;         // the spindle was halted since the last step
+  bool after_halt = false;           // the spindle was halted before this step
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
   std::uint64_t exchanges = 0;
   Observers observers;
 
   RemovalRecord removal;
-  ByMaterial<double> taken_volume = {};  // [m^3] by MaterialId
+  ByMaterial<double> detached_volume = {};  // [m^3] by MaterialId
   StepResult result;
   mutable StageTimes times;
 };

@@ -5,7 +5,7 @@
 
 namespace hapticut {
 
-/// Adds the time from its construction to its destruction to a sum; does nothing, and reads no clock, without one.
+/// Adds the time from its construction to its destruction to a sum. Without a sum it does nothing and reads no clock.
 class StageTimer {
  public:
   /// @param sum  [s] or null

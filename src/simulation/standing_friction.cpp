@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Dry friction of a head that stands, or turns so slowly that the cutting ratio does not describe it alone.
+// Dry friction of a head that stands, or turns so slowly that the cutting ratio alone does not describe it.
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
@@ -16,7 +15,7 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
 
 namespace {
 
-/// The same contact of a head that may roll about an axis: what friction bears about it is nothing.
+/// The contact of a head that may roll about an axis: friction has no torque about it.
 Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
   const Eigen::Matrix<double, 6, 1, Eigen::DontAlign> about = directions.rightCols<3>() * axis;
   const double held = about.tail<3>().dot(axis);
@@ -25,12 +24,12 @@ Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
 
 }  // namespace
 
-/// Moves the anchor with the head. A stalled one rolls: the motor alone holds it.
+/// Moves the anchor with the head. A stalled head rolls: only the motor holds it.
 /// @return about To, in W
 LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
                                                         LimitSurface& friction) noexcept {
   const double share = standing_share(motor.speed(), tool.head().cutting_radius());
-  SpreadFriction contact;  // none
+  SpreadFriction contact;  // empty
   if (share > 0 && encounter.resultant.voxels > 0)
     contact = encounter.friction_T ? *encounter.friction_T : *press_standing(sub_step).friction_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
@@ -41,13 +40,13 @@ LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step,
   return friction.move(contact, displacement, share, double(sub_step.head.motion.lead));
 }
 
-/// What the head would meet at this place if it stood.
+/// The contact that the head would have at this place if it did not spin.
 Encounter Simulation::State::press_standing(const SubStep& sub_step) noexcept {
   HeadPlacement standing = sub_step.head;
   standing.motion.spin = 0;
   standing.motion.removal = RemovalLaw::none;
   standing.motion.crushes = false;
-  const auto blocks = contact_stages.find_blocks(standing);  // again, for some may be gone
+  const auto blocks = contact_stages.find_blocks(standing);  // again, because some may be removed by now
   return contact_stages.press(blocks, standing);
 }
 

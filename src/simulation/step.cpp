@@ -10,10 +10,10 @@
 namespace hapticut {
 namespace {
 
-constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
-constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] no estimate of a hand's velocity
-constexpr double kMaxRotation = 1;           // [rad] of a step; a script may turn faster than a hand
-constexpr double kCancelled = 1e-4;          // [1] of the forces along the normals: what single precision leaves
+constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
+constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
+constexpr double kMaxRotation = 1;           // [rad] of a step; a script may rotate the tool faster than a hand
+constexpr double kCancelled = 1e-4;          // [1] of the normal forces: rounding error of single precision
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -22,35 +22,25 @@ Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
 
 }  // namespace
 
-const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt,
-                                   HandCoupling* coupling) noexcept {
+const StepResult& Simulation::step(const Pose& X_WH, const Twist& V_WH, double dt, HandCoupling* coupling) noexcept {
   State& s = *state_;
-  s.begin_step({pose, velocity, dt});
+  s.begin_step({X_WH, V_WH, dt});
   s.take_step(coupling);
   s.tell_of_step(*this);
   return s.result;
 }
 
 void Simulation::State::take_step(HandCoupling* coupling) noexcept {
-  const auto& [pose, velocity, dt] = input;
+  const auto& [X_WH, V_WH, dt] = input;
   if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) {
     after_refusal = true;
     return reject(refused);
   }
-  if (!has_pose && !take_up(coupling != nullptr)) return reject(StepStatus::tool_waits);
-  if (after_release && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
-    place_at(advance(pose, velocity, -dt));
-  int sub_steps = plan_sweep(X_WH, pose);
-  if (is_jump(sub_steps)) {
-    if (!follow_jump()) return;
-    sub_steps = 1;
-  }
-  jumped_to.reset();
-  after_refusal = false;
-
-  const Twist path = twist_between(X_WH, pose, dt);
+  if (const StepStatus refused = find_start(coupling != nullptr); refused != StepStatus::ok) return reject(refused);
+  const int sub_steps = plan_sweep(last_X_WH, X_WH);
+  const Twist path = twist_between(last_X_WH, X_WH, dt);
   for (int i = 0; i < sub_steps; ++i) {
-    SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
+    SubStep sub_step = plan_sub_step(last_X_WH, i, dt / sub_steps, path, V_WH);
     const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
     drive_spindle(blocks, sub_step);
     Encounter encounter = press_and_cut(blocks, sub_step);
@@ -84,21 +74,36 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
   result.status = StepStatus::ok;
 }
 
-StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity, double dt) noexcept {
+StepStatus check_input(const SimulationConfig& config, const Pose& X_WH, const Twist& V_WH, double dt) noexcept {
   StepStatus status = StepStatus::ok;
-  if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
-  if (!(velocity.linear.norm() <= kMaxSpeed && velocity.angular.norm() <= kMaxSpeed))
-    status |= StepStatus::velocity_rejected;
+  if (!is_finite(X_WH) || !is_rotation(X_WH.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
+  if (!(V_WH.linear.norm() <= kMaxSpeed && V_WH.angular.norm() <= kMaxSpeed)) status |= StepStatus::velocity_rejected;
   if (!(dt >= config.min_dt && dt <= config.max_dt)) status |= StepStatus::dt_rejected;
   return status;
 }
 
-/// The first step of the tool: it comes from where its velocity says. A tool that was parted from its hand goes with it
-/// again when it touches nothing there, or where the hand is now, when the hand holds it itself.
-/// @return false when it does not yet
-bool Simulation::State::take_up(bool coupled) noexcept {
-  const auto& [pose, velocity, dt] = input;
-  const Pose from = parted && !coupled ? pose : advance(pose, velocity, -dt);
+/// Sets `last_X_WH` to the pose from which the tool moves in this step: that of the last step, or that of a tool which
+/// is placed anew.
+/// @return ok, or why the step is refused
+StepStatus Simulation::State::find_start(bool coupled) noexcept {
+  const StageTimer timer = timed(&StageTimes::find_start);
+  const auto& [X_WH, V_WH, dt] = input;
+  if (!has_pose && !start_tool(coupled)) return StepStatus::tool_waits;
+  if (after_release && coupled && is_placed_elsewhere(X_WH, V_WH, dt)) place_at(advance(X_WH, V_WH, -dt));
+  if (is_jump()) {
+    if (const StepStatus refused = follow_jump(); refused != StepStatus::ok) return refused;
+  }
+  jumped_to.reset();
+  after_refusal = false;
+  return StepStatus::ok;
+}
+
+/// Places the tool for its first step, where its velocity says that it comes from. A tool that was parted from its hand
+/// is placed only where it touches nothing; if the hand holds it without a coupling, it is placed at the hand.
+/// @return false when it is not placed yet
+bool Simulation::State::start_tool(bool coupled) noexcept {
+  const auto& [X_WH, V_WH, dt] = input;
+  const Pose from = parted && !coupled ? X_WH : advance(X_WH, V_WH, -dt);
   if (parted && touches(from)) return false;
   place_at(from);
   has_pose = true;
@@ -106,66 +111,68 @@ bool Simulation::State::take_up(bool coupled) noexcept {
   return true;
 }
 
-/// Whether a coupling that had let go begins again with the tool elsewhere.
-bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept {
-  return plan_sweep(X_WH, advance(pose, velocity, -dt)) > 1;
+/// Whether a coupling whose hand was released begins again with the tool elsewhere.
+bool Simulation::State::is_placed_elsewhere(const Pose& X_WH, const Twist& V_WH, double dt) const noexcept {
+  return sub_steps_between(last_X_WH, advance(X_WH, V_WH, -dt)) > 1;
 }
 
-/// Whether no motion leads from where the tool is to where it shall be: too far for a step, or for what lay between
-/// refused ones.
-/// @param sub_steps  that the way would take
-bool Simulation::State::is_jump(int sub_steps) const noexcept {
-  return sub_steps > config.max_sweep || rotated_beyond(X_WH, input.X_WH, kMaxRotation) ||
+/// Whether the input is too far from the tool to be a motion: too far for one step, or for the time of refused steps.
+bool Simulation::State::is_jump() const noexcept {
+  const int sub_steps = sub_steps_between(last_X_WH, input.X_WH);
+  return sub_steps > config.max_sweep || rotated_beyond(last_X_WH, input.X_WH, kMaxRotation) ||
          (after_refusal && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
 
-/// Whether a jump would put a head that turns into material that it has not cut its way into.
-bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
+/// Whether a jump would place a turning head in material that it has not cut its way into.
+bool Simulation::State::jumps_into_material(const Pose& X_WH) noexcept {
   if (motor.setting() == 0 && motor.speed() == 0) return false;
-  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || rotated_beyond(X_WH, pose, kMaxRotation);
-  return is_elsewhere && touches(pose);
+  const Vec3 shift = X_WH * tool.X_HT().translation - last_X_WH * tool.X_HT().translation;
+  const bool is_elsewhere =
+      shift.norm() > tool.head().cutting_radius() || rotated_beyond(last_X_WH, X_WH, kMaxRotation);
+  return is_elsewhere && touches(X_WH);
 }
 
-/// A jump may be an error of the device: the tool stays where it is, and goes on from there when the next reading is
-/// near it. Two in a row that are near each other are believed, and the tool is put where the second one is.
-/// @return false when the step is not taken
-bool Simulation::State::follow_jump() noexcept {
-  const Pose& pose = input.X_WH;
-  const bool waits = jumps_into_material(pose);
-  const bool is_confirmed =
-      jumped_to && plan_sweep(*jumped_to, pose) <= config.max_sweep && !rotated_beyond(*jumped_to, pose, kMaxRotation);
+/// Handles a jump, which may be an error of the device. The tool stays where it is, and continues from there when the
+/// next pose is near it. When two poses in a row are near each other, the tool is placed at the second one.
+/// @return ok when the tool was placed there
+StepStatus Simulation::State::follow_jump() noexcept {
+  const Pose& X_WH = input.X_WH;
+  const bool waits = jumps_into_material(X_WH);
+  const bool is_confirmed = jumped_to && sub_steps_between(*jumped_to, X_WH) <= config.max_sweep &&
+                            !rotated_beyond(*jumped_to, X_WH, kMaxRotation);
   if (!waits && is_confirmed) {
-    place_at(pose);
-    return true;
+    place_at(X_WH);
+    return StepStatus::ok;
   }
-  jumped_to = pose;
-  reject(StepStatus::jump_rejected | (waits ? StepStatus::tool_waits : StepStatus::ok));
-  return false;
+  jumped_to = X_WH;
+  return StepStatus::jump_rejected | (waits ? StepStatus::tool_waits : StepStatus::ok);
 }
 
-void Simulation::State::place_at(const Pose& pose) noexcept {
+void Simulation::State::place_at(const Pose& X_WH) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
   anchor.reset();
   deep_contact.reset();
   output.restart();
-  X_WH = pose;
+  last_X_WH = X_WH;
 }
 
-/// Number of equal parts in which no point of the head moves farther than half a voxel.
-int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
+int Simulation::State::plan_sweep(const Pose& from, const Pose& to) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
-  const Vec3 head_shift = pose * tool.X_HT().translation - from * tool.X_HT().translation;
-  const double turn = rotation_between(from, pose);
-  const double farthest = head_shift.norm() + turn * tool.head().reach();
+  return sub_steps_between(from, to);
+}
+
+/// Number of equal parts in which no point of the head moves farther than half a voxel; max_sweep + 1 if it is more.
+int Simulation::State::sub_steps_between(const Pose& from, const Pose& to) const noexcept {
+  const Vec3 head_shift = to * tool.X_HT().translation - from * tool.X_HT().translation;
+  const double farthest = head_shift.norm() + rotation_between(from, to) * tool.head().reach();
   const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
   return int(std::clamp(parts, 1.0, config.max_sweep + 1.0));
 }
 
 namespace {
 
-/// [m/s] The mean of a velocity over about kMemory, another while later. Shorter than a hand takes to turn, and longer
-/// than a tool needs to pass a voxel, or to be calm again (docs/decisions/0021-hand-to-the-end.md).
+/// [m/s] The mean of a velocity over about kMemory, `dt` later. kMemory is shorter than a change of direction of a
+/// hand, and longer than a tool needs to pass a voxel or to calm down (docs/decisions/0021-hand-to-the-end.md).
 Vec3 mean_of(const std::optional<Vec3>& before, const Vec3& velocity, double dt) noexcept {
   constexpr double kMemory = 0.02;  // [s]
   return before ? Vec3(*before + std::min(1.0, dt / kMemory) * (velocity - *before)) : velocity;
@@ -236,13 +243,14 @@ DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Enco
   if (ball == nullptr || !config.deep_contact || !config.law->holds_deep_contact()) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
-  // The force of a spinning ball also has a part along its surface; the normal one alone costs a second look.
-  const bool look = sub_step.head.motion.spin != 0 && deep.wants_normal_force(filled);
-  const Vec3 normal_T = look ? press_standing(sub_step).resultant.wrench_T.force : encounter.resultant.wrench_T.force;
-  const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
+  // The force of a spinning ball also has a part along its surface. Its normal part costs a second evaluation.
+  const bool needs_normal_force = sub_step.head.motion.spin != 0 && deep.needs_normal_force(filled);
+  const Vec3 normal_T =
+      needs_normal_force ? press_standing(sub_step).resultant.wrench_T.force : encounter.resultant.wrench_T.force;
+  const Vec3 path = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
-  const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * way;
-  return deep.move(from, from + way, filled, R_WT * normal_T, ball->radius);
+  const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * path;
+  return deep.move(from, from + path, filled, R_WT * normal_T, ball->radius);
 }
 
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
@@ -254,7 +262,7 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   const double by_motor = wrench_T.torque.z() * motor.speed() * sub_step.duration;
   double entered = encounter.energies.elastic_before - energy.elastic, damped = encounter.energies.damping;
   if (config.contact_time == ContactTime::end) {
-    // The forces of the end do more work than springs store: what of the work is found nowhere was damped by that.
+    // The forces of the end do more work than springs store: the work that no other term accounts for was damped.
     const double lost = damped - entered;
     damped = std::max(0.0, lost), entered = std::max(0.0, -lost);
   }
@@ -272,23 +280,23 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
 }
 
 void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,
-                                            double share) noexcept {
+                                            double weight) noexcept {
   const StageTimer timer = timed(&StageTimes::transport_to_handle);
   const Mat3& R_WT = sub_step.X_WT.rotation;
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   const Wrench at_head = {R_WT * wrench_T.force, R_WT * wrench_T.torque};
   const Wrench at_handle = transport(at_head, sub_step.X_WT.translation - sub_step.X_WH.translation);
-  result.model.force += share * at_handle.force;
+  result.model.force += weight * at_handle.force;
   if (config.handle_torque == HandleTorque::full_wrench) {
-    result.model.torque += share * at_handle.torque;
+    result.model.torque += weight * at_handle.torque;
   } else {
     const Mat3& R_WH = sub_step.X_WH.rotation;
-    result.model.torque += share * R_WH *
+    result.model.torque += weight * R_WH *
                            thesis_handle_torque(tool.handle(), R_WH.transpose() * at_head.force, wrench_T.torque.z(),
                                                 config.handle_torque_scale);
   }
 
-  result.spindle.torque -= share * wrench_T.torque.z();
+  result.spindle.torque -= weight * wrench_T.torque.z();
   result.spindle.speed = motor.speed();
   result.contact = contact_of(sub_step, encounter);
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
@@ -308,7 +316,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
     result.status |= StepStatus::point_thin;
 }
 
-/// What is touched, and where, by the forces along the normals alone.
+/// The contact: its size, and its point, normal and pressure by the normal forces alone.
 Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept {
   const Resultant& resultant = encounter.resultant;
   Contact contact;
@@ -325,7 +333,7 @@ Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& 
   return contact;
 }
 
-/// What the hand is given: the force of the model, or of the coupling, with what is added to it, within its limits.
+/// Computes the output to the hand: the wrench of the model or of the coupling, with effects, within the limits.
 void Simulation::State::give_output(HandCoupling* coupling) noexcept {
   const StageTimer timer = timed(&StageTimes::give_output);
   HandOutput from = {input.X_WH, result.model, input.dt};
@@ -353,8 +361,8 @@ void Simulation::release_hand() noexcept {
 }
 
 void Simulation::State::finish_step(int sub_steps, const Twist& path) noexcept {
-  X_WH = input.X_WH;
-  const Vec3 velocity = transport(path, X_WH.rotation * tool.X_HT().translation).linear;
+  last_X_WH = input.X_WH;
+  const Vec3 velocity = transport(path, last_X_WH.rotation * tool.X_HT().translation).linear;
   mean_velocity = mean_of(mean_velocity, velocity, input.dt);
   result.sub_steps = sub_steps;
   result.removed_voxels = removal.voxels();
@@ -363,7 +371,7 @@ void Simulation::State::finish_step(int sub_steps, const Twist& path) noexcept {
   if (4 * workpiece.reserved_blocks() <= config.reserved_blocks) result.status |= StepStatus::blocks_low;
 }
 
-/// A step that is not taken.
+/// Ends a step that is not taken.
 void Simulation::State::reject(StepStatus status) noexcept {
   result.status = status;
   output.drop();

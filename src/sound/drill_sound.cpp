@@ -11,30 +11,30 @@ namespace {
 
 using units::kPi;
 
-constexpr double kMinRate = 8000, kMaxRate = 384'000;   // [Hz]
-constexpr double kMaxShare = 0.45;                      // [1] of the sample rate; a tone above would come back
-constexpr double kFadeShare = 0.05;                     // [1] of the sample rate, over which it fades before that
-constexpr double kPitchTime = 0.03, kLevelTime = 0.01;  // [s] by which what is heard follows
-constexpr double kMinSpeed = 0.05;                      // [Hz] stands
-constexpr double kMinLevel = 1e-5;                      // [1] silence
+constexpr double kMinRate = 8000, kMaxRate = 384'000;  // [Hz]
+constexpr double kMaxShare = 0.45;                     // [1] of the sample rate; a higher tone would alias
+constexpr double kFadeShare = 0.05;  // [1] of the sample rate, over which a tone fades below that limit
+constexpr double kPitchTime = 0.03, kLevelTime = 0.01;  // [s] lag of the sound
+constexpr double kMinSpeed = 0.05;                      // [Hz] below it the spindle stands
+constexpr double kMinLevel = 1e-5;                      // [1] below it there is silence
 constexpr double kToneSpeed = 300;                      // [Hz] at which a tone has half of its strength
-constexpr double kNoise = 0.24;                         // [1] rms of the loudest
-constexpr double kMiddle = 2500, kQuality = 1.2;        // [Hz], [1] of the band
-constexpr double kPlainEnergy = 1e8;                    // [J/m^3] of the middle
-constexpr double kLowestOctave = -1, kMaxOctave = 2;    // of the middle
+constexpr double kNoise = 0.24;                         // [1] maximum rms
+constexpr double kMiddle = 2500, kQuality = 1.2;        // [Hz], [1] centre and quality of the band
+constexpr double kPlainEnergy = 1e8;                    // [J/m^3] at the centre
+constexpr double kLowestOctave = -1, kMaxOctave = 2;    // of the centre
 constexpr double kClickTone = 3000, kClickTime = 0.004, kClickRise = 0.0005, kClick = 0.5;  // [Hz], [s], [s], [1]
 constexpr double kClickLasts = 0.06, kFreeBeforeClick = 0.03;                               // [s]
 
 double finite_or_0(double value) { return std::isfinite(value) ? value : 0.0; }
 
-/// Strength of a tone that the sample rate can hold.
+/// [1] Part of a tone that the sample rate can hold.
 double held(double frequency, double sample_rate) {
   return std::clamp((kMaxShare * sample_rate - frequency) / (kFadeShare * sample_rate), 0.0, 1.0);
 }
 
 }  // namespace
 
-/// What the input asks for, and how fast a sample follows.
+/// The targets of the input, and the rates at which a sample follows them.
 struct DrillSound::Target {
   double sample_rate;
   double speed;          // [Hz]
@@ -51,7 +51,7 @@ struct DrillSound::Target {
     const double power = std::max(0.0, finite_or_0(input.power));
     const double removed = std::max(0.0, finite_or_0(input.removal_rate));
     level = std::sqrt(power / (power + options.half_power));
-    // Rubbing takes nothing away: its energy per volume has no end.
+    // Rubbing removes nothing: its energy per volume is infinite.
     const double of_plain = removed * kPlainEnergy;  // [W]
     octave = of_plain > 0 && power > 0 ? std::log10(power / of_plain) : kMaxOctave;
     octave = std::clamp(octave, kLowestOctave, kMaxOctave);
@@ -83,12 +83,12 @@ float DrillSound::next(const Target& target) noexcept {
 
 double DrillSound::tone(double sample_rate) noexcept {
   if (speed_ == 0) return 0;
-  turn_ += speed_ / sample_rate;
-  turn_ -= std::floor(turn_);
+  phase_ += speed_ / sample_rate;
+  phase_ -= std::floor(phase_);
   const double strength = speed_ / (speed_ + kToneSpeed);
   const auto partial = [&](double multiple, double level) {
     const double hold = held(multiple * speed_, sample_rate);
-    return hold > 0 ? level * hold * std::sin(2 * kPi * multiple * turn_) : 0.0;
+    return hold > 0 ? level * hold * std::sin(2 * kPi * multiple * phase_) : 0.0;
   };
   double sum = partial(1, 0.3) + partial(2, 0.1);
   if (options_.flutes > 2) sum += partial(options_.flutes, 0.15);
@@ -101,14 +101,14 @@ double DrillSound::noise(double sample_rate) noexcept {
     band_ = {0, 0};
     return 0;
   }
-  // A band-pass by two integrators, trapezoidal in time, which stays stable while its middle moves.
+  // A band-pass of two trapezoidal integrators, which stays stable while its centre moves.
   const double white = double(random_) * (2.0 / 4294967296.0) - 1;
   const double middle = std::min(kMiddle * std::exp2(pitch_), 0.4 * sample_rate);
   const double g = std::tan(kPi * middle / sample_rate), k = 1 / kQuality;
   const double a = 1 / (1 + g * (g + k));
   const double band = a * (band_[0] + g * (white - band_[1])), low = band_[1] + g * band;
   band_ = {2 * band - band_[0], 2 * low - band_[1]};
-  // Of white noise of variance 1/3 this filter, with k as its gain, leaves the share g k a.
+  // This filter, with gain k, passes the fraction g k a of white noise of variance 1/3.
   return kNoise * noise_level_ * k * band / std::sqrt(g * k * a / 3);
 }
 

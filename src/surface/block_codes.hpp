@@ -13,14 +13,14 @@
 
 namespace hapticut::surface {
 
-/// What each block of a region holds, as one number: the id of its material where it is uniform, kEmpty of an empty
-/// one, and else kMixed and more, which is a place in a table.
+/// The content of each block of a region as one number: the material's id if it is uniform, kEmpty if it is empty, and
+/// otherwise kMixed plus its place in a table.
 class BlockCodes {
  public:
   static constexpr std::uint32_t kMixed = 256;
   static constexpr double kMaxBlocks = 268'435'456;  // 2^28, 1 GiB
 
-  /// The region around these voxels and the samples of cells that reach out of it.
+  /// The region around these voxels, with the samples of cells at its border.
   /// @param step  [voxels] a power of two, of which the region's ends are multiples
   /// @throws Error when there are too many blocks
   BlockCodes(const IndexBox& voxels, int step) {
@@ -35,8 +35,8 @@ class BlockCodes {
     }
     if (blocks_.count() > kMaxBlocks)
       throw Error("the workpiece spans " + format_number(blocks_.count()) +
-                  " blocks of 8 x 8 x 8 voxels; a surface is found of " + format_number(kMaxBlocks) +
-                  " at most. Cut it to what is needed, or use larger voxels.");
+                  " blocks of 8 x 8 x 8 voxels; a surface can have at most " + format_number(kMaxBlocks) +
+                  ". Crop it, or use larger voxels.");
     codes_.resize(std::size_t(blocks_.count()), kEmpty);
   }
 
@@ -44,7 +44,7 @@ class BlockCodes {
   [[nodiscard]] const std::array<int, 3>& dims() const { return blocks_.dims(); }  // blocks along each axis
   [[nodiscard]] std::size_t count() const { return codes_.size(); }
 
-  /// @return false when the block that starts there is not in the region
+  /// Whether the block with this origin is in the region.
   [[nodiscard]] bool contains(const VoxelIndex& origin) const { return blocks_.number_of(origin).has_value(); }
 
   [[nodiscard]] std::uint32_t at(const VoxelIndex& origin) const {
@@ -58,7 +58,7 @@ class BlockCodes {
   std::vector<std::uint32_t> codes_;
 };
 
-/// The blocks in and around one, looked up once for all of their rows.
+/// The codes of a block and its neighbours, looked up once for all their rows.
 struct CodesAround {
   std::array<std::uint32_t, 27> codes;
 
@@ -67,7 +67,7 @@ struct CodesAround {
       codes[std::size_t(n)] = all.at({origin[0] + kBlockEdge * (n / 9 - 1), origin[1] + kBlockEdge * (n / 3 % 3 - 1),
                                       origin[2] + kBlockEdge * (n % 3 - 1)});
   }
-  /// Whether no surface can pass the cells of the one in the middle: all are empty, or all full.
+  /// Whether no surface can cross the cells of the middle block: all blocks are empty, or all are full.
   [[nodiscard]] bool are_plain() const {
     const bool empty = codes[0] == kEmpty;
     return std::ranges::all_of(

@@ -46,9 +46,9 @@ std::array<float, 3> mean_crossing(const std::array<float, 8>& corner) {
   return sum;
 }
 
-/// A stencil like that of Youngs, (-1, 0, 1) along an axis and (1, a, 1) across it, at both ends of a cell and between
-/// them by the share of each: weights of four samples. Youngs has a = 2; 2.4 halves the mean error on planes, because
-/// fills end at 0 and 1 (docs/decisions/0014-surface.md).
+/// A stencil like that of Youngs, (-1, 0, 1) along an axis and (1, a, 1) across it, interpolated between both ends of a
+/// cell: weights of four samples. Youngs has a = 2; 2.4 halves the mean error on planes, because fills end at 0 and 1
+/// (docs/decisions/0014-surface.md).
 struct StencilWeights {
   static constexpr float kMiddle = 2.4F;
   std::array<float, 4> slope, smooth;
@@ -57,7 +57,7 @@ struct StencilWeights {
       : slope{u - 1, -u, 1 - u, u}, smooth{1 - u, kMiddle * (1 - u) + u, (1 - u) + kMiddle * u, u} {}
 };
 
-/// Out of the material.
+/// Unit normal out of the material.
 std::array<float, 3> normal_at(const BlockSamples& samples, const std::array<int, 3>& cell,
                                const std::array<float, 3>& in_cell) {
   const StencilWeights x(in_cell[0]), y(in_cell[1]), z(in_cell[2]);
@@ -84,11 +84,11 @@ std::array<float, 3> normal_at(const BlockSamples& samples, const std::array<int
   return {sum[0] / length, sum[1] / length, sum[2] / length};
 }
 
-/// Of the sample nearest to the vertex among the cell's corners that are inside.
+/// Material of the sample nearest to the vertex, among the cell's corners that are inside.
 MaterialId nearest_material(const BlockSamples& samples, const std::array<int, 3>& cell,
                             const std::array<float, 8>& corner, const std::array<float, 3>& in_cell) {
   MaterialId nearest = kEmpty;
-  float least = 4;
+  float min_distance = 4;
   for (unsigned n = 0; n < 8; ++n) {
     if (corner[n] < kHalf) continue;
     float distance = 0;
@@ -96,8 +96,8 @@ MaterialId nearest_material(const BlockSamples& samples, const std::array<int, 3
       const float d = in_cell[axis] - float(n >> (2 - axis) & 1);
       distance += d * d;
     }
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min_distance) continue;
+    min_distance = distance;
     nearest = samples.material[std::size_t(
         BlockSamples::at(cell[0] + int(n >> 2), cell[1] + int(n >> 1 & 1), cell[2] + int(n & 1)))];
   }
@@ -117,12 +117,12 @@ NetVertex vertex_of(const BlockSamples& samples, const std::array<int, 3>& cell)
   return vertex;
 }
 
-/// Makes the vertices that quadrilaterals ask for, each once.
+/// Makes each vertex of the quadrilaterals once.
 class NetBuilder {
  public:
   NetBuilder(const BlockSamples& samples, BlockNet& net) : samples_(samples), net_(net) { numbers_.fill(kNoVertex); }
 
-  /// Across the edge from sample `low` along an axis.
+  /// Adds a quadrilateral across the edge from sample `low` along an axis.
   /// @param leaves  the lower sample is inside
   void add_quad(const std::array<int, 3>& low, unsigned axis, bool leaves) {
     const unsigned b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -133,7 +133,7 @@ class NetBuilder {
       if (n < 2) --cell[c];
       corner[leaves ? n : 3 - n] = number_of(cell);
     }
-    // Cut along the shorter diagonal: better shaped triangles, and a smoother picture.
+    // Cut along the shorter diagonal, for better shaped triangles and a smoother picture.
     const unsigned first = squared_length(corner[0], corner[2]) <= squared_length(corner[1], corner[3]) ? 0 : 1;
     const auto at = [&](unsigned n) { return corner[(first + n) & 3]; };
     net_.triangles.push_back({at(0), at(1), at(2)});

@@ -8,10 +8,9 @@
 
 #include "hapticut/workpiece/block.hpp"
 
-/// @file
-/// Naive surface nets of one block. A cell has eight voxel centres, its samples, as corners, and is named by the lowest
-/// of them. The block owns the edges whose lower end it holds; around such an edge stand four cells, of which some lie
-/// one before the block. Their gradients reach one sample further on either side:
+/// Naive surface nets of one block. A cell has eight voxel centres, its samples, as corners, and is identified by the
+/// lowest. A block owns the edges whose lower end it holds. Around such an edge are four cells, some of them one before
+/// the block. Their gradients reach one sample further on either side:
 ///
 ///     samples   -2 -1 | 0  1  2  3  4  5  6  7 | 8  9
 ///     corners      -1 | 0  .  .  .  .  .  .  7 | 8         of cells -1 ... 7
@@ -30,15 +29,15 @@ struct BlockSamples {
   }
 
   std::array<float, kCount> fill;           // [1]
-  std::array<MaterialId, kCount> material;  // kEmpty where there is nothing
+  std::array<MaterialId, kCount> material;  // kEmpty: no material
 };
 
-/// A vertex of a block: what it holds depends on the samples around its cell alone, so that the blocks on both sides of
-/// a seam come to the same bits.
+/// A vertex of a block. It depends only on the samples around its cell, so the blocks on both sides of a seam compute
+/// the same bits.
 struct NetVertex {
   std::array<int, 3> cell;       // -1 ... 7
   std::array<float, 3> in_cell;  // [voxel edges] 0 ... 1 from the cell's lowest sample
-  std::array<float, 3> normal;   // of length 1, out of the material
+  std::array<float, 3> normal;   // unit length, out of the material
   MaterialId material;
 };
 

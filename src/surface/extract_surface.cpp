@@ -89,7 +89,7 @@ struct CellHash {
   }
 };
 
-/// Puts nets together; a vertex that several blocks have, because their seam passes its cell, becomes one.
+/// Joins nets; a vertex that several blocks share, because their seam passes its cell, becomes one.
 class Welder {
  public:
   explicit Welder(const GridFrame& frame) : frame_(frame) {}

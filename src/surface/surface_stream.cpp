@@ -23,19 +23,18 @@ using surface::CodesAround;
 using surface::NetVertex;
 
 constexpr int kSteps = SurfaceVertex::kStepsPerVoxel;
-constexpr float kFull =
-    32768;  // of a fill in 16 bits; a power of two, so that full and half come back without rounding
+constexpr float kFull = 32768;  // a fill of 1 in 16 bits; a power of two, so that 1 and 0.5 are exact
 constexpr int kBlocksOfPage = SurfacePage::kBlocks * SurfacePage::kBlocks * SurfacePage::kBlocks;
 static_assert(kBlocksOfPage == 64, "one word marks the blocks of a page");
 
-/// The copy of a block that is not uniform. A voxel without fill has no material, however it came to that.
+/// The copy of a block that is not uniform. A voxel without fill has no material.
 struct StoredBlock {
   std::array<std::uint16_t, kBlockVoxels> fill;  // [1/32768]
   std::array<MaterialId, kBlockVoxels> material;
 
   void set(std::size_t n, MaterialId id, float filled) {
     const float bounded = id == kEmpty ? 0.0F : std::clamp(filled, 0.0F, 1.0F);
-    const float steps = bounded * kFull + 0.5F;  // the whole part of which is what is next
+    const float steps = bounded * kFull + 0.5F;  // its integer part is rounded to nearest
     fill[n] = std::uint16_t(steps);
     material[n] = fill[n] == 0 ? kEmpty : id;
   }
@@ -50,7 +49,7 @@ struct StoredBlock {
 };
 
 struct BlockMesh {
-  int block;  // of the page, 0 ... 63
+  int block;  // number in the page, 0 ... 63
   std::vector<SurfaceVertex> vertices;
   std::vector<std::uint16_t> indices;
 };
@@ -58,23 +57,23 @@ struct BlockMesh {
 struct Page {
   std::uint64_t dirty = 0;        // bit: this block must be meshed
   bool waits = false;             // is in the heap
-  bool resend = false;            // is handed out though nothing has changed
+  bool resend = false;            // is returned even if unchanged
   std::vector<BlockMesh> meshes;  // of blocks with a surface, in order
 };
 
 struct WaitingPage {
   double distance;  // [voxels^2]
   std::uint32_t page;
-  /// Of a heap, whose first is the largest.
+  /// Order of a max-heap: the nearest page comes first.
   bool operator<(const WaitingPage& other) const {
     return distance != other.distance ? distance > other.distance : page > other.page;
   }
 };
 
-/// Rounded within its cell, which can be read back from it: position >> 9. So vertices of different cells never
-/// coincide, and one that two blocks or two pages have is the same in both.
+/// A position rounded within its cell, which is position >> 9. So vertices of different cells never coincide, and a
+/// vertex that two blocks or two pages share is the same in both.
 std::int16_t rounded_position(int voxel, float in_cell) {
-  const float steps = in_cell * float(kSteps) + 0.5F;  // the whole part of which is what is next
+  const float steps = in_cell * float(kSteps) + 0.5F;  // its integer part is rounded to nearest
   return std::int16_t(kSteps * voxel + std::clamp(int(steps), 0, kSteps - 1));
 }
 
@@ -112,7 +111,7 @@ struct SurfaceStream::State {
     return (Vec3(origin[0] + half, origin[1] + half, origin[2] + half) - focus).squaredNorm();
   }
 
-  void wait(std::uint32_t number) {
+  void enqueue(std::uint32_t number) {
     if (std::exchange(pages[number].waits, true)) return;
     waiting.push_back({distance_of(number), number});
     std::push_heap(waiting.begin(), waiting.end());
@@ -125,7 +124,7 @@ struct SurfaceStream::State {
     for (std::size_t axis = 0; axis < 3; ++axis)
       block = block * SurfacePage::kBlocks + (origin[axis] & (SurfacePage::kEdge - 1)) / kBlockEdge;
     pages[page].dirty |= std::uint64_t(1) << block;
-    wait(page);
+    enqueue(page);
   }
 
   [[nodiscard]] StoredBlock as_stored(std::uint32_t code) const {
@@ -155,7 +154,7 @@ struct SurfaceStream::State {
     *stored[code - BlockCodes::kMixed] = block;
   }
 
-  /// Keeps a block, and marks those that share a sample that has changed.
+  /// Stores a block, and marks the blocks that share a changed sample.
   void replace(const VoxelIndex& origin, const StoredBlock& block) {
     const StoredBlock before = as_stored(codes.at(origin));
     std::array<int, 3> low = {kBlockEdge, kBlockEdge, kBlockEdge}, high = {-1, -1, -1};
@@ -213,7 +212,7 @@ struct SurfaceStream::State {
       mesh.indices.insert(mesh.indices.end(), triangle.begin(), triangle.end());
   }
 
-  /// Meshes the dirty blocks of a page.  @return whether it has become another
+  /// Meshes the dirty blocks of a page.  @return whether the page has changed
   bool refresh(std::uint32_t number) {
     Page& page = pages[number];
     const VoxelIndex first = origin_of_page(number);
@@ -259,7 +258,7 @@ struct SurfaceStream::State {
   std::array<int, 3> page_dims;
   std::vector<Page> pages;
   std::vector<std::unique_ptr<StoredBlock>> stored;  // by code - kMixed
-  std::vector<std::uint32_t> free_codes;             // of those that no block has
+  std::vector<std::uint32_t> free_codes;             // codes that no block uses
   std::vector<WaitingPage> waiting;                  // heap
   Vec3 focus;                                        // [voxels]
   std::uint64_t version = 0, meshed = 0;
@@ -279,7 +278,7 @@ SurfaceStream::SurfaceStream(const Workpiece& workpiece) : state_(std::make_uniq
     copy_view(view, block);
     s.store(view.origin, block);
   });
-  // A surface passes edges of blocks that are not empty, or of those before their lower faces.
+  // A surface crosses edges of blocks that are not empty, or of the blocks before their lower faces.
   workpiece.for_each_block([&](const BlockView& view) {
     s.mark(view.origin);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -343,7 +342,7 @@ void SurfaceStream::resend() {
   for (std::size_t n = 0; n < state_->pages.size(); ++n) {
     if (state_->pages[n].meshes.empty()) continue;
     state_->pages[n].resend = true;
-    state_->wait(std::uint32_t(n));
+    state_->enqueue(std::uint32_t(n));
   }
 }
 

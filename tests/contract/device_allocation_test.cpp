@@ -14,7 +14,7 @@ class DeviceAllocation : public DeviceContractTest {};
 
 TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndOfItsOwnTakesNoLock) {
   constexpr long kFrom = 10, kTo = 9000;
-  tested.story = [](long tick) { return Happening{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
+  tested.script = [](long tick) { return ScriptedTick{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
   const auto device = tested.open();
   CallCounts counts;
   RunOptions options = quick();

@@ -55,7 +55,7 @@ class DeviceForceContract : public DeviceContractTest {
 };
 
 class MotorContract : public DeviceForceContract {};
-/// Devices whose motors render exactly what was asked for, because nothing but the story moves them.
+/// Devices whose motors render exactly what was asked for, because nothing but the script moves them.
 class FixedDeviceForceContract : public DeviceForceContract {};
 class FollowingDeviceForceContract : public DeviceForceContract {};
 class CableContract : public DeviceForceContract {};
@@ -252,7 +252,7 @@ TEST_P(DeviceForceContract, WaitsForAFreeToolAfterAnInterruption) {
 
 // --- when the device fails ------------------------------------------------------------------------------------------
 TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
-  tested.story = [](long tick) { return Happening{{}, {}, 0, tick >= 200, false}; };
+  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, tick >= 200, false}; };
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(500));
   EXPECT_EQ(report.guard, ArmingState::fault);
@@ -266,7 +266,7 @@ TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
 }
 
 TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
-  tested.story = [](long tick) { return Happening{{}, {}, 0, false, tick >= 200}; };
+  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, false, tick >= 200}; };
   auto device = tested.open();
   const RunReport report = run(*device, pressing(10000));
   EXPECT_EQ(report.fault, DeviceFault::disconnected);
@@ -285,9 +285,9 @@ TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
 TEST_P(ClosedLoopContract, AddsNoDelay) {
   const auto swing = [&](double stiffness) {
     NudgedPlant plant("touch");
-    tested.story = [&](long tick) {
+    tested.script = [&](long tick) {
       plant.before_reading(tick, tested.held());
-      return Happening{plant.pose(), {plant.velocity(), Vec3::Zero()}};
+      return ScriptedTick{plant.pose(), {plant.velocity(), Vec3::Zero()}};
     };
     tested.run(*tested.open(), NudgedPlant::wall(stiffness), NudgedPlant::options());
     return plant.growth();

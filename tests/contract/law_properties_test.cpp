@@ -137,7 +137,7 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     CutScene scene = arbitrary_scene();
     scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);
     scene.spin *= *rc::gen::element(-1.0, 0.0, 1.0);
-    scene.turn_V = *arbitrary_vector(2);
+    scene.omega_V = *arbitrary_vector(2);
     const CutOutcome outcome = run(scene);
     const bool drills = std::dynamic_pointer_cast<const TwistDrillLaw>(scene.law) != nullptr;
     RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill that stands has no force

@@ -16,7 +16,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
     assert field.config.by_material[0].conductivity == 0.58 and field.config.irrigation == 0
     for part in (slice(0, 300), slice(300, 600)):  # what the second takes away has been warmed by the first
         simulation.run(plunge[0][part], plunge[1][part], 1e-3)
-        assert field.take(collector) == pytest.approx(0.3)
+        assert field.drain(collector) == pytest.approx(0.3)
         field.advance(0.3)
     balance, bone = field.balance(), field.structures()[0]
     assert balance.brought_in > 0 and abs(balance.imbalance()) < 1e-9 * balance.brought_in
@@ -84,7 +84,7 @@ def test_a_piece_that_was_cut_loose_is_found_and_leaves():
     while not h.islands.remove_island(simulation, removal, 4):
         assert removal.checked > 0
     assert removal.is_over and not removal.joined and removal.removed > 0 and removal.island.voxels == island.voxels
-    assert simulation.taken_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
+    assert simulation.detached_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
     assert h.islands.find_islands(simulation.workpiece) == []
     with pytest.raises(h.Error, match="origins"):
         finder.update(simulation.workpiece, np.zeros(3, dtype=np.int32))
@@ -106,7 +106,7 @@ def test_a_model_lets_islands_leave_where_it_is_asked_to(simulation):
     coupled = h.Simulation(h.build_block(h.Box([0, 0, 0], [2 * mm] * 3), 0.1 * mm, h.presets.cortical_bone()),
                            simulation.tool, h.SimulationConfig(contact_time=h.ContactTime.end))
     model = h.loop.SimulationModel(coupled, device, h.loop.SimulationModelOptions(coupling=gains), watch)
-    assert model.islands_left() == []
+    assert model.removed_islands() == []
     loop = h.loop.RealtimeLoop(model, h.loop.RealtimeLoopOptions(run=h.device.RunOptions(seconds=0.05, simulated_time=True)))
     loop.start()
     loop.wait()

@@ -7,15 +7,15 @@
 namespace hapticut::test {
 
 struct CallCounts {
-  long allocations = 0;    ///< malloc, calloc, realloc, memalign and their kin, and with them operator new
-  long deallocations = 0;  ///< free, and with it operator delete
+  long allocations = 0;    ///< malloc, calloc, realloc, memalign and similar, and through them operator new
+  long deallocations = 0;  ///< free, and through it operator delete
   long locks = 0;          ///< pthread_mutex_lock
 };
 
 /// Starts counting on this thread from zero.
 void arm_call_counts();
 
-/// Stops counting and returns what was seen.
+/// Stops counting and returns the counts.
 CallCounts disarm_call_counts();
 
 }  // namespace hapticut::test

@@ -12,10 +12,10 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// Balls cut out of a workpiece without a simulation, by what the step itself calls: quick enough for thousands.
+/// Cuts balls out of a workpiece without a simulation, with the functions of the step: fast enough for thousands.
 namespace hapticut::test {
 
-/// Voxels at the face of the ball stay filled by as much as a plane there leaves of them.
+/// Voxels at the face of the ball keep the part outside a tangent plane.
 /// @param center, radius  [voxels]
 /// @return the blocks that were changed
 inline std::vector<VoxelIndex> cut_ball(Workpiece& workpiece, const Vec3& center, double radius) {

@@ -11,7 +11,7 @@
 
 namespace hapticut::test {
 
-/// Made only when it is asked for, because that takes a while.
+/// Made only on request, because it takes a while.
 struct CatalogueHead {
   std::string name;
   std::function<ToolHead()> make;
@@ -19,8 +19,8 @@ struct CatalogueHead {
 
 inline void PrintTo(const CatalogueHead& named, std::ostream* out) { *out << named.name; }
 
-/// One of each, of its usual dimensions; not the sphere, cone and flat head, which tests make by their constructors.
-/// @throws Error naming a shape that lacks what each of the catalogue has
+/// One head of each shape with its usual dimensions; not sphere, cone and flat head, which tests construct directly.
+/// @throws Error naming a shape without the fields that each shape of the catalogue has
 inline std::vector<CatalogueHead> catalogue_heads() {
   using enum HeadDimension;
   std::vector<CatalogueHead> heads;

@@ -8,9 +8,8 @@
 #include "hapticut/tool/tool.hpp"
 #include "support/random_pose.hpp"
 
-/// @file
-/// A hand that does one thing after the other, drawn from a seed: what it does, for how long, and how its tip gets
-/// there. It leads by position, as a hand does, but how far it presses it knows by the force that it feels.
+/// A hand with a sequence of actions drawn from a seed: what it does, for how long, and how its tip gets there. It
+/// leads by position, as a hand does, but controls its pressing by the force that it feels.
 namespace hapticut::test {
 
 /// What the hand does with the tool.
@@ -30,7 +29,7 @@ class ComposedHand {
   /// @param tool  whose tip begins in the air, upright
   explicit ComposedHand(const Tool& tool) { hold(tool); }
 
-  /// Another tool in the same hand: the handle stays where it is.
+  /// Puts another tool into the hand; the handle stays where it is.
   void hold(const Tool& tool) {
     const Vec3 tip_T(0, 0, tool.head().bounding_box().min.z());
     tip_H_ = tool.X_HT() * tip_T;
@@ -38,7 +37,7 @@ class ComposedHand {
     begun_ = true;
   }
 
-  /// What comes next.
+  /// Draws the next action.
   void begin(Motion motion, RandomPoses& random) {
     motion_ = motion;
     press_ = random.between(0.2, 2.5);
@@ -54,7 +53,7 @@ class ComposedHand {
     if (motion == Motion::rest) turn_.setZero();
   }
 
-  /// A tick on.
+  /// Advances by a tick.
   /// @param felt  [N] that the hand felt last
   void move(double felt, double dt) {
     const Vec3 tip = X_WD_ * tip_H_;
@@ -67,7 +66,7 @@ class ComposedHand {
       linear = Vec3(0, 0, kFast);
       angular = -2 * vector_from_rotation(X_WD_.rotation);  // upright again
     }
-    for (int axis = 0; axis < 3; ++axis) {  // not farther than the piece is, and not away from it for ever
+    for (int axis = 0; axis < 3; ++axis) {  // within the piece, and not away from it for ever
       const double low = axis == 2 ? -kBelow : -kAside, high = axis == 2 ? kAir : kAside;
       if (tip[axis] < low) linear[axis] = std::max(linear[axis], kFast);
       if (tip[axis] > high) linear[axis] = std::min(linear[axis], -kSlow);
@@ -83,13 +82,13 @@ class ComposedHand {
   }
 
   [[nodiscard]] const Pose& X_WD() const { return X_WD_; }
-  [[nodiscard]] const Twist& velocity() const { return path_; }  ///< of Ho, as the poses say it
+  [[nodiscard]] const Twist& velocity() const { return path_; }  ///< of Ho, from the poses
   [[nodiscard]] Motion motion() const { return motion_; }
 
  private:
   static constexpr double kAir = 1.5e-3, kBelow = 5e-3, kAside = 4.5e-3;  // [m] where the tip may be
   static constexpr double kFast = 60e-3, kSlow = 8e-3, kStrike = 120e-3;  // [m/s]
-  static constexpr double kYield = 10e-3;                                 // [m/s/N] how soon it presses as it means to
+  static constexpr double kYield = 10e-3;                                 // [m/s/N] gain of its force control
   static constexpr double kInert = 8e-3;                                  // [s]
   static constexpr double kMaxTilt = 0.7;                                 // [rad]
 

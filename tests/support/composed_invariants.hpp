@@ -13,18 +13,17 @@
 #include "hapticut/simulation/coupling.hpp"
 #include "support/solid_depth.hpp"
 
-/// @file
-/// What holds of every tick, whatever came before it. The first invariant that is broken is kept in words.
+/// Invariants of every tick, whatever came before it. The first broken invariant is kept as a sentence.
 namespace hapticut::test {
 
-/// How near a run came to its bounds.
+/// The margins of a run to its bounds.
 struct Margins {
-  double entered = 0;      // [1] of the turnover, beyond what vanishes with the step
-  double unbooked = 0;     // [1] of the turnover, beside what entered
-  double unexplained = 0;  // [1] of what the coupling turned over
-  double announced = 0;    // [1] the same where not_in_balance says so
-  double volume = 0;       // [1] of the removed volume, by which two sums of it differ
-  double too_deep = 0;     // [1] depth of solid material in the head, of what is allowed
+  double entered = 0;      // [1] of the turnover, beyond the error of the step
+  double unbooked = 0;     // [1] of the turnover, without what entered
+  double unexplained = 0;  // [1] of the coupling's turnover
+  double announced = 0;    // [1] of the coupling's turnover, in ticks with not_in_balance
+  double volume = 0;       // [1] of the removed volume: difference of two sums of it
+  double too_deep = 0;     // [1] depth of solid material in the head over the allowed depth
   double power = 0;        // [1] of the motor's characteristic
   std::uint64_t ticks = 0, cutting = 0, waiting = 0, refused = 0, stalled = 0, crushing = 0, unbalanced = 0,
                 grips = 0;  // of that kind
@@ -41,7 +40,7 @@ struct Margins {
     std::ostringstream out;
     out << ticks << " ticks, of which " << cutting << " cut, " << waiting << " wait, " << refused << " refused, "
         << stalled << " stalled, " << crushing << " crush, " << unbalanced << " not in balance; " << grips
-        << " grips; most: entered " << entered << ", unbooked " << unbooked << ", unexplained " << unexplained
+        << " grips; maxima: entered " << entered << ", unbooked " << unbooked << ", unexplained " << unexplained
         << ", announced " << announced << ", volume " << volume << ", depth " << too_deep << ", power " << power;
     return out.str();
   }
@@ -58,7 +57,7 @@ inline bool same_bits(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotation == b.rotation;
 }
 
-/// Looks at every step of a simulation, and at every tick of the coupling that makes them.
+/// Checks every step of a simulation, and every tick of the coupling that drives it.
 class ComposedInvariants final : public StepObserver {
  public:
   explicit ComposedInvariants(Simulation& simulation) : simulation_(&simulation) {
@@ -69,25 +68,25 @@ class ComposedInvariants final : public StepObserver {
   ComposedInvariants(const ComposedInvariants&) = delete;
   ComposedInvariants& operator=(const ComposedInvariants&) = delete;
 
-  /// Before something else than a step changes the workpiece; afterwards `begin_volume`.
+  /// To be called before something other than a step changes the workpiece; afterwards `begin_volume`.
   void end_volume() {
-    const double gone = volume_at_begin_ - volume_of(simulation_->workpiece());
-    const double off = std::abs(gone - removed_) / std::max(removed_, kVolume);
+    const double lost = volume_at_begin_ - volume_of(simulation_->workpiece());
+    const double off = std::abs(lost - removed_) / std::max(removed_, kVolume);
     margins.volume = std::max(margins.volume, off);
-    must(off <= kVolumeShare, "removed_volume is what the workpiece lost", gone, removed_);
+    must(off <= kVolumeShare, "removed_volume is what the workpiece lost", lost, removed_);
   }
   void begin_volume() {
     volume_at_begin_ = volume_of(simulation_->workpiece());
     removed_ = 0;
   }
 
-  /// The coupling has other gains, or another tool hangs on it: what is stored in it jumps.
+  /// To be called when the coupling has other gains or another tool: its stored energy jumps.
   void expect_jump_of_stored() { energy_jumps_ = true; }
 
-  /// The hand takes the tool anew, and the coupling's ledger begins again.
+  /// To be called when the hand takes the tool again, and the coupling's ledger begins again.
   void expect_new_grip() { is_let_go_ = true; }
 
-  /// @param was_refusable  the reading of this tick was no motion of a hand
+  /// @param was_refusable  the reading of this tick was not a motion of a hand
   void look(const CoupledResult& result, const CouplingGains& gains, const Effects& effects, bool was_refusable) {
     ++margins.ticks;
     const StepResult& stepped = simulation_->last_result();
@@ -131,8 +130,8 @@ class ComposedInvariants final : public StepObserver {
     mix(result.removed_volume);
   }
 
-  /// The same of a tick of a loop, whose coupling is its own.
-  /// @param removed  [m^3] in this tick, as the loop says
+  /// Checks a tick of a loop that has its own coupling.
+  /// @param removed  [m^3] in this tick, from the loop
   /// @param applied  to the motors, after the guard
   void look(double removed, const Wrench& applied, double max_force, const Pose& X_WT) {
     ++margins.ticks;
@@ -177,13 +176,13 @@ class ComposedInvariants final : public StepObserver {
     ledger_ = result.energy;
   }
 
-  /// The simulation starts again with another workpiece, and a ledger that is empty.
+  /// To be called when the simulation starts again with another workpiece and an empty ledger.
   void begin_ledger() {
     ledger_ = {};
     step_error_ = 0;
   }
 
-  /// After something was exchanged that the motor belongs to.
+  /// To be called after an exchange that includes the motor.
   void forget_motor() { rotor_speed_ = std::numeric_limits<double>::infinity(); }
 
   [[nodiscard]] const std::string& broken() const { return broken_; }
@@ -192,12 +191,12 @@ class ComposedInvariants final : public StepObserver {
 
  private:
   static constexpr double kRounding = 1 + 1e-9;
-  static constexpr double kVolume = 1e-12;      // [m^3] below which a share of it says nothing
-  static constexpr double kVolumeShare = 1e-5;  // [1] what single precision leaves of fills
+  static constexpr double kVolume = 1e-12;      // [m^3] below which a relative error means nothing
+  static constexpr double kVolumeShare = 1e-5;  // [1] rounding error of fills in single precision
   static constexpr double kUnbooked = 1e-5;     // [1] of the turnover
   static constexpr double kEntered = 1e-2;      // [1] of the turnover
-  static constexpr double kUnexplained = 1e-2;  // [1] of what the coupling turned over
-  static constexpr double kLittle = 1e-4;       // [J] below which a share of a turnover says nothing
+  static constexpr double kUnexplained = 1e-2;  // [1] of the coupling's turnover
+  static constexpr double kLittle = 1e-4;       // [J] turnover below which a relative error means nothing
   static constexpr std::uint64_t kDepthEvery = 7, kVolumeEvery = 500, kLoopVolumeEvery = 100;  // [ticks]
 
   void must(bool holds, const char* what, double seen = 0, double bound = 0) noexcept {
@@ -219,11 +218,11 @@ class ComposedInvariants final : public StepObserver {
     for (std::size_t n = 0; n < kGrowing.size(); ++n)
       must(e.*kGrowing[n] >= ledger_.*kGrowing[n], kNames[n], e.*kGrowing[n] - ledger_.*kGrowing[n]);
     must(e.elastic >= 0 && e.anchored >= 0, "nothing stored is negative", std::min(e.elastic, e.anchored));
-    // What vanishes with the step: the change of force along the way, of which no sub-step makes more than half a
+    // Error that vanishes with the step: the change of force along the path, of which a sub-step covers at most half a
     // voxel.
-    const Twist way = twist_between(pose_, step.input.X_WH, 1);
-    const double change = std::abs((step.result.model.force - model_.force).dot(way.linear)) +
-                          std::abs((step.result.model.torque - model_.torque).dot(way.angular));
+    const Twist path = twist_between(pose_, step.input.X_WH, 1);
+    const double change = std::abs((step.result.model.force - model_.force).dot(path.linear)) +
+                          std::abs((step.result.model.torque - model_.torque).dot(path.angular));
     step_error_ += change / std::max(1, step.result.sub_steps);
     pose_ = step.input.X_WH;
     model_ = step.result.model;
@@ -240,7 +239,7 @@ class ComposedInvariants final : public StepObserver {
     const bool is_new_grip = (is_let_go_ && !waits) || e.turnover < coupling_.turnover;
     is_let_go_ = waits;
     margins.grips += is_new_grip ? 1 : 0;
-    // A search for the balance that failed says so; what is missed then is counted by itself.
+    // A failed search for the balance sets a status; its error is counted separately.
     const double missed = e.imbalance() - coupling_.imbalance();
     if (is_new_grip)
       explained_ = 0;
@@ -266,8 +265,8 @@ class ComposedInvariants final : public StepObserver {
     must(depth <= allowed, "no solid material deep in the head", depth, allowed);
   }
 
-  /// The power of the motor in a step is its work less what the rotor gave as it slowed down. Its characteristic is
-  /// that of the speeds between which it was.
+  /// The power of the motor in a step is its work less the work of the rotor as it slowed down. Its limit is the
+  /// characteristic at the speeds of the step.
   void look_at_motor(const ObservedStep& step) noexcept {
     const Spindle& motor = step.simulation.tool().spindle();
     const double w = std::abs(step.result.spindle.speed);
@@ -276,21 +275,21 @@ class ComposedInvariants final : public StepObserver {
     const double slowed = 0.5 * motor.rotor_inertia * std::max(0.0, before * before - w * w);
     const double power = (step.result.energy.motor_work - ledger_.motor_work - slowed) / step.input.dt;
     const double free = std::max(before, (1 + kSpeedKnown) * std::abs(step.spindle_setting));
-    double most = motor.power_limit;
-    if (motor.droop > 0) most = std::min(most, 0.25 * free * free / motor.droop);
-    if (std::isfinite(motor.torque_limit)) most = std::min(most, motor.torque_limit * free);
-    if (!std::isfinite(most)) return;
-    const double share = most > kNoPower ? (power - kLoadKnown * slowed / step.input.dt) / most : 0;
-    margins.power = std::max(margins.power, share);
-    must(power <= kPowerKnown * most + kLoadKnown * slowed / step.input.dt + kNoPower, "the motor has its power", power,
-         most);
+    double max_power = motor.power_limit;
+    if (motor.droop > 0) max_power = std::min(max_power, 0.25 * free * free / motor.droop);
+    if (std::isfinite(motor.torque_limit)) max_power = std::min(max_power, motor.torque_limit * free);
+    if (!std::isfinite(max_power)) return;
+    const double fraction = max_power > kNoPower ? (power - kLoadKnown * slowed / step.input.dt) / max_power : 0;
+    margins.power = std::max(margins.power, fraction);
+    must(power <= kPowerKnown * max_power + kLoadKnown * slowed / step.input.dt + kNoPower, "the motor has its power",
+         power, max_power);
   }
 
   void mix(double number) noexcept { hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL; }
 
-  static constexpr double kSpeedKnown = 2e-3;   // [1] how closely the speed of a motor is solved for
+  static constexpr double kSpeedKnown = 2e-3;   // [1] accuracy of the motor's speed
   static constexpr double kPowerKnown = 1.001;  // [1]
-  static constexpr double kLoadKnown = 0.1;     // [1] how closely the load of a rotor that runs down is known
+  static constexpr double kLoadKnown = 0.1;     // [1] accuracy of the load of a rotor that runs down
   static constexpr double kNoPower = 1e-5;      // [W]
 
   Simulation* simulation_;

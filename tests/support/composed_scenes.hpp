@@ -19,9 +19,8 @@
 #include "support/random_pose.hpp"
 #include "support/sanitizers.hpp"
 
-/// @file
-/// Pieces, tools, gains and configurations that a seed draws, for sequences that nobody thought of, and how many such
-/// sequences are run.
+/// Pieces, tools, gains and configurations drawn from a seed, for sequences that no person wrote, and the number of
+/// sequences to run.
 namespace hapticut::test {
 
 inline int below(int n, RandomPoses& random) { return std::min(n - 1, int(random.between(0, n))); }
@@ -36,7 +35,7 @@ inline MaterialTable some_materials(RandomPoses& random) {
   return MaterialTable(table);
 }
 
-/// Plates of three materials with a step 1 mm deep, so that there are edges, corners, and a way through.
+/// Plates of three materials with a step 1 mm deep, with edges, corners and thin parts.
 inline Workpiece some_piece(double voxel, RandomPoses& random) {
   const double step = random.between(-1, 1) * units::mm;
   return build_body({{Vec3(-4.03 * units::mm, -4.01 * units::mm, -4.07 * units::mm),
@@ -127,9 +126,9 @@ inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) 
 inline const std::uint64_t kFewTicks = kWithAddressSanitizer ? 2500 : 5000;
 inline std::uint64_t many_ticks() { return number_from("HAPTICUT_COMPOSED_TICKS", 100000); }
 
-/// Runs one sequence after the other, each of a seed of its own, until there are so many ticks.
-/// @tparam Run    made of a seed; run(ticks) says whether the invariants hold, what_is_broken() which does not
-/// @param broken  a seed that is known to break one; 0: none
+/// Runs sequences with different seeds until a number of ticks is reached.
+/// @tparam Run    made from a seed; run(ticks) tells whether the invariants hold, what_is_broken() names a broken one
+/// @param broken  a seed that is known to break an invariant; 0: no seed
 template <class Run>
 Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
   constexpr std::uint64_t kTicks = 2500;  // of one sequence
@@ -141,13 +140,13 @@ Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
     const bool keeps = run.run(int(std::min(kTicks, ticks - done)));
     if (keeps == (seed == broken)) {
       ++failures;
-      ADD_FAILURE() << "seed " << seed << ": " << (keeps ? "is no longer broken" : run.what_is_broken());
+      ADD_FAILURE() << "seed " << seed << ": " << (keeps ? "no longer breaks an invariant" : run.what_is_broken());
     }
     margins.add(run.margins());
   }
   testing::Test::RecordProperty("composed", margins.in_words());
   std::cout << margins.in_words() << "\n";
-  EXPECT_GT(margins.cutting * 100, margins.ticks) << "or the invariants were not tried";
+  EXPECT_GT(margins.cutting * 100, margins.ticks) << "else the invariants were not tested";
   return margins;
 }
 

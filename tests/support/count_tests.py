@@ -19,7 +19,7 @@ SWITCHED_OFF = "switched off in its source"
 
 def of_program(report):
     """The tests of a GoogleTest program."""
-    # Messages of tests may hold bytes that are no text, and characters that XML forbids.
+    # Messages of tests may contain bytes that are not text, and characters that XML forbids.
     text = re.sub("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]", "?", report.read_bytes().decode("utf-8", "replace"))
     for test in ElementTree.fromstring(text).iter("testcase"):
         name = f'{test.get("classname")}.{test.get("name")}'
@@ -29,7 +29,7 @@ def of_program(report):
         elif test.get("status") == "notrun":
             yield "skipped", name, SWITCHED_OFF
         elif skipped is not None:
-            # GoogleTest writes "file:line" before what the test says.
+            # GoogleTest writes "file:line" before the message of the test.
             message = (skipped.get("message") or skipped.text or "").strip().splitlines()
             yield "skipped", name, next((line for line in message[1:] if line.strip()), "no reason given")
         else:

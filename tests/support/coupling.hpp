@@ -16,7 +16,7 @@ inline constexpr double kPress = 5;          // [N]
 inline constexpr double kApproach = 0.1;     // [m/s]
 inline const Vec3 kAside = {1e-5, 2e-5, 0};  // [m] off the symmetry of the grid
 
-/// Springs alone, where nothing else is said: a material's own damping is all there is.
+/// By default only springs: no damping except that of the material.
 inline SimulationConfig implicit(double reference_stiffness, std::optional<double> contact_damping = 0.0) {
   SimulationConfig config;
   config.reference_stiffness = reference_stiffness;
@@ -34,12 +34,12 @@ inline Tool ball(double spin = 0) { return tool_of(SphereHead{kRadius}, spin); }
 
 inline Pose at_height(double z) { return Pose::from_translation(kAside + Vec3(0, 0, z)); }
 
-/// A hand that comes down along z and stays where the coupling pulls with a force.
+/// A hand that comes down along z and stops where the coupling pulls with a given force.
 struct PressedTool {
   double rest_penetration = 0;  // [m]
   double max_penetration = 0;   // [m]
-  double rebound = 0;           // [m/s] greatest speed upwards
-  double jitter = 0;            // [m] from the lowest to the highest place in the last half second
+  double rebound = 0;           // [m/s] maximum speed upwards
+  double jitter = 0;            // [m] from the lowest to the highest position in the last half second
   double rest_force = 0;        // [N] on the hand, upwards
   int newton_steps = 0;         // in all ticks
 };

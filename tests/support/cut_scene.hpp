@@ -10,13 +10,13 @@
 #include "support/static_contact.hpp"
 
 /// @file
-/// A tool that goes through a block of two materials: the scene of the properties that hold for any cut.
+/// A tool that moves through a block of two materials: the scene for properties of every cut.
 namespace hapticut::test {
 
 inline constexpr double kSceneVoxel = 0.1 * units::mm;
 
-/// [1] of `difference`. Positions in single precision differ in their last bits from one frame to another, and a voxel
-/// then counts one step earlier or later, or by another of a profile's curves: one of hundreds.
+/// [1] of `difference`. Positions in single precision differ in their last bits between frames. A voxel then counts one
+/// step earlier or later, or by another curve of a profile: one of hundreds.
 inline constexpr double kOneVoxel = 5e-3;
 
 /// A block of two materials that the head is pressed into, along a straight path.
@@ -26,15 +26,15 @@ struct CutScene {
   VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
   bool mirrored = false;         // at x = 0 of the grid
   ToolHead head = SphereHead{0.8 * units::mm};
-  Handle handle = RayHandle{0};  // a ray without length: the hand feels at To
+  Handle handle = RayHandle{0};  // a ray without length: the wrench is about To
   std::shared_ptr<const ForceLaw> law = SimulationConfig{}.law;
   RemovalLaw removal = RemovalLaw::constant_energy;
   double spin = 2000;                                                   // [rad/s]
-  std::optional<double> later_spin;                                     // [rad/s] asked for half-way
+  std::optional<double> later_spin;                                     // [rad/s] set half-way
   double acceleration_limit = std::numeric_limits<double>::infinity();  // [rad/s^2]
   Pose X_VT;                                                            // where the head starts, in the grid's frame
   Vec3 feed_V = Vec3(3, 1, -5) * units::mm_per_s;
-  Vec3 turn_V = Vec3::Zero();  // [rad/s] of the head about its origin
+  Vec3 omega_V = Vec3::Zero();  // [rad/s] of the head about its origin
   Material soft, hard;
 
   CutScene() {
@@ -47,13 +47,13 @@ struct CutScene {
 
 struct CutOutcome {
   std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
-  std::vector<double> max_normal;  // [N] which the sum of all normal forces cannot pass
-  double one_voxel = 0;            // [N] which the force of no voxel can pass; of the default law
+  std::vector<double> max_normal;  // [N] upper bound on the sum of all normal forces
+  double one_voxel = 0;            // [N] upper bound on the force of a voxel; of the default law
   double removed_volume = 0;
   EnergyLedger energy;
-  double turnover = 0;     // [J] of both works, to and fro
+  double turnover = 0;     // [J] magnitudes of the works of hand and motor
   double min_loss = 0;     // [J] the most negative change of a dissipation in a step
-  double max_sliding = 0;  // [J] that dry friction took in a step
+  double max_sliding = 0;  // [J] maximum dissipation of dry friction in a step
 };
 
 /// The irreversible terms of a ledger.
@@ -90,29 +90,29 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   for (int i = 1; i <= steps; ++i) {
     Pose X_VT = scene.X_VT;
     X_VT.translation += scene.feed_V * 1e-3 * i;
-    X_VT.rotation = rotation_from_vector(scene.turn_V * 1e-3 * i) * X_VT.rotation;
-    Vec3 turn_V = scene.turn_V;
+    X_VT.rotation = rotation_from_vector(scene.omega_V * 1e-3 * i) * X_VT.rotation;
+    Vec3 omega_V = scene.omega_V;
     if (scene.mirrored) {
-      // A head of revolution mirrored is itself, with its y axis reversed to keep the frame right-handed.
+      // A mirrored head of revolution is the same head, with its y axis reversed to keep the frame right-handed.
       const Mat3 M = Vec3(-1, 1, 1).asDiagonal(), S = Vec3(1, -1, 1).asDiagonal();
       X_VT = {M * X_VT.rotation * S, M * X_VT.translation};
-      turn_V.tail<2>() *= -1;
+      omega_V.tail<2>() *= -1;
     }
     if (scene.later_spin && i == steps / 2) simulation.set_spindle_speed(hand * *scene.later_spin * units::rad_per_s);
     const Pose X_WT = scene.frame.X_WV * X_VT, X_WH = X_WT * X_TH;
     const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
-    const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * turn_V};
+    const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * omega_V};
     const StepResult& result = simulation.step(X_WH, transport(of_head, -p_HoTo_W), 1e-3);
     RC_ASSERT(!has_any(result.status, kRejected));
     const Wrench at_head = transport(Wrench{result.force, result.torque}, -p_HoTo_W);
     outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
-    const double stiffest =
+    const double max_stiffness =
         config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
-    outcome.max_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
+    outcome.max_normal.push_back(max_stiffness * result.contact.depth * result.contact.volume);
     const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
     if (scene.law->is_foundation())
-      outcome.one_voxel = std::max(outcome.one_voxel,
-                                   stiffest * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
+      outcome.one_voxel = std::max(
+          outcome.one_voxel, max_stiffness * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);
@@ -125,7 +125,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   return outcome;
 }
 
-/// Largest difference of force and torque on the way, relative to the largest force and to 1 mm times it. A contact of
+/// Maximum difference of force and torque on the path, relative to the maximum force and to 1 mm times it. A contact of
 /// few voxels is compared as one of hundreds.
 inline double difference(const CutOutcome& a, const CutOutcome& b) {
   double force = 0, worst = 0;
@@ -138,7 +138,7 @@ inline double difference(const CutOutcome& a, const CutOutcome& b) {
   return worst / std::max(force, a.one_voxel / kOneVoxel);
 }
 
-/// What a mirrored scene should give: a force mirrors like a position, a torque with the opposite sign.
+/// The expected wrench of a mirrored scene: a force mirrors like a position, a torque with the opposite sign.
 inline CutOutcome mirrored_back(CutOutcome outcome) {
   for (Wrench& wrench : outcome.wrenches_V) {
     wrench.force.x() = -wrench.force.x();
@@ -162,9 +162,8 @@ inline CutScene arbitrary_cut_scene(const ToolHead& head) {
   return scene;
 }
 
-/// A scene whose springs are conservative: their depth vanishes wherever material can get in. That is any ball, and a
-/// cone or a flat head of rule `nearest` as long as its upper end stays outside.
-/// It is in the material from the first step on, whichever way it goes.
+/// A scene whose springs are conservative: their depth is zero wherever material can enter. This holds for any ball,
+/// and for a cone or a flat head of rule `nearest` as long as its upper end stays outside.
 /// @param kinds  1: balls; 3: cones and flat heads too
 inline CutScene arbitrary_conservative_scene(int kinds = 3) {
   using units::mm;
@@ -182,7 +181,7 @@ inline CutScene arbitrary_conservative_scene(int kinds = 3) {
   return scene;
 }
 
-/// Anything that a material may be.
+/// Any valid material.
 inline void make_arbitrary(Material& m) {
   m.relative_stiffness = *number_between(0.05, 2);
   m.cutting_ratio = *number_between(0, 3);
@@ -191,7 +190,7 @@ inline void make_arbitrary(Material& m) {
   m.damping = *number_between(0, 50);
 }
 
-/// Any dry friction that a material may have.
+/// Any valid dry friction.
 inline void make_rough(Material& m) {
   m.static_friction = *number_between(0, 1);
   m.dynamic_friction = *number_between(0, m.static_friction);

@@ -8,12 +8,11 @@
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-/// @file
-/// A head that is fed along a line through one material, and what it feels in the mean. The handle is straight and has
-/// no length, so that its frame is that of the head.
+/// A head that is fed along a line through one material, and its mean force. The handle is straight and has no length,
+/// so its frame is that of the head.
 namespace hapticut::test {
 
-inline constexpr double kRadius = 1 * units::mm;  // [m] of a head, where nothing else is said
+inline constexpr double kRadius = 1 * units::mm;  // [m] default radius of a head
 inline constexpr double kVoxel = 0.1 * units::mm;
 inline constexpr double kFeed = 2 * units::mm;  // [m/s]
 inline constexpr double kSpin = 2000;           // [rad/s]
@@ -28,12 +27,12 @@ inline Material plain_material() {
   return material;
 }
 
-/// [1] What is in no term of the ledger, `entered` among them, relative to the turnover: rounding.
+/// [1] Work that no term of the ledger has, including `entered`, relative to the turnover: rounding.
 inline double unbooked(const EnergyLedger& energy) {
   return std::abs(energy.imbalance() + energy.entered) / energy.turnover;
 }
 
-/// Held where the hand feels it.
+/// A tool whose handle is at the head.
 inline Tool tool_of(const ToolHead& head, double spin = 0) {
   return Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s});
 }
@@ -45,7 +44,7 @@ inline SimulationConfig on_foundation(double reference_stiffness, bool deep_cont
   return config;
 }
 
-/// As large as a millimetre's head asks for, below z = 0, on voxels of kVoxel.
+/// A block below z = 0, large enough for a head of a millimetre, with voxels of kVoxel.
 /// @param half_width, depth  [m]
 inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2 * units::mm) {
   return build_block({Vec3(-half_width, -half_width, -depth), Vec3(half_width, half_width, 0)}, kVoxel,
@@ -59,19 +58,19 @@ inline void redo_all(Simulation& simulation) {
   while (!simulation.redo(64)) continue;
 }
 
-/// How a tool points in the grid, from its z axis.
-struct Way {
+/// The orientation of a tool in the grid.
+struct Orientation {
   const char* name;
   Mat3 R_WT;
 };
-inline const std::vector<Way> kWays = {
+inline const std::vector<Orientation> kOrientations = {
     {"10 deg", Eigen::AngleAxisd(10 * units::deg, Vec3::UnitY()).toRotationMatrix()},
     {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
     {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
 };
 inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in its own axes
 
-/// What of a box is where `distance` [m] is negative, of one material.
+/// The part of a box where `distance` [m] is negative, of one material.
 template <class Distance>
 Workpiece body(const Box& box, double voxel, const Material& material, const Distance& distance) {
   return build_body({box, distance, [](const Vec3&) { return MaterialId(1); }}, voxel, MaterialTable({material}));
@@ -89,11 +88,11 @@ struct SteadyState {
   double engaged_volume = 0;           // [m^3] filled volume in the head
   double removed_volume = 0;           // [m^3] on the whole path
   EnergyLedger energy;                 // at the end
-  StepStatus status = StepStatus::ok;  // all bits that ever were set
+  StepStatus status = StepStatus::ok;  // all bits of all steps
 };
 
 /// Feeds the tool along a straight line at constant speed and averages from `from` of the path on.
-/// @param R_WT  how the tool points, in whose axes the means are told
+/// @param R_WT  orientation of the tool, in whose axes the means are
 inline SteadyState feed(Simulation& simulation, const Vec3& start, const Vec3& feed_velocity, double travel, double dt,
                         double from = 0.5, const Mat3& R_WT = Mat3::Identity()) {
   SteadyState state;

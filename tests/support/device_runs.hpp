@@ -12,17 +12,17 @@
 /// Runs of vendors' devices against a stand-in of their SDK.
 namespace hapticut::test {
 
-/// Quickly armed, no signals: the clock is that of the stand-in.
+/// Options with quick arming and no signals; the clock is that of the stand-in.
 inline RunOptions quick() {
   RunOptions options;
   options.stop_on_signals = false;
   options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
-  options.guard.watchdog.fade_after = 9;  // which goes by the wall clock, and the machine may be busy
+  options.guard.watchdog.fade_after = 9;  // by the wall clock, and the machine may be busy
   options.guard.watchdog.fault = 10;
   return options;
 }
 
-/// No force until the guard lets go, then 1 N to the right, for `ticks` ticks.
+/// No force until the guard is armed, then 1 N to the right, for `ticks` ticks.
 inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3::Zero()}) {
   return [=, n = 0L](const DeviceState&) mutable {
     DeviceCommand command;
@@ -32,7 +32,7 @@ inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3:
   };
 }
 
-/// 1 N to the right, but for none in the first 50 ticks and from `free` to `again`.
+/// 1 N to the right, except in the first 50 ticks and from `free` to `again`.
 inline DeviceCallback press_and_let_go(long free, long again, long ticks) {
   return [=, n = 0L](const DeviceState&) mutable {
     DeviceCommand command;
@@ -60,7 +60,7 @@ class NudgedPlant {
   explicit NudgedPlant(const char* device) : plant_(device_model(device), hand_model("released"), {}) {}
 
   /// To be called before each reading.
-  /// @param acted  the force on the device since the last
+  /// @param acted  the force on the device since the last reading
   void before_reading(long tick, const Wrench& acted) {
     if (tick == 200) plant_.set_velocity({0, 0, -1e-3});
     const double z = std::abs(plant_.pose().translation.z());
@@ -80,7 +80,7 @@ class NudgedPlant {
     };
   }
 
-  /// The bare loop is measured.
+  /// Options without filters: the bare loop is measured.
   [[nodiscard]] static RunOptions options() {
     RunOptions options = quick();
     options.guard.passivity.enabled = false;
@@ -89,7 +89,7 @@ class NudgedPlant {
     return options;
   }
 
-  /// [1] how much farther it swings five seconds later.
+  /// [1] Growth of the swing within five seconds.
   [[nodiscard]] double growth() const { return last_ / first_; }
 
  private:

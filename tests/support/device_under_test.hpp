@@ -13,33 +13,33 @@
 #include "support/refusal.hpp"
 
 /// @file
-/// A device as the contract suite sees it: opened, moved by a hand, run, and watched at its motors.
+/// A device in the contract suite: it is opened, moved by a hand, run, and observed at its motors.
 namespace hapticut::test {
 
-/// What a hand does with a device, and what befalls it, in one tick.
-struct Happening {
+/// Motion of the hand and faults of the device in one tick.
+struct ScriptedTick {
   Pose X_BS = {};
   Twist velocity = {};
   std::uint32_t buttons = 0;
-  bool not_a_number = false;  ///< its sensors give a position that is no number
+  bool not_a_number = false;  ///< its sensors give a NaN position
   bool unplugged = false;
 };
 
-using Story = std::function<Happening(long tick)>;
+using DeviceScript = std::function<ScriptedTick(long tick)>;
 
-/// What a kind of device has. The contract asks nothing else of it.
+/// Properties of a kind of device, from which the contract chooses its tests.
 struct DeviceTraits {
-  bool follows = true;      ///< it reads the poses and velocities of the story
-  bool is_live = true;      ///< ... as they are told, so that they may depend on its force
-  bool has_buttons = true;  ///< those of the story
+  bool follows = true;      ///< it reads the poses and velocities of the script
+  bool is_live = true;      ///< ... in the same tick, so that they may depend on its force
+  bool has_buttons = true;  ///< those of the script
   bool has_cable = true;    ///< it can be unplugged
   bool has_motors = true;   ///< it renders forces
-  bool is_makers = false;   ///< it stands behind its maker's library: opened only once, in real time only
+  bool is_makers = false;   ///< it uses its manufacturer's library: opened only once, in real time only
   bool own_thread = false;  ///< its driver's thread runs the loop
-  const char* name = "";    ///< by which `open_device` finds it; empty: not by name
+  const char* name = "";    ///< name for `open_device`; empty: not found by name
 };
 
-/// One device, and how a test gets at both of its sides. One at a time: makers' stand-ins are one for the process.
+/// One device, with access to both of its sides. Only one at a time, because a stand-in exists once in the process.
 class DeviceUnderTest {
  public:
   DeviceUnderTest() { commanded.reserve(kLongest); }
@@ -47,13 +47,13 @@ class DeviceUnderTest {
   DeviceUnderTest(const DeviceUnderTest&) = delete;
   DeviceUnderTest& operator=(const DeviceUnderTest&) = delete;
 
-  /// Opens the device, in a clock that the test drives. `story` must be there.
+  /// Opens the device, with a clock that the test drives. `script` must be set.
   virtual std::unique_ptr<Device> open() = 0;
 
-  /// Opens it as an application does, for a run by the wall clock in which nothing happens to it.
+  /// Opens it as an application does, for a run by the wall clock without a script.
   virtual std::unique_ptr<Device> open_for_wall_clock() { return open(); }
 
-  /// Runs it as fast as the callback allows, while the story happens to it.  @throws what `Device::run` throws
+  /// Runs it as fast as the callback allows, with the script.  @throws what `Device::run` throws
   virtual RunReport run(Device& device, const DeviceCallback& callback, RunOptions options = quick()) {
     options.simulated_time = true;
     return device.run(callback, options);
@@ -63,20 +63,20 @@ class DeviceUnderTest {
   [[nodiscard]] virtual long commands() const { return long(commanded.size()); }
   [[nodiscard]] virtual Wrench command(long n) const { return commanded[std::size_t(n)]; }
 
-  /// What the motors hold now.
+  /// The wrench that the motors hold now.
   [[nodiscard]] virtual Wrench held() const { return commands() > 0 ? command(commands() - 1) : Wrench{}; }
 
-  /// Expects of the maker's library that a run has left it in order.
+  /// Expects that a run has left the manufacturer's library in order.
   virtual void expect_left_in_order() const {}
 
-  Story story = [](long) { return Happening{}; };
+  DeviceScript script = [](long) { return ScriptedTick{}; };
 
  protected:
-  static constexpr std::size_t kLongest = 100000;  // ticks before watching would allocate
-  std::vector<Wrench> commanded;                   // of devices whose motors are watched from here
+  static constexpr std::size_t kLongest = 100000;  // ticks before recording would allocate
+  std::vector<Wrench> commanded;                   // of devices whose motors are recorded here
 };
 
-/// A simulated device that tells what its motors got.
+/// A simulated device that records the commands to its motors.
 template <class Simulated>
 class Watched : public Simulated {
  public:
@@ -94,7 +94,7 @@ class Watched : public Simulated {
   std::vector<Wrench>& commanded_;
 };
 
-/// A kind of device in the list that the contract is instantiated for.
+/// A kind of device in the list of the contract.
 struct NamedDevice {
   std::string name;
   DeviceTraits traits;
@@ -108,14 +108,14 @@ NamedDevice named_device(std::string name, Arguments... arguments) {
   return {std::move(name), Kind::kTraits, [=] { return std::make_unique<Kind>(arguments...); }};
 }
 
-/// A test of the contract: the device of its parameter.
+/// Base of the contract's tests, with the device of the parameter.
 class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
  protected:
   [[nodiscard]] static const DeviceTraits& traits() { return GetParam().traits; }
 
   void TearDown() override { tested.expect_left_in_order(); }
 
-  /// Runs for some ticks of no force, and says what it read last.
+  /// Runs for some ticks without force, and returns the last reading.
   DeviceState rest(Device& device, long ticks = 20) {
     DeviceState last;
     const RunReport report = tested.run(device, [&, n = 0L](const DeviceState& state) mutable {
@@ -127,7 +127,7 @@ class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
     return last;
   }
 
-  /// What is said when something cannot be done.
+  /// The message of an action that is refused.
   template <class Work>
   static std::string refusal(const Work& work) {
     const std::string said = test::refusal([&] { work(); });
@@ -135,7 +135,7 @@ class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
     return said;
   }
 
-  /// Expects that the motors got nothing from the n-th command on.
+  /// Expects that the motors got no force from the n-th command on.
   void expect_no_force_since(long n) const {
     for (; n < tested.commands(); ++n) {
       ASSERT_TRUE(tested.command(n).force.isZero(0)) << n << " of " << tested.commands();

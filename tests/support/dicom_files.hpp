@@ -14,7 +14,7 @@
 /// DICOM files, element by element.
 namespace hapticut::test {
 
-/// Elements by tag, in the order that the format asks for: kind and value, or the items of a sequence.
+/// Elements by tag, in the order of the format: kind and value, or the items of a sequence.
 struct DicomElements {
   std::map<std::uint32_t, std::pair<std::string, std::string>> values;
 
@@ -24,7 +24,7 @@ struct DicomElements {
     return *this;
   }
   DicomElements& set_word(std::uint32_t tag, std::uint16_t value) { return set(tag, "US", little(value)); }
-  /// @param implicit  for a file that names no kinds, or an element of unknown kind (UN)
+  /// @param implicit  for a file without kinds, or an element of unknown kind (UN)
   DicomElements& set_items(std::uint32_t tag, const std::vector<DicomElements>& items, bool implicit = false) {
     std::string bytes;
     for (const DicomElements& item : items) bytes += part(item.bytes(implicit));
@@ -86,7 +86,7 @@ inline std::string dicom_numbers(double x, double y, double z) {
   return text;
 }
 
-/// The same as one slice of a series.
+/// A CT picture as one slice of a series.
 inline DicomElements dicom_slice(std::uint16_t columns, std::uint16_t rows, double height_mm,
                                  const std::vector<std::int16_t>& values) {
   DicomElements e = dicom_picture(columns, rows, values);

@@ -15,7 +15,7 @@ inline rc::Gen<double> number_between(double low, double high) {
   return rc::gen::map(rc::gen::inRange(0, 1000001), [=](int n) { return low + (high - low) * n / 1e6; });
 }
 
-/// Any shape of head that the library has, 0.2 to 3 mm large.
+/// Any shape of head of the library, 0.2 to 3 mm large.
 inline rc::Gen<ToolHead> arbitrary_head() {
   using units::deg;
   using units::mm;
@@ -30,7 +30,7 @@ inline rc::Gen<ToolHead> arbitrary_head() {
       number_between(10 * deg, 80 * deg));
 }
 
-/// Uniform over all rotations, by a seed.
+/// Uniformly distributed rotations, from a seed.
 inline rc::Gen<Mat3> arbitrary_rotation() {
   return rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
                       [](std::uint64_t seed) { return RandomPoses(seed).rotation(); });

@@ -10,7 +10,7 @@ namespace hapticut::test {
 
 inline constexpr double kPeriod = 1e-3;  // [s]
 
-/// A guard in a hand: readings with good time stamps, and forces through it.
+/// A guard with readings of good time stamps, and forces that pass through it.
 class GuardedLoop {
  public:
   explicit GuardedLoop(const GuardOptions& options = {}, const char* device = "touch")
@@ -24,17 +24,17 @@ class GuardedLoop {
     guard.admit(reading);
     return guard.limit({force, torque}, contact);
   }
-  /// Until the full force is allowed.
+  /// Runs until the full force is allowed.
   void engage() {
     for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick();
     ASSERT_EQ(guard.state(), ArmingState::on);
   }
-  /// Of 1 N, which is given as soon as it has grown.
+  /// Runs with 1 N until it passes completely.
   void push() {
     for (int n = 0; n < 10; ++n) tick({0, 0, 1});
     EXPECT_NEAR(tick({0, 0, 1}).force.z(), 1, 1e-12);
   }
-  /// Pushes for a while: no force may come through, and the guard waits until the tool is free.
+  /// Pushes for a while: no force may pass, and the guard waits until the tool is free.
   void expect_no_force_until_free() {
     for (int n = 0; n < 100; ++n) {
       EXPECT_TRUE(tick({0, 0, 1}).force.isZero(0));

@@ -17,7 +17,7 @@
 #include "hapticut/tool/catalogue.hpp"
 
 /// @file
-/// Every force law of the library with a head that it has formulas for.
+/// Every force law of the library, with a head that it has formulas for.
 namespace hapticut::test {
 
 struct NamedLaw {
@@ -27,7 +27,7 @@ struct NamedLaw {
   bool always_loses = true;  // false: a spinning head may gain energy from one of its terms
 };
 
-/// Which law it is, whatever its constants.
+/// The type of a law, whatever its constants.
 inline std::type_index type_of(const ForceLaw& law) { return typeid(law); }
 
 inline void PrintTo(const NamedLaw& named, std::ostream* out) { *out << named.name; }

@@ -6,7 +6,7 @@
 
 namespace hapticut::test {
 
-/// By how much the memory of this process peaks above what it was, in bytes that were really used.
+/// Peak growth of the memory of this process, in bytes that were really used.
 class MemoryGrowth {
  public:
   MemoryGrowth() {
@@ -25,7 +25,7 @@ class MemoryGrowth {
   long start_;
 };
 
-/// Far above what small inputs need, also under a sanitizer that holds freed memory back; far below what hostile ones
+/// Far above what small inputs need, also under a sanitizer that keeps freed memory; far below what hostile inputs
 /// claim.
 inline constexpr double kModestMemory = 512e6;  // [bytes]
 

@@ -25,11 +25,11 @@ inline double area(const TriangleMesh& mesh) {
   return sum / 2;
 }
 
-/// How often the edges of a mesh are passed.
+/// How often triangles use the edges of a mesh.
 struct EdgeCount {
-  bool balanced = true;        ///< each as often one way as the other
-  std::size_t twice = 0;       ///< once each way
-  std::size_t more_often = 0;  ///< twice each way: two bodies touch along it
+  bool balanced = true;        ///< each equally often in both directions
+  std::size_t twice = 0;       ///< once in each direction
+  std::size_t more_often = 0;  ///< twice in each direction: two bodies touch along it
 };
 
 inline EdgeCount count_edges(const TriangleMesh& mesh) {
@@ -48,7 +48,7 @@ inline EdgeCount count_edges(const TriangleMesh& mesh) {
   return count;
 }
 
-/// Whether each edge is passed as often in one direction as in the other.
+/// Whether each edge is used equally often in both directions.
 inline bool is_closed(const TriangleMesh& mesh) { return !mesh.triangles.empty() && count_edges(mesh).balanced; }
 
 }  // namespace hapticut::test

@@ -12,7 +12,7 @@
 #include "support/refusal.hpp"
 
 /// @file
-/// The readers of mesh formats, given texts.
+/// Calls the readers of mesh formats with texts.
 namespace hapticut::test {
 
 using Parser = Polygons (*)(std::string_view);
@@ -29,7 +29,7 @@ inline std::string error_of(Parser parse, const std::string& text) {
   return refusal([&] { return meshes_in(parse, text); });
 }
 
-/// A text, and a part of what must be said of it.
+/// A text, and a part of the expected message.
 struct BadText {
   std::string text;
   const char* said;

@@ -34,7 +34,7 @@ inline TriangleMesh ball_mesh(const Vec3& center, double radius, int rings) {
   return mesh;
 }
 
-/// A cube whose faces are `cells` by `cells` squares of two triangles each; each face has vertices of its own.
+/// A cube whose faces are `cells` by `cells` squares of two triangles each; each face has its own vertices.
 inline TriangleMesh cube_mesh(const Vec3& min, double edge, int cells) {
   TriangleMesh mesh;
   for (int axis = 0; axis < 3; ++axis)

@@ -7,7 +7,7 @@
 
 namespace hapticut::test {
 
-/// A material of which only the name matters.
+/// A material whose name alone matters.
 [[nodiscard]] inline Material named(const std::string& name) {
   Material material;
   material.name = name;

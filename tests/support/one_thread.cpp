@@ -1,7 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Debian's TBB is not instrumented, so that whatever its workers hand over to each other looks like a race to the
-// thread sanitizer. With this file in a test, TBB runs in the thread that calls it; threads of our own are watched as
-// ever.
+// Debian's TBB is not instrumented, so the thread sanitizer reports a race wherever its workers exchange data. With
+// this file in a test, TBB runs in the calling thread; our own threads are still checked.
 #include <tbb/global_control.h>
 
 namespace {

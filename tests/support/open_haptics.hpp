@@ -42,7 +42,7 @@ inline Wrench committed(int device) {
   return w;
 }
 
-/// The n-th of a run.
+/// The n-th command of a run.
 inline Wrench committed(int device, long n) {
   Wrench w;
   hdsim_get_committed(device, n, w.force.data(), w.torque.data());
@@ -55,13 +55,13 @@ inline Vec3 rendered(int device) {
   return force;
 }
 
-/// How a run in ticks has ended.
+/// The end of a run in ticks.
 struct OpenHapticsOutcome {
   RunReport report;
   std::exception_ptr exception;
 };
 
-/// Runs a device in a thread of its own while this thread is the clock, until the run has ended.
+/// Runs a device in its own thread while this thread is the clock, until the run has ended.
 inline OpenHapticsOutcome run_in_ticks(Device& device, const DeviceCallback& callback, const RunOptions& options,
                                        const std::function<void(long tick)>& before_tick) {
   OpenHapticsOutcome outcome;

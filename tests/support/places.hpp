@@ -5,7 +5,7 @@
 #include <string>
 
 /// @file
-/// Where things lie on this machine. The names of folders are in one small file that the configuration writes,
+/// Paths on this machine. The names of folders are in one small file that the configuration writes,
 /// places.cpp of the build folder, so that everything else compiles the same in every clone.
 namespace hapticut::test {
 

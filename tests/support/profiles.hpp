@@ -29,7 +29,7 @@ inline Profile cone_profile(double half_angle, double height) {
   return {0, {{height * std::tan(half_angle), height}, {0, height, 0, EdgeKind::smooth}}};
 }
 
-/// All edges cut, so that the depth is the distance to the surface and nothing else.
+/// Profiles whose edges all cut, so the depth is exactly the distance to the surface.
 inline std::vector<NamedProfile> closed_profiles() {
   using units::mm;
   std::vector<NamedProfile> profiles;
@@ -56,7 +56,7 @@ inline std::vector<NamedProfile> closed_profiles() {
   return profiles;
 }
 
-/// With smooth edges: shanks, safe sides, a safe tip.
+/// Profiles with smooth edges: shanks, safe sides, a safe tip.
 inline std::vector<NamedProfile> profiles_with_smooth_edges() {
   using units::mm;
   constexpr EdgeKind kSmooth = EdgeKind::smooth;

@@ -69,7 +69,7 @@ inline std::map<std::string, std::vector<double>> read_csv(const std::string& te
 class Program : public testing::Test {
  protected:
   Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
-  /// The report of a command that does what it is asked.
+  /// The report of a command that succeeds.
   nlohmann::json report(const std::string& arguments) {
     const Outcome outcome = run(arguments + " --json " + path("report.json"));
     EXPECT_EQ(outcome.code, 0) << arguments << '\n' << outcome.errors;
@@ -86,7 +86,7 @@ class Program : public testing::Test {
     (void)drill(arguments + " --steps_csv " + path("steps.csv"));
     return read_csv(read_bytes(folder / "steps.csv"));
   }
-  /// What is said instead of doing it: one line in words of the program, no name of C++.
+  /// The message of a command that is refused: one line in words of the program, without C++ names.
   std::string refusal(const std::string& arguments, int code = kFailed, const std::string& program = kProgram) {
     const Outcome outcome = run_program(folder, arguments, program);
     EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.errors;

@@ -9,7 +9,7 @@
 
 namespace hapticut::test {
 
-/// Numbers, vectors and rotations that are the same on every machine and with every standard library (SplitMix64).
+/// Random numbers, vectors and rotations, equal on every machine and with every standard library (SplitMix64).
 class RandomPoses {
  public:
   explicit RandomPoses(std::uint64_t seed) : state_(seed) {}
@@ -23,19 +23,19 @@ class RandomPoses {
     return low + (high - low) * (double(z >> 11) * 0x1p-53);
   }
 
-  /// Uniform on the sphere.
+  /// A unit vector, uniform on the sphere.
   [[nodiscard]] Vec3 direction() {
     const double z = between(-1, 1), angle = between(0, 2 * units::kPi), rho = std::sqrt(1 - z * z);
     return {rho * std::cos(angle), rho * std::sin(angle), z};
   }
 
-  /// Of length up to `longest`, in any direction.
-  [[nodiscard]] Vec3 vector(double longest) {
-    const double length = between(0, longest);
+  /// A vector of length up to `max_length`, in any direction.
+  [[nodiscard]] Vec3 vector(double max_length) {
+    const double length = between(0, max_length);
     return length * direction();
   }
 
-  /// Uniform over all rotations (Shoemake).
+  /// A rotation, uniform over all rotations (Shoemake).
   [[nodiscard]] Mat3 rotation() {
     const double u = between(0, 1), a = between(0, 2 * units::kPi), b = between(0, 2 * units::kPi);
     const Eigen::Quaterniond q(std::sqrt(u) * std::cos(b), std::sqrt(1 - u) * std::sin(a),

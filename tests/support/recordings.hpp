@@ -13,7 +13,7 @@
 /// Recordings for tests.
 namespace hapticut::test {
 
-/// Waits for the disk, because nobody feels these steps.
+/// Options that wait for the disk, because no hand feels these steps.
 inline RecorderOptions patient() {
   RecorderOptions options;
   options.wait_when_full = true;
@@ -31,13 +31,13 @@ inline std::filesystem::path record_scene(const std::filesystem::path& path, con
   return path;
 }
 
-/// Steps in free air, which take next to no time.
+/// Steps in free air, which take almost no time.
 inline void step_in_the_air(Recorder& recorder, int steps) {
   for (int tick = 0; tick < steps; ++tick)
     recorder.step({Pose::from_translation(Vec3(0, 0, 1 + 1e-6 * tick)), {}, 1e-3});
 }
 
-/// What is said of a recording that cannot be replayed: one sentence that names it; empty when it can.
+/// The message for a recording that cannot be replayed, one sentence that names it; empty when it can.
 inline std::string complaint_about(const std::filesystem::path& path) {
   const std::string text = refusal([&] { return replay(read_recording(path)); });
   if (text.empty()) return text;

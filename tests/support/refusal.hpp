@@ -9,10 +9,10 @@
 #include "hapticut/core/errors.hpp"
 
 /// @file
-/// What the library says when it refuses something.
+/// Messages with which the library refuses something.
 namespace hapticut::test {
 
-/// The sentence that an action is refused with; empty: it is not refused.
+/// The message with which an action is refused; empty: it is not refused.
 template <class Action>
 std::string refusal(const Action& action) {
   try {
@@ -31,7 +31,7 @@ inline void expect_part(const std::string& text, const std::string& part) {
   EXPECT_TRUE(contains(text, part)) << "'" << text << "' lacks '" << part << "'";
 }
 
-/// Expects that an action is refused in a sentence with all of these words.
+/// Expects that an action is refused with a message that contains all of these words.
 template <class Action>
 void expect_refused(const Action& action, std::initializer_list<std::string> words) {
   const std::string said = refusal(action);

@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// Which sanitizer this is compiled for. g++ defines a macro, clang++ answers a question.
+/// The sanitizer that this is compiled for. g++ defines a macro, clang++ has __has_feature.
 #if defined(__has_feature)
 #define HAPTICUT_HAS_FEATURE(name) __has_feature(name)
 #else

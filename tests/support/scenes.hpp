@@ -8,15 +8,15 @@
 #include "hapticut/simulation/simulation.hpp"
 
 /// @file
-/// Named fixed scenes, shared by tests and benchmarks: the same numbers everywhere.
+/// Named fixed scenes, shared by tests and benchmarks, with equal numbers everywhere.
 namespace hapticut::test {
 
 /// A workpiece, a tool and a motion.
 struct Scene {
   std::string name;
   std::string description;                   ///< one sentence
-  std::function<Simulation()> make;          ///< builds it anew each time
-  std::function<StepInput(int tick)> input;  ///< what the hand does in step `tick` = 0, 1, 2 ...; endless
+  std::function<Simulation()> make;          ///< builds a new simulation
+  std::function<StepInput(int tick)> input;  ///< input of step `tick` = 0, 1, 2 ...; endless
 };
 
 /// All scenes, in a fixed order.

@@ -9,18 +9,18 @@
 #include "hapticut/workpiece/block_grid.hpp"
 
 /// @file
-/// How deep solid material is in a head, and how deep it may be.
+/// The depth of solid material in a head, and its allowed depth.
 namespace hapticut::test {
 
-/// [Pa] at which a material is crushed; one that never is counts as cortical bone.
+/// [Pa] Strength at which a material is crushed; a material without one counts as cortical bone.
 [[nodiscard]] inline double strength_of(const Material& material) {
   return material.compressive_strength > 0 ? material.compressive_strength : 150e6;
 }
 
-/// [m] depth at which the pressure k w^2/2 of the foundation reaches a strength.
+/// [m] Depth at which the pressure k w^2/2 of the foundation reaches a strength.
 [[nodiscard]] inline double crushing_depth(double k_v, double strength) { return std::sqrt(2 * strength / k_v); }
 
-/// [m] a tenth more than the greatest of them, of all materials of a workpiece: deeper is crushed.
+/// [m] A tenth more than the maximum of these depths over all materials of a workpiece; deeper material is crushed.
 [[nodiscard]] inline double allowed_depth(const Simulation& simulation) {
   double deepest = 0;
   for (const Material& material : simulation.workpiece().materials().all()) {
@@ -30,8 +30,7 @@ namespace hapticut::test {
   return 1.1 * deepest;
 }
 
-/// [m] how far a voxel that is at least half full is below the surface of the head, whichever part of it: by its
-/// centre.
+/// [m] Depth of the centre of a voxel that is at least half full below the surface of the head, smooth or cutting.
 [[nodiscard]] inline double solid_depth(const Simulation& simulation, const Pose& X_WT) {
   const Workpiece& workpiece = simulation.workpiece();
   const GridFrame& frame = workpiece.frame();

@@ -4,7 +4,7 @@
 #include "hapticut/tool/head.hpp"
 
 /// @file
-/// What a head says of a point of its meridian plane.
+/// The spring of a head at a point of its meridian plane.
 namespace hapticut::test {
 
 template <class Real = double>

@@ -13,7 +13,7 @@ namespace hapticut::test {
 
 inline constexpr double kStiffness = 1e12;  ///< [N/m^4] k_v of the static cases, at relative stiffness 1
 
-/// Springs alone: no removal, no friction; and a step may take the head anywhere, for `hold`.
+/// Only springs: no removal, no friction; and a step may move the head anywhere, for `hold`.
 inline SimulationConfig static_config() {
   SimulationConfig config;
   config.reference_stiffness = kStiffness;
@@ -24,17 +24,18 @@ inline SimulationConfig static_config() {
   return config;
 }
 
-/// What a tool feels that stands still at a pose, or moves through it at the given velocity as far as damping knows.
+/// The wrench on a tool that stands still at a pose, or moves through it with the given velocity, which only the
+/// damping sees.
 ///
-/// Two steps: the first takes the tool there, or is rejected as a jump and takes it there all the same; in the second
-/// it does not move, so that the wrench is the one of exactly this pose.
+/// Takes two steps. The first moves the tool there; if it is rejected as a jump, the second places it there. In the
+/// second step the tool does not move, so the wrench is that of exactly this pose.
 inline const StepResult& hold(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
   (void)simulation.step(X_WH, velocity, 1e-3);
   return simulation.step(X_WH, velocity, 1e-3);
 }
 
-/// `hold`, of which nothing else is expected than that it goes well.
-/// @throws Error where the step says otherwise
+/// `hold`, with the expectation that the step has no status.
+/// @throws Error when the step has one
 inline const StepResult& hold_well(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
   const StepResult& result = hold(simulation, X_WH, velocity);
   if (result.status != StepStatus::ok || result.sub_steps != 1)

@@ -9,12 +9,12 @@
 #include "support/mesh_measures.hpp"
 
 /// @file
-/// Pages of a surface put together, as somebody who draws them has them.
+/// Pages of a surface, joined as in a viewer.
 namespace hapticut::test {
 
 using Pages = std::map<VoxelIndex, SurfacePage>;
 
-/// What a viewer has after it took all that waits; empty pages are gone.
+/// The pages of a viewer after it received all waiting pages; empty pages are removed.
 inline void take_pages(SurfaceStream& stream, Pages& pages) {
   SurfacePage page;
   while (stream.next_page(page)) {
@@ -32,7 +32,7 @@ inline Pages pages_of(const Workpiece& workpiece) {
   return pages;
 }
 
-/// Byte by byte, but for the versions.
+/// Compares byte by byte, except the versions.
 inline bool are_equal(const Pages& a, const Pages& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one.first == other.first && one.second.vertices == other.second.vertices &&
@@ -40,7 +40,7 @@ inline bool are_equal(const Pages& a, const Pages& b) {
   });
 }
 
-/// [1/512 voxel] in the grid, not rounded once more.
+/// [1/512 voxel] Position in the grid, without further rounding.
 inline VoxelIndex grid_position(const SurfacePage& page, const SurfaceVertex& vertex) {
   VoxelIndex at;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -48,7 +48,7 @@ inline VoxelIndex grid_position(const SurfacePage& page, const SurfaceVertex& ve
   return at;
 }
 
-/// All pages as one mesh, vertices at the same place being one.
+/// All pages as one mesh; vertices at the same place become one.
 inline TriangleMesh welded(const Pages& pages, const GridFrame& frame) {
   TriangleMesh mesh;
   std::map<VoxelIndex, std::uint32_t> numbers;

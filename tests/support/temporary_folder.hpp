@@ -11,7 +11,7 @@
 
 namespace hapticut::test {
 
-/// A folder of its own for a test's files, removed afterwards.
+/// A folder for the files of a test, removed afterwards.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -8,8 +8,8 @@
 
 namespace hapticut::test {
 
-/// The coupling of what a Touch renders.
-/// @param mass  [kg] of the tool; empty: what suits it
+/// Gains of a coupling for a Touch.
+/// @param mass  [kg] of the tool; empty: the default
 [[nodiscard]] inline CouplingGains touch_gains(std::optional<double> mass = {}) {
   return coupling_gains(capabilities(device_model("touch")), mass);
 }

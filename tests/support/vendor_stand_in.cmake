@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the stand-ins of vendors' SDKs have in common.
+# Functions for the stand-ins of vendors' SDKs.
 
 # vendor_adapter_under_test(name STAND_IN PART): the adapter of HAPTICUT_WITH_<PART> against its stand-in, from the same
 # sources that a machine with the SDK builds, in strict ISO C++.

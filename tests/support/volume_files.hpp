@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-/// @file
-/// Volumes in the formats that the library reads and does not write, byte by byte from the formats' descriptions: what
-/// a test needs where it must not depend on anybody's files.
+/// Volumes in the formats that the library reads but does not write, byte by byte from the formats' descriptions, for
+/// tests without external files.
 namespace hapticut::test {
 
 template <class Number>
@@ -52,7 +51,7 @@ inline std::string gzipped(const std::string& bytes) {
 }
 
 /// One PNG slice of grey values.
-/// @param claimed_width, claimed_height, kind  what the header says, which need not be true; kind 0: grey values
+/// @param claimed_width, claimed_height, kind  values of the header, which may be false; kind 0: grey values
 template <class Grey>
 std::string png_slice(std::uint32_t width, std::uint32_t height, const std::vector<Grey>& values,
                       std::uint32_t claimed_width = 0, std::uint32_t claimed_height = 0, char kind = 0) {

@@ -10,7 +10,7 @@
 
 namespace hapticut::test {
 
-/// Zeros; by default somewhere in the world and turned.
+/// A volume of zeros; by default somewhere in the world and rotated.
 template <class Value>
 Volume<Value> volume_of(std::array<int, 3> dims, const Vec3& spacing,
                         const Pose& X_WG = {rotation_from_vector({0.2, 0.9, -0.4}), Vec3(3, -2, 8) * units::mm}) {

@@ -6,10 +6,10 @@
 #include "support/named_material.hpp"
 
 /// @file
-/// What tests ask of a workpiece, and do to it.
+/// Queries and changes of a workpiece in tests.
 namespace hapticut::test {
 
-/// [m^3] of all materials
+/// [m^3] Volume of all materials.
 inline double solid_volume(const Workpiece& workpiece) {
   double sum = 0;
   for (const MaterialAmount& amount : workpiece.amounts()) sum += amount.volume;
@@ -22,7 +22,7 @@ inline Vec3 centroid_of(const Workpiece& workpiece, const VoxelIndex& at) {
   return Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps;
 }
 
-/// Empties one voxel the way the step does.  @return false: the pool is exhausted
+/// Empties one voxel as the step does.  @return false: the pool is exhausted
 inline bool cut_voxel(Workpiece& workpiece, const VoxelIndex& at) {
   const VoxelIndex origin = {block_start(at[0]), block_start(at[1]), block_start(at[2])};
   if (workpiece.writable_fill(origin) == nullptr) return false;

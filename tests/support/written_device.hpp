@@ -9,10 +9,10 @@
 #include "hapticut/device/simulated/device_models.hpp"
 
 /// @file
-/// A device that tells a test what it was given, and what it is run with.
+/// A device that records what is written to it, and its options.
 namespace hapticut::test {
 
-/// A real clock without what needs privileges, and quickly armed.
+/// Options with a real clock, without privileges, and with quick arming.
 inline RunOptions real(double seconds) {
   RunOptions options;
   options.seconds = seconds;
@@ -22,7 +22,7 @@ inline RunOptions real(double seconds) {
   return options;
 }
 
-/// Remembers what was written, and can be told to misbehave.
+/// Records what was written, and can simulate faults.
 class WrittenDevice : public PolledDevice {
  public:
   WrittenDevice() : PolledDevice("written", capabilities_of_a_touch()) {}
@@ -51,7 +51,7 @@ class WrittenDevice : public PolledDevice {
   [[nodiscard]] bool is_simulated() const override { return true; }
 };
 
-/// No force at first, so that the guard lets go, and 1 N from then on.
+/// No force at first, until the guard is armed, and then 1 N.
 inline DeviceCallback pushing(double from = 0.1) {
   return [=](const DeviceState& state) {
     DeviceCommand command;

@@ -10,16 +10,16 @@
 /// The closed loop of a device, the hand that holds it and the model that computes the force, in simulated time.
 namespace hapticut {
 
-/// What is tested: from a reading of the device to the wrench that it shall render until the next reading.
+/// The model under test: maps a reading of the device to the wrench that it must render until the next reading.
 using ForceModel = std::function<Wrench(const DeviceState&)>;
 
-/// A virtual wall that fills z < `height`: `F = -K p - B p'` along z with p the penetration, never pulling.
-/// The reference model, for which stability limits are known in closed form.
+/// A virtual wall that fills z < `height`: `F = -K p - B p'` along z with p the penetration, never pulling. This is the
+/// reference model; its stability limits are known in closed form.
 struct LinearWall {
   double stiffness = 0;   ///< [N/m] K
   double damping = 0;     ///< [N·s/m] B, on the backward difference of the position
-  double filter = 0;      ///< [Hz] cut-off of the low-pass behind that difference; 0: none
-  bool one_sided = true;  ///< false: it also pulls, so that it is linear
+  double filter = 0;      ///< [Hz] cut-off of the low-pass filter of that difference; 0: no filter
+  bool one_sided = true;  ///< false: it also pulls, so it is linear
   double height = 0;      ///< [m]
 
   Wrench operator()(const DeviceState& state);
@@ -29,38 +29,39 @@ struct LinearWall {
   bool started_ = false;
 };
 
-/// What the loop is made of.
+/// Device, hand and timing of the loop.
 struct ClosedLoopConfig {
   DeviceModel device;
   HandModel hand;
-  int delay = 0;               ///< [ticks] >= 0, <= 8, between a force and the tick that applies it, beyond the hold
+  int delay = 0;               ///< [ticks] 0 ... 8, from a force to the tick that applies it, in addition to the hold
   double period = 1e-3;        ///< [s]
   bool dry_friction = false;   ///< Coulomb friction of the device
-  bool encoder = false;        ///< positions in steps of the encoder
+  bool encoder = false;        ///< positions are rounded to steps of the encoder
   bool saturation = false;     ///< the device renders no more than its peak force
-  bool rotation = false;       ///< the gimbal turns under torque
-  double velocity_filter = 0;  ///< [Hz] of the velocity in the readings, as drivers have one; 0: plain difference
+  bool rotation = false;       ///< the gimbal rotates under torque
+  double velocity_filter = 0;  ///< [Hz] filter of the velocity in readings, as in drivers; 0: plain difference
 };
 
-/// The loop: read, compute, hold the force for one period, and so on. Deterministic; knows no clock.
+/// The loop: reads, computes, holds the force for one period, and repeats. Deterministic, without a clock.
 class ClosedLoop {
  public:
   /// @throws Error when a number is out of range
   explicit ClosedLoop(const ClosedLoopConfig& config);
 
-  /// At rest at a pose, with no force under way.
+  /// Places the device at rest at a pose, with no delayed force.
   void reset(const Pose& X_BS);
 
-  /// What the device reads now.
+  /// The present reading of the device.
   [[nodiscard]] const DeviceState& read();
 
   /// Accepts the wrench for the last reading, and moves device and hand by one period.
   void write(const Wrench& wrench);
 
-  /// The same in fine steps, after each of which the observer is called, for events within a tick.
+  /// `write` in fine steps, with a call of the observer after each, for events within a tick.
   void write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer);
 
-  /// A tick without a word from the model: the device holds the last wrench, or the share of it that a watchdog allows.
+  /// A tick without output of the model: the device holds the last wrench, or the fraction of it that a watchdog
+  /// allows.
   void miss_tick(double scale = 1);
 
   void tick(const ForceModel& model) { write(model(read())); }
@@ -70,22 +71,22 @@ class ClosedLoop {
   [[nodiscard]] const ClosedLoopConfig& config() const { return config_; }
   [[nodiscard]] const Wrench& applied() const { return applied_; }  ///< during the last period
 
-  /// [J] that the rendered force has put into device and hand since the reset; exact, because the force is held:
+  /// [J] Work of the rendered force on device and hand since the reset; exact, because the force is held:
   /// `E += F(n) (x(n+1) - x(n)) + tau(n) log(R(n+1) R(n)^T)`.
   [[nodiscard]] double generated_energy() const { return generated_energy_; }
 
-  /// [J] that the viscous friction of the device alone has taken since the reset.
+  /// [J] Dissipation of the device's viscous friction alone, since the reset.
   [[nodiscard]] double device_dissipation() const { return device_dissipation_; }
 
  private:
-  void take(const Wrench& wrench);
+  void apply(const Wrench& wrench);
   template <typename Motion>
   void advance(const Motion& motion);
 
   ClosedLoopConfig config_;
   Plant plant_;
   static constexpr int kMaxDelay = 8;
-  std::array<Wrench, kMaxDelay> under_way_;
+  std::array<Wrench, kMaxDelay> delayed_;
   int next_ = 0;
   Wrench applied_, written_;
   DeviceState state_;

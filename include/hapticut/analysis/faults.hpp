@@ -10,18 +10,18 @@
 
 namespace hapticut {
 
-/// What can go wrong between a hand and a model.
+/// Faults between a hand and a model.
 enum class InjectedFault : std::uint8_t {
   nan_pose,          ///< readings become not-a-number
-  frozen_pose,       ///< the position stops changing while the driver goes on reporting a speed
+  frozen_pose,       ///< the position stops changing while the driver still reports a speed
   stale_reading,     ///< the driver returns its last reading for ever
   jump_30mm,         ///< readings jump 30 mm into the material and stay there
-  missed_1,          ///< the model misses this many ticks, while the device holds the last force
-  missed_5,          ///< the same
-  missed_20,         ///< the same
-  missed_100,        ///< the same
+  missed_1,          ///< the model misses 1 tick, while the device holds the last force
+  missed_5,          ///< the model misses 5 ticks
+  missed_20,         ///< the model misses 20 ticks
+  missed_100,        ///< the model misses 100 ticks
   buried_5mm,        ///< the run begins 5 mm inside the material
-  reclutch,          ///< the mapping from hand to tool moves the tool 5 mm into the material, and says so
+  reclutch,          ///< the mapping from hand to tool moves the tool 5 mm into the material, and reports it
   calibration_jump,  ///< a calibration moves the readings 5 mm into the material
   units_x1000,       ///< readings come in millimetres
   force_x1000,       ///< the model's force comes in millinewtons
@@ -55,24 +55,24 @@ constexpr auto names_of(Of<InjectedFault>) {
 [[nodiscard]] std::string_view name_of(InjectedFault fault);
 [[nodiscard]] std::span<const InjectedFault> injected_faults();
 
-/// What the hand felt of a fault.
+/// What the hand feels after a fault.
 struct FaultResponse {
-  double time_to_zero = -1;            ///< [s] from the fault to the first tick without force; < 0: the force went on
+  double time_to_zero = -1;            ///< [s] from the fault to the first tick without force; < 0: the force continued
   double max_force = 0;                ///< [N] from the fault on
-  double max_growth = 0;               ///< [N] in one tick from the fault on, along any direction but back
-  double oldest_force = 0;             ///< [s] age of the last good reading behind any force that was felt
+  double max_growth = 0;               ///< [N] in one tick from the fault on; release does not count
+  double oldest_force = 0;             ///< [s] maximum age of the last good reading behind a force
   ArmingState end = ArmingState::off;  ///< of the guard, 0.5 s after the fault
 };
 
-/// Presses into the surface z = `height` while stroking sideways, lets the fault happen, and watches for half a second.
-/// The guard and its watchdog stand between the model and the device, as in a run, with the period of the loop.
-/// @throws Error when GuardOptions::period is given too, and another
+/// Presses into the surface z = `height` while moving sideways, injects the fault, and records for half a second. Guard
+/// and watchdog are between the model and the device, as in a run, with the period of the loop.
+/// @throws Error when GuardOptions::period is set to another period
 [[nodiscard]] FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory,
                                                    double stiffness, const GuardOptions& options, InjectedFault fault,
                                                    double height = 0);
 
-/// The rules that no fault may break: never more than the device's peak, no growth above the slew limit, no force older
-/// than 50 ms.
+/// Whether a response obeys the rules for every fault: never more than the device's peak force, no growth above the
+/// slew limit, no force older than 50 ms.
 [[nodiscard]] bool obeys_the_rules(const FaultResponse& response, const SafetyGuard& guard, double period);
 
 }  // namespace hapticut

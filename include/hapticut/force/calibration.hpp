@@ -20,7 +20,7 @@ struct DrillingTest {
   double lips = 2;             ///< [1] z > 0
 };
 
-/// What is fitted beside u and kappa: how thrust and torque do not go to zero with the chip.
+/// The third constant of the fit, beside u and kappa: why thrust and torque do not go to zero with the chip.
 enum class ChipTerm {
   edge_length,   ///< h_e, an edge force per length of lip
   size_length,   ///< h_s, more energy for thinner chips
@@ -36,32 +36,33 @@ constexpr auto names_of(Of<ChipTerm>) {
   };
 }
 
-/// The constants of a material with a kind of tool that explain drilling tests.
+/// The constants of a material and a kind of tool that fit drilling tests.
 struct Calibration {
   double specific_cutting_energy = 0;  ///< [J/m^3] u
   double cutting_ratio = 0;            ///< [1] kappa
   double edge_pressure = 0;            ///< [Pa] p_e
   double edge_length = 0;              ///< [m] h_e
   double size_length = 0;              ///< [m] h_s
-  /// The tests tell edge from chip: the standard error of the term that was asked for is less than half of it, or than
-  /// a tenth of thrust and torque; or it is the one constant with which as many numbers as there are constants fit
-  /// exactly. Otherwise a pressure or size length was taken as 0.
+  /// The tests separate edge from chip: the standard error of the requested term is less than half of the term, or less
+  /// than a tenth of thrust and torque; or there are as many numbers as constants, and only one value of the constant
+  /// fits them exactly. Otherwise a pressure or size length was set to 0.
   bool edge_identified = false;
-  /// The edge length is kAssumedEdgeLength, because the tests neither tell it nor contradict that.
+  /// The edge length is kAssumedEdgeLength, because the tests neither determine it nor contradict this value.
   bool edge_assumed = false;
-  /// The tests tell how much energy the chip costs: the standard error of u is less than half of it. Otherwise the edge
+  /// The tests determine the energy of the chip: the standard error of u is less than half of u. Otherwise the edge
   /// carries nearly all of thrust and torque, and u may be 0.
   bool chip_identified = true;
-  /// Thrust and torque were both measured. Otherwise kappa was taken as kAssumedRatio: thrusts alone fix u/kappa only.
+  /// Thrust and torque were both measured. Otherwise kappa was set to kAssumedRatio, because thrusts alone determine
+  /// only u/kappa.
   bool ratio_identified = true;
-  /// More numbers were measured than constants fitted. Otherwise they fit whatever they are, and nothing checks them.
+  /// More numbers were measured than constants fitted. Otherwise they always fit exactly, and nothing checks them.
   bool checked = true;
-  double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured, of those measured
-  double torque_residual = 0;  ///< [1]
+  double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured, over the measured thrusts
+  double torque_residual = 0;  ///< [1] over the measured torques
 };
 
-inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa where tests do not tell: that of burs
-/// [m] h_e where tests do not tell: the middle of what was found in bone, 20 ... 40 um (docs/materials.md).
+inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa when tests do not determine it: that of burs
+/// [m] h_e when tests do not determine it: the middle of the range found in bone, 20 ... 40 um (docs/materials.md).
 inline constexpr double kAssumedEdgeLength = 30e-6;
 
 /// Steady thrust and torque of a flat head fed axially (C22, C35).
@@ -73,13 +74,15 @@ struct AxialCutForce {
 [[nodiscard]] AxialCutForce axial_cut_force(const Calibration& constants, double radius, AngularSpeed spindle_speed,
                                             double feed_speed, double lips = 2);
 
-/// Fits u, kappa and one more constant to drilling tests by least squares of the relative errors of what was measured.
+/// Fits u, kappa and one more constant to drilling tests by least squares of the relative errors of the measured
+/// numbers.
 ///
-/// For a given kappa thrust and torque are linear in u and in u h_e, u sqrt(h_s) or p_e, neither of which may be
-/// negative; kappa is searched from 0.001 to 1000. One test, or several at the same chip, cannot tell edge from chip,
-/// nor can tests that scatter more than the edge adds: then an edge length is assumed, and the other two taken as 0.
-/// @throws Error when there is no test, a number of one is out of its range, or no kappa within that range explains
-///         them
+/// For a given kappa, thrust and torque are linear in u and in u h_e, u sqrt(h_s) or p_e. None of these may be
+/// negative. kappa is searched from 0.001 to 1000. One test, or several with the same chip, cannot separate edge from
+/// chip; nor can tests whose scatter exceeds the effect of the edge. Then an edge length is assumed, and a size length
+/// or edge pressure is set to 0.
+/// @throws Error when there is no test, a number of a test is out of its range, or no kappa within the range fits the
+/// tests
 [[nodiscard]] Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term = ChipTerm::edge_length);
 
 }  // namespace hapticut

@@ -12,56 +12,57 @@
 ///
 ///     u_eff = u (1 + h_e/h + sqrt(h_s/h)),    h = v/f_z,   f_z = z |omega|/(2 pi)
 ///
-/// v: speed at which the interface itself recedes, z: lips. h_e is a force per length of lip, u h_e, which ploughs and
-/// takes nothing away; h_s the size effect of thin chips. At a pressure p and a slip s the interface therefore recedes
-/// by
+/// v is the speed at which the interface recedes, z the number of lips. h_e is a force per length of lip, u h_e, which
+/// ploughs and removes nothing; h_s is the size effect of thin chips. At a pressure p and a slip s the interface
+/// therefore recedes by
 ///
 ///     q = kappa s p/u = v + sqrt(h_s f_z v) + h_e f_z        v(q) = 0 up to q = h_e f_z, and then y^2,
 ///                                                            y = 2 (q - h_e f_z)/(b + sqrt(b^2 + 4 (q - h_e f_z))),
 ///                                                            b = sqrt(h_s f_z)
 ///
-/// In the elastic layer of the foundation, whose pressure at depth t is k_v t^2/2, a voxel between the depths b and t
-/// gives v(q(t)) - v(q(b)) of it: the sum over a column is v of the pressure on its top, however thick the layer is.
-/// Between two depths that is the law of a constant energy u/sigma above a threshold q_0, the chord of v(q):
+/// In the elastic layer of the foundation the pressure at depth t is k_v t^2/2. A voxel between the depths b and t
+/// contributes v(q(t)) - v(q(b)), so the sum over a column is v at the pressure on its top, however thick the layer is.
+/// Between two depths this equals the law of a constant energy u/sigma above a threshold q_0, the chord of v(q):
 ///
 ///     sigma = (y_1 + y_2)/(y_1 + y_2 + b)         q_0 = h_e f_z + b y_1 y_2/(y_1 + y_2)
 ///
-/// so that the layer's equation (LayerRecession) stays what it was. In a voxel that holds the bottom of the layer,
-/// where any chord through the top gives the same, its other end is the speed of the head, to which the recession
-/// tends, by its mean velocity over some time (HeadMotion::ripple), or the root would make cuts cheaper the more
-/// the tool of a coupling trembles; less where more than half of the voxel is in the layer, down to none where all of
-/// it is.
+/// so the equation of the layer (LayerRecession) does not change. In a voxel that holds the bottom of the layer, any
+/// chord through the top gives the same sum. There the other end of the chord is the speed of the head, to which the
+/// recession tends. It is the mean velocity over some time (HeadMotion::ripple), because otherwise the root would make
+/// cuts cheaper the more the tool of a coupling trembles. It is reduced when more than half of the voxel is in the
+/// layer, to zero when all of it is.
 ///
-/// Where a head passes along a wall it has finished, no chip is taken, and constants of thin chips mean nothing: the
-/// wall would press on it for ever, at the pressure from which edges cut. Within half a degree of the feed h_e and h_s
-/// count as the speed towards the surface does (`share_of_chips`). docs/decisions/0010-chips.md compares this with what
-/// else was tried.
+/// When a head passes along a wall that it has finished, it takes no chip, and the constants of thin chips do not
+/// apply: the wall would press on the head for ever, with the pressure at which edges cut. So within half a degree of
+/// the feed, h_e and h_s are scaled with the speed towards the surface (`chip_factor`). docs/decisions/0010-chips.md
+/// compares this with the alternatives.
 namespace hapticut {
 
-/// What a voxel is cut by in place of u and w0.
+/// The energy and the threshold depth of the cut of a voxel, in place of u and w0.
 template <class Real>
 struct ChipChord {
   Real energy;         ///< [J/m^3] u/sigma
-  CutDepth<Real> cut;  ///< [m] from where the pressure reaches the threshold, p_e included
+  CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
 
   static constexpr Real kMinRoots = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
-  static constexpr Real kGrazing = Real(0.01);   ///< [1] of the feed towards a surface, from which lips take a chip
-  static constexpr Real kMinFeed = Real(1e-6);   ///< [m/s] of a head that only presses
+  static constexpr Real kGrazing =
+      Real(0.01);  ///< [1] part of the feed towards a surface from which on lips take a chip
+  static constexpr Real kMinFeed = Real(1e-6);  ///< [m/s] of a head that only presses
 
-  /// [1] of h_e and h_s.
-  /// @param speed  [m/s] of the head towards the surface, or away from it
-  /// @param feed   [m/s] of the head, any way
-  static Real share_of_chips(Real speed, Real feed) {
+  /// [1] Factor of h_e and h_s.
+  /// @param speed  [m/s] of the head towards the surface or away from it
+  /// @param feed   [m/s] speed of the head in any direction
+  static Real chip_factor(Real speed, Real feed) {
     return std::min(Real(1), (std::abs(speed) / kGrazing + kMinFeed) / std::max(feed, kMinFeed));
   }
 
   /// @param tooth_rate  [1/s] f_z
   /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
   /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
-  /// @param speed,feed  [m/s] of the head towards it or away, and any way
+  /// @param speed,feed  [m/s] of the head towards the surface or away from it, and in any direction
   static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed,
                       Real feed) {
-    const Real chips = tooth_rate * share_of_chips(speed, feed);
+    const Real chips = tooth_rate * chip_factor(speed, feed);
     const Real edge = material.edge_length * chips, square = material.size_length * chips;
     const Real b = std::sqrt(square), w0 = material.cutting_depth;
     const auto root_of_speed = [&](Real depth) {
@@ -69,7 +70,8 @@ struct ChipChord {
       return 2 * q / std::max(b + std::sqrt(square + 4 * q), kMinRoots);
     };
     const Real at_top = root_of_speed(top);
-    const Real outside = std::min(Real(1), -2 * bottom / (top - bottom));  // [1] of half of the voxel
+    const Real outside =
+        std::min(Real(1), -2 * bottom / (top - bottom));  // [1] 1 when half of the voxel or more is below the layer
     const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
     const Real dearer = 1 + b / std::max(at_top + other, kMinRoots);  // 1/sigma
     const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);

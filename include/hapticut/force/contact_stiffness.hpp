@@ -3,16 +3,15 @@
 
 #include "hapticut/core/spatial.hpp"
 
-/// @file
-/// How the force of the contact answers to a small motion of the tool: what an implicit coupling, or an implicit
-/// integrator of your own, needs beside the force.
+/// How the force of the contact responds to a small motion of the tool. An implicit coupling, or your own implicit
+/// integrator, needs this beside the force.
 namespace hapticut {
 
-/// How force and torque fall with a small motion of the tool: minus the derivative of (force, torque) with respect to
-/// (translation, rotation), about one point and in one frame. [N/m], [N] and [N·m/rad]; symmetric.
+/// Minus the derivative of (force, torque) on the tool with respect to (translation, rotation) of the tool, about one
+/// point and in one frame. [N/m], [N] and [N·m/rad]; symmetric.
 using Stiffness = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
-/// The same stiffness about another point and in another frame.
+/// Transforms a stiffness to another point and another frame.
 /// @param stiffness_T  about To, in T
 /// @param R_WT         from T to W
 /// @param p_HoTo_W     [m] from the new point Ho to the old one To, in W

@@ -9,41 +9,41 @@ namespace hapticut {
 
 /// Keeps a ball that was pushed beyond its radius from popping through (D15).
 ///
-/// The springs of a ball push away from its centre, so those beyond the centre help it in: the force of a half space
+/// The springs of a ball push away from its centre, so springs beyond the centre pull it in: the force of a half space
 /// peaks at depth R, falls, and vanishes when the ball is buried. Once more than half of the ball is filled, the
-/// direction n that it pushes in is frozen, and the ball is tied to that place by a spring along n:
+/// direction n of its push is frozen, and a spring along n ties the ball to that place:
 ///
 ///     F = -K s n,   s = (To - p) . n > 0        p: where To was then
 ///
-/// with K = 1.05 * 16/9 |F|/R, F the normal force then, a little more than the steepest fall of the springs' force
-/// (C2), so that the sum never falls as the ball goes deeper. The spring has an energy, K s^2/2, and does no work on a
-/// closed path. It lets go where the ball comes back to p, and yields where material leaves the ball (it is cut, or a
-/// wall breaks): K then falls with the filled share of the ball, to nothing at a quarter. A ball that never touched a
-/// surface before it was buried has no direction to be pushed in, and feels the springs alone.
+/// with K = 1.05 * 16/9 |F|/R, where F is the normal force at that moment. K is a little more than the steepest fall of
+/// the springs' force (C2), so the sum never falls as the ball goes deeper. The spring has an energy, K s^2/2, and does
+/// no work on a closed path. It ends when the ball comes back to p. It yields when material leaves the ball because it
+/// is cut or a wall breaks: K then falls with the filled fraction of the ball, to zero at a quarter. A ball that never
+/// touched a surface before it was buried has no direction of push, and only its springs act.
 class DeepContact {
  public:
-  static constexpr double kDeep = 0.52;  ///< [1] filled share of the ball from which on it is held; 1/2 at depth R
-  static constexpr double kFree = 0.25;  ///< [1] at which nothing is left of the spring
+  static constexpr double kDeep = 0.52;  ///< [1] filled fraction from which on the ball is held; 1/2 at depth R
+  static constexpr double kFree = 0.25;  ///< [1] filled fraction at which the spring has vanished
 
   struct Outcome {
     Vec3 force = Vec3::Zero();  ///< [N] on the ball at its centre
     double stored_before = 0;   ///< [J]
     double stored = 0;          ///< [J]
-    double released = 0;        ///< [J] >= 0, lost where the spring yielded or let go
+    double released = 0;        ///< [J] >= 0, lost when the spring yielded or ended
   };
 
-  /// The ball has moved on a straight way.
+  /// Moves the ball on a straight path.
   /// @param from, to      [m] its centre, in W
-  /// @param filled        [1] share of the ball that is filled, in the middle of the way
-  /// @param normal_force  [N] of the springs on the ball, there, in W. Where `wants_normal_force` says no, only whether
-  ///                      there is any counts
+  /// @param filled        [1] filled fraction of the ball, in the middle of the path
+  /// @param normal_force  [N] of the springs on the ball, there, in W. When `needs_normal_force` is false, only whether
+  /// it is zero matters
   /// @param radius        [m]
   /// @realtime no allocation, no lock; O(1)
   Outcome move(const Vec3& from, const Vec3& to, double filled, const Vec3& normal_force, double radius) noexcept {
     if (!held_) {
       const double force = normal_force.norm();
       if (filled < kDeep) touched_ = force > 0;
-      if (!wants_normal_force(filled) || !(force > 0)) return {};
+      if (!needs_normal_force(filled) || !(force > 0)) return {};
       held_ = true;
       normal_ = -normal_force / force;
       place_ = from;
@@ -52,8 +52,8 @@ class DeepContact {
     }
     Outcome outcome;
     outcome.stored_before = stored_;
-    const double share = std::clamp((filled - kFree) / (kDeep - kFree), 0.0, 1.0);
-    stiffness_ = std::min(stiffness_, share * full_stiffness_);
+    const double fraction = std::clamp((filled - kFree) / (kDeep - kFree), 0.0, 1.0);
+    stiffness_ = std::min(stiffness_, fraction * full_stiffness_);
     const double before = (from - place_).dot(normal_), after = (to - place_).dot(normal_);
     const double tension = stiffness_ * std::max(0.0, 0.5 * (before + after));
     outcome.force = -tension * normal_;
@@ -64,14 +64,16 @@ class DeepContact {
     return outcome;
   }
 
-  /// Whether the next `move` begins to hold the ball, and needs the normal force without what rubs or cuts along the
-  /// ball's surface.
-  [[nodiscard]] bool wants_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
+  /// Whether the next `move` begins to hold the ball. It then needs the normal force without the drag along the ball's
+  /// surface.
+  [[nodiscard]] bool needs_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
 
   [[nodiscard]] bool held() const { return held_; }                          ///< the spring acts
   [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] of the spring
-  [[nodiscard]] const Vec3& normal() const { return normal_; }  ///< [1] that it is along, into the material, in W
-  [[nodiscard]] double stored() const { return stored_; }       ///< [J]
+  [[nodiscard]] const Vec3& normal() const {
+    return normal_;
+  }                                                        ///< [1] direction of the spring, into the material, in W
+  [[nodiscard]] double stored() const { return stored_; }  ///< [J]
 
   void reset() noexcept { *this = {}; }
 

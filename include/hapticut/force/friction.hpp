@@ -25,7 +25,7 @@ constexpr auto fields_of(Of<DryFriction>) {
       field("static_friction", &F::static_friction, "1", Range::not_negative(), "mu_s, not below dynamic_friction"),
       field("dynamic_friction", &F::dynamic_friction, "1", Range::not_negative(), "mu_d"),
       field("tangential_stiffness", &F::tangential_stiffness, "N/m", Range::not_negative(),
-            "k_t of the sticking anchor; 0: as the contact has along its normals"),
+            "k_t of the sticking anchor; 0: in proportion to the stiffness along the normals"),
   };
 }
 
@@ -38,20 +38,20 @@ inline void validate(const DryFriction& friction) {
                 ". Lower it, or raise static_friction.");
 }
 
-/// [1] What an elastic contact has across its normal of its stiffness along it, 2 (1 - nu)/(2 - nu) for nu = 0.3
-/// (Mindlin 1949, J Appl Mech 16:259).
+/// [1] Stiffness of an elastic contact across its normal over that along it, 2 (1 - nu)/(2 - nu) for nu = 0.3 (Mindlin
+/// 1949, J Appl Mech 16:259).
 inline constexpr double kTangentialShare = 0.82;
 
-/// [m/s] speed of the head's rim from which on the cutting ratio alone describes the tangential force.
+/// [m/s] Speed of the head's rim from which on the cutting ratio alone describes the tangential force.
 inline constexpr double kFullSpinSpeed = 0.01;
 
-/// How much of the friction is that of a standing head: 1 while the spindle stands, 0 from a rim speed of
+/// Fraction of the friction that is dry friction of a standing head: 1 while the spindle stands, 0 from a rim speed of
 /// `kFullSpinSpeed` on, and a smooth step between.
 ///
-/// The hand-over: while it is between 0 and 1, dry friction acts with this share of its coefficients and the cutting
-/// ratio with the rest of its own, so that starting and stopping the spindle changes the force continuously.
+/// While it is between 0 and 1, dry friction acts with this fraction of its coefficients and the cutting ratio with the
+/// rest, so starting and stopping the spindle changes the force continuously.
 /// @param spin    [rad/s]
-/// @param radius  [m] largest radius of the head
+/// @param radius  [m] maximum radius of the head
 [[nodiscard]] inline double standing_share(double spin, double radius) {
   const double t = std::min(1.0, std::abs(spin) * radius / kFullSpinSpeed);
   return 1 - t * t * (3 - 2 * t);

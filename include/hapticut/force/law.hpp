@@ -9,15 +9,14 @@
 #include "hapticut/force/whole_contact.hpp"
 #include "hapticut/workpiece/contact.hpp"
 
-/// @file
-/// `ForceLaw::evaluate`: what a force law is given and what it must deliver. One law per file in `force/laws/`.
+/// `ForceLaw::evaluate`: input and output of a force law. Each law has a file in `force/laws/`.
 namespace hapticut {
 
-/// Whether and by which energy balance the spinning head takes material away.
+/// Whether the spinning head removes material, and by which energy balance.
 enum class RemovalLaw {
   none,             ///< nothing is cut: probing, or pure force rendering
   constant_energy,  ///< law A (default): every removed volume costs its specific cutting energy
-  elastic_release   ///< law G: the elastic energy of removed material pays a part of it
+  elastic_release   ///< law G: the elastic energy of removed material pays a part of this energy
 };
 
 constexpr auto names_of(Of<RemovalLaw>) {
@@ -35,60 +34,60 @@ struct ContactMaterial {
   float damping;                           ///< [s/m] chi
   float cutting_ratio;                     ///< [1] kappa
   float cutting_energy;                    ///< [J/m^3] u
-  float cutting_depth;                     ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
+  float cutting_depth;                     ///< [m] w0 = sqrt(2 p_e / k_v); shallower material is not cut
   float edge_length = 0, size_length = 0;  ///< [m] h_e and h_s of chips (force/chip.hpp)
-  float crushing_depth = kNeverCrushed;    ///< [m] sqrt(2 sigma / k_v), below which nothing stays
+  float crushing_depth = kNeverCrushed;    ///< [m] sqrt(2 sigma / k_v); deeper material is crushed
   float static_friction = 0;               ///< [1] mu_s
   float dynamic_friction = 0;              ///< [1] mu_d
   float tangential_stiffness = 0;          ///< [N/m] k_t
   float sliding_ratio = 0;                 ///< [1] kappa of smooth surfaces: mu_d
-  float land = 0;                          ///< [m] how far from a cutting edge smooth surfaces cut
+  float land = 0;                          ///< [m] distance from a cutting edge within which smooth surfaces cut
   static constexpr float kNeverCrushed = 1e3F, kNeverCut = 1e3F;
 
-  /// [m^2] MeridianSpring::smooth up to which a surface cuts: never within less than two voxels.
+  /// [m^2] MeridianSpring::smooth up to which a surface cuts: that of the land, at least two voxels.
   [[nodiscard]] float square_of_land(float voxel_size) const {
-    const float most = std::max(land, 2 * voxel_size);
-    return most * most;
+    const float distance = std::max(land, 2 * voxel_size);
+    return distance * distance;
   }
 };
-using ContactMaterials = ByMaterial<ContactMaterial>;  ///< that of kEmpty has no stiffness and costs 1 J/m^3
+using ContactMaterials = ByMaterial<ContactMaterial>;  ///< kEmpty has no stiffness and a cutting energy of 1 J/m^3
 
 /// How the head moves during one sub-step, in T where the contact is evaluated.
 struct HeadMotion {
   Eigen::Vector3f velocity;               ///< [m/s] of To along the path, V
   Eigen::Vector3f angular_velocity;       ///< [rad/s] of the handpiece along the path, Omega
-  Eigen::Vector3f felt_velocity;          ///< [m/s] of To as the device measures it: drives damping only
+  Eigen::Vector3f felt_velocity;          ///< [m/s] of To as the device measures it; drives damping only
   Eigen::Vector3f felt_angular_velocity;  ///< [rad/s]
   float spin;                             ///< [rad/s] omega about +z; 0: the spindle stands
   float duration;                         ///< [s]
   float voxel_size;                       ///< [m] l
   RemovalLaw removal;
-  float head_radius = 0;  ///< [m] largest radius of what cuts of the head
-  float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
-  /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
+  float head_radius = 0;  ///< [m] maximum cutting radius of the head
+  float lead = 0;         ///< [1] time of the evaluation after the middle, in sub-steps; 0.5: at its end
+  /// n: one n-th of the samples is evaluated in a sub-step, in turn, with the slip of n sub-steps.
   float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
-  float tooth_rate = 0;  ///< [1/s] f_z, at which lips pass; 0 where no material's energy depends on chips
+  float tooth_rate = 0;  ///< [1/s] f_z, passing rate of the lips; 0 when no material's energy depends on chips
   float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: the step has one sub-step
-  /// [m/s] What the velocity has beyond its mean over the last 20 ms: the energy of chips does not see it.
+  /// [m/s] Velocity less its mean over the last 20 ms; it does not affect the energy of chips.
   Eigen::Vector3f ripple = Eigen::Vector3f::Zero();
-  bool crushes = false;  ///< what is deeper than its crushing_depth goes, whether the head turns or not
+  bool crushes = false;  ///< material deeper than its crushing_depth is removed, whether the head turns or not
 
-  /// [rad/s] of the head's surface about +z: the spin, and the handpiece that turns with it.
+  /// [rad/s] Angular velocity of the head's surface about +z: spin plus rotation of the handpiece.
   [[nodiscard]] float turning() const noexcept { return spin + angular_velocity.z(); }
 
-  /// Whether a spinning head takes material away.
+  /// Whether a spinning head removes material.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
-  /// [s] over which a small motion to where the contact is evaluated changes the velocity.
+  /// [s] Time in which a small motion to the pose of the evaluation changes the velocity.
   [[nodiscard]] float time_to_move() const noexcept { return elapsed > 0 ? elapsed : duration; }
   /// Whether the contact is evaluated at the end of the sub-step.
   [[nodiscard]] bool at_end() const noexcept { return lead > 0; }
 };
 
-/// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
+/// Contribution of one block to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
 struct LawEnergies {
   double elastic_before = 0;  ///< stored in the samples at the beginning of the sub-step
-  double elastic = 0;         ///< and at its end
+  double elastic = 0;         ///< stored in the samples at the end of the sub-step
   double cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0, crushed = 0;
 
   LawEnergies& operator+=(const LawEnergies& other) {
@@ -103,27 +102,27 @@ struct LawEnergies {
     return *this;
   }
 
-  /// Of all; finite only where each of them is.
+  /// Sum of all terms; finite only when each of them is.
   [[nodiscard]] double sum() const {
     return elastic_before + elastic + cutting + released + damping + rubbing + credited + crushed;
   }
 };
 
-/// What a law delivers for a block beside the arrays it writes.
+/// Result of a law for a block, beside the arrays it writes.
 struct LawTotals {
   LawEnergies energies;
-  double spin_couple = 0;  ///< [N·m] about +z on the tool, that no force at a sample's point accounts for
-  bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so stage remove_emptied has nothing to do
+  double spin_couple = 0;  ///< [N·m] about +z on the tool, in addition to the torque of the samples' forces
+  bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so nothing is removed
 };
 
-/// A fraction of a voxel below this is taken away at once and its volume credited.
+/// A filled fraction below this is removed at once, and its energy is credited.
 inline constexpr float kMinFill = 1e-3F;
 
-/// A force law: from the samples of one block to the force on the tool at each, and to what is left of each voxel.
+/// A force law: computes, from the samples of one block, the force on the tool at each and the remaining fill of each.
 ///
-/// The step calls `evaluate` once per block and sums what it writes; a law of your own derives from this class and is
-/// handed to the simulation in its configuration. A law that knows the contact only as a whole says so by
-/// `needs_moments`, and gives its force by `lump`; force/laws/lumped.hpp shares the cut out for it.
+/// The step calls `evaluate` once per block and sums what it writes. A custom law derives from this class and is passed
+/// to the simulation in its configuration. A law that knows only the whole contact returns true from `needs_moments`
+/// and gives its force in `lump`; force/laws/lumped.hpp then distributes the cut.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
@@ -132,33 +131,35 @@ class ForceLaw {
   /// @throws Error when the law has no formula for this head; the message names those that it has
   virtual void require_head(const ToolHead&) const {}
 
-  /// Whether the blocks are gone over once before, to give `lump` and `HeadMotion::whole` the whole contact.
+  /// Whether the law needs a first pass over all blocks, which computes the whole contact for `lump` and
+  /// `HeadMotion::whole`.
   [[nodiscard]] virtual bool needs_moments() const noexcept { return false; }
 
-  /// Force, torque and energies of the whole contact, added once per sub-step to what the blocks give. Only called when
-  /// the law needs moments and something is touched.
+  /// Force, torque and energies of the whole contact, added once per sub-step to those of the blocks. Called only when
+  /// the law needs moments and the head touches something.
   /// @realtime no allocation, no lock, no exception
   [[nodiscard]] virtual LumpedForce lump(const ToolHead&, const HeadMotion&, const ContactMoments&) const noexcept {
     return {};
   }
 
-  /// Whether a ball pushed beyond its radius is held by DeepContact: only where the law's own force of a ball falls
-  /// with depth beyond the radius, as that of springs that push from the centre, and the law claims to be right there.
+  /// Whether DeepContact holds a ball that is pushed beyond its radius. True only for a law whose own force of a ball
+  /// falls with depth beyond the radius, as that of springs that push from the centre, and that claims to be right
+  /// there.
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
 
-  /// Whether this is FoundationLaw, which the library computes in vector instructions, with its stiffness, level of
+  /// Whether this is FoundationLaw. The library computes it with vector instructions, with its stiffness, level of
   /// detail and crushing.
   [[nodiscard]] virtual bool is_foundation() const noexcept { return false; }
 
-  /// Whether `evaluate` takes blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
-  /// of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of makes them w), and
-  /// `largest` for VoxelSection, which integrates over the part.
-  /// Where it does not, SimulationConfig::quadrature must be one of points.
+  /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They hold
+  /// the depth of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of converts
+  /// them to w), and `largest` for VoxelSection, which integrates over the part. If false, SimulationConfig::quadrature
+  /// must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 
-  /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
-  /// empty. Where the sum of forces or energies is not finite there is no force, and
-  /// StepStatus::force_not_finite says so.
+  /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry without fill must get no force and stay
+  /// empty. If the sum of forces or energies is not finite, the force is dropped and StepStatus::force_not_finite is
+  /// set.
   /// @realtime no allocation, no lock, no exception
   virtual LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                              ContactBlock& block) const noexcept = 0;

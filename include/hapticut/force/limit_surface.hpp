@@ -7,53 +7,54 @@
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/spread_friction.hpp"
 
-/// @file
-/// Dry friction of a contact that is spread over a surface: a pin in its hole, a bur in a groove, a disc on a plate
-/// (docs/model.md, friction of the standing head).
+/// Dry friction of a contact that is spread over a surface, such as a pin in its hole, a bur in a groove or a disc on a
+/// plate (docs/model.md, friction of the standing head).
 namespace hapticut {
 
-/// Stick and slip of a spread contact: an anchor that is a pose, which the tool drags over the material.
+/// Stick and slip of a spread contact: the tool drags an anchor, which is a pose, over the material.
 ///
-/// A displacement xi of the tool from its anchor, a twist about the reference point, moves the points of the contact by
-/// |xi| = sqrt(xi . B xi), root mean square by the friction force each can bear, B = A/(Sum mu_s f). While it sticks,
-/// the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed Sum mu_s f it slides: xi is scaled so that
-/// it is Sum mu_d f, until it falls below that. Where all points slip alike that is Coulomb's law; a disc that turns on
-/// its face has 6 % more than its exact torque, and the mean over random twists of pins, discs, grooves and cones is 4
-/// to 13 % more, never less (by Cauchy and Schwarz). What it dissipates is never negative.
+/// A displacement xi of the tool from its anchor is a twist about the reference point. It moves the points of the
+/// contact by |xi| = sqrt(xi . B xi), the root mean square weighted with the friction force that each point can bear;
+/// B = A/(Sum mu_s f). While it sticks, the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed
+/// Sum mu_s f it slides: xi is scaled so that k_t |xi| is Sum mu_d f, until it falls below that. If all points slip
+/// alike this is Coulomb's law. A disc that rotates on its face has 6 % more than its exact torque, and the mean over
+/// random twists of pins, discs, grooves and cones is 4 to 13 % more, never less (by Cauchy and Schwarz). The
+/// dissipation is never negative.
 ///
-/// Where the contact changes, so do B and k_t; neither the stored energy nor the force may grow by that, so xi is
+/// When the contact changes, B and k_t change. Neither the stored energy nor the force may grow by that, so xi is
 /// scaled.
 ///
-/// For implicit steps (`lead` = 0.5) the force is that of the end, and the step in which it begins to slide still has
-/// mu_s: so the force never falls as the tool moves on, and every step has a solution.
+/// For implicit steps (`lead` = 0.5) the force is that of the end, and the step in which sliding begins still has mu_s.
+/// So the force never falls as the tool moves on, and every step has a solution.
 class LimitSurface {
  public:
   struct Outcome {
     Wrench wrench;          ///< on the tool, about the reference point
     double dissipated = 0;  ///< [J] >= 0
 
-    /// By how much the wrench falls with a small displacement; symmetric, positive semidefinite.
+    /// Decrease of the wrench with a small displacement; symmetric, positive semidefinite.
     Stiffness stiffness = Stiffness::Zero();
   };
 
   /// Moves the tool over the material.
-  /// @param contact       about the reference point, a point of the tool, in axes that do not turn
+  /// @param contact       about the reference point, a point of the tool, in axes that do not rotate
   /// @param displacement  [m], [rad] of the tool at that point, in the same axes
-  /// @param share         [1] of the coefficients in force: see `standing_share`
-  /// @param lead          [1] of the sub-step after its middle that the force is that of: 0, or 0.5 for its end
+  /// @param fraction      [1] part of the coefficients that acts: see `standing_share`
+  /// @param lead          [1] time of the force after the middle, in sub-steps: 0, or 0.5 for the end
   /// @realtime no allocation, no lock
-  Outcome move(const SpreadFriction& contact, const Twist& displacement, double share = 1, double lead = 0) noexcept {
+  Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1,
+               double lead = 0) noexcept {
     const double before = stored_;
     const double stiffness = contact.stiffness();
-    if (!(share * contact.static_limit > 0 && stiffness > 0)) {
+    if (!(fraction * contact.static_limit > 0 && stiffness > 0)) {
       reset();
       return {{}, before, Stiffness::Zero()};
     }
     anchored_ = true;
     stiffness_ = stiffness;
     const Stiffness shape = contact.directions / contact.static_limit;
-    const double static_slip = share * contact.static_limit / stiffness_;
-    const double dynamic_slip = share * contact.dynamic_limit / stiffness_;
+    const double static_slip = fraction * contact.static_limit / stiffness_;
+    const double dynamic_slip = fraction * contact.dynamic_limit / stiffness_;
 
     Vector6 start = offset();
     const double length = slip(shape, start);
@@ -95,7 +96,7 @@ class LimitSurface {
   [[nodiscard]] bool sliding() const { return sliding_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [N/m] k_t
 
-  /// Lets go of the anchor.
+  /// Removes the anchor.
   void reset() noexcept { *this = {}; }
 
  private:

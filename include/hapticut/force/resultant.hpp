@@ -8,23 +8,24 @@
 
 namespace hapticut {
 
-/// What the blocks of one sub-step add up to.
+/// Sums over the blocks of one sub-step.
 struct Resultant {
   Wrench wrench_T;          ///< [N], [N·m] on the tool about To, in T
   int voxels = 0;           ///< samples inside the head
   double volume = 0;        ///< [voxels] filled volume inside the head
-  double depth = 0;         ///< [m] greatest depth
-  double normal_force = 0;  ///< [N] sum of the forces along the samples' normals, whatever their directions
+  double depth = 0;         ///< [m] maximum depth
+  double normal_force = 0;  ///< [N] sum of the magnitudes of the normal forces
 
-  // Where the contact is: of those forces alone, without the drag of the spin.
-  Vec3 push_T = Vec3::Zero();    ///< [N] their sum, on the tool, in T
-  Vec3 moment_T = Vec3::Zero();  ///< [N·m] sum of their sizes times their places from To, in T
+  // Position of the contact: of the normal forces alone, without the drag of the spin.
+  Vec3 push_T = Vec3::Zero();    ///< [N] their vector sum, on the tool, in T
+  Vec3 moment_T = Vec3::Zero();  ///< [N·m] sum of their magnitudes times their positions from To, in T
   double area = 0;               ///< [voxel edges^2] of the head's surface that is in material
 };
 
 /// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.
 ///
-/// Single-precision partial sums per lane within a block, double precision across blocks, always in the same order.
+/// Partial sums per lane within a block are in single precision, sums across blocks in double precision, always in the
+/// same order.
 /// @realtime no allocation, no lock; O(samples)
 inline void sum_resultant(const ContactBlock& b, Resultant& total) {
   enum Term {

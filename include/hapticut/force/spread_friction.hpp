@@ -10,25 +10,25 @@
 
 namespace hapticut {
 
-/// What dry friction has to know of a contact that is spread over a surface: sums over its points of the normal force
-/// f, each with the coefficients of its own material.
+/// The contact as dry friction needs it: sums over its points of the normal force f, each with the coefficients of its
+/// own material.
 struct SpreadFriction {
-  /// [N], [N m], [N m^2] `A = Sum mu_s f P^T (1 - n n^T) P`, where P takes a twist at the reference point to the
+  /// [N], [N m], [N m^2] `A = Sum mu_s f P^T (1 - n n^T) P`, where P maps a twist at the reference point to the
   /// velocity of a point.
   Stiffness directions = Stiffness::Zero();
-  double static_limit = 0;   ///< [N] `Sum mu_s f`: what friction bears where all points slip alike
+  double static_limit = 0;   ///< [N] `Sum mu_s f`: limit of friction when all points slip alike
   double dynamic_limit = 0;  ///< [N] `Sum mu_d f`
-  double anchors = 0;        ///< [N^2/m] `Sum mu_s f k_t` of points whose k_t is given
+  double anchors = 0;        ///< [N^2/m] `Sum mu_s f k_t` of points with a given k_t
   double springs = 0;        ///< [N/m] sum over the others of kTangentialShare times their stiffness along n
 
-  /// [N/m] of the anchor; 0 where there is no contact
+  /// [N/m] Stiffness of the anchor; 0 without contact.
   [[nodiscard]] double stiffness() const { return static_limit > 0 ? anchors / static_limit + springs : 0.0; }
 
   /// Adds a point.
   /// @param r       [m] from the reference point
   /// @param n       [1] unit normal
   /// @param normal  [N] >= 0
-  /// @param spring  [N/m] along n, counted where friction gives no stiffness
+  /// @param spring  [N/m] along n, used when friction gives no stiffness
   void add(const Vec3& r, const Vec3& n, double normal, const DryFriction& friction, double spring = 0) {
     const double limit = friction.static_friction * normal;
     Eigen::Matrix<double, 3, 6> P;  // (1 - n n^T) (1, -[r]x)
@@ -44,7 +44,7 @@ struct SpreadFriction {
     if (friction.tangential_stiffness == 0) springs += kTangentialShare * spring;
   }
 
-  /// Adds the samples of a block, about To and in T, after a law has evaluated it for a head that stands.
+  /// Adds the samples of a block, about To and in T, after a law has evaluated it for a standing head.
   void add(const ContactBlock& b, const HeadMotion& motion, const ContactMaterials& materials) {
     const double volume = std::pow(double(motion.voxel_size), 3);
     for (int i = 0; i < b.lanes(); ++i) {
@@ -60,7 +60,7 @@ struct SpreadFriction {
     }
   }
 
-  /// All forces, and all springs, multiplied.
+  /// Scales all forces and all springs.
   SpreadFriction& operator*=(double factor) {
     directions *= factor;
     static_limit *= factor;
@@ -70,7 +70,7 @@ struct SpreadFriction {
     return *this;
   }
 
-  /// Of a contact at the reference point alone.
+  /// A contact at the reference point only.
   /// @param normal_force  [N] on the tool
   /// @param spring        [N/m] along it
   [[nodiscard]] static SpreadFriction at_point(const Vec3& normal_force, const DryFriction& friction,

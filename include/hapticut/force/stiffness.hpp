@@ -10,24 +10,23 @@
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/material.hpp"
 
-/// @file
-/// How stiff the foundation should be. Its stiffness k_v regularises the contact; two demands bound it, and they pull
-/// apart: accuracy wants it stiff, a device that is driven directly wants it soft. A virtual coupling separates the
-/// two.
+/// The choice of the foundation's stiffness k_v, which regularises the contact. Two demands conflict: accuracy needs a
+/// high stiffness, and a device that is driven directly needs a low one. A virtual coupling separates the two.
 namespace hapticut {
 
-/// [N/m^4] Where the force is taken at points, one to a voxel, a stiffer foundation's thin layer would be met and lost
-/// as the head moves on.
+/// [N/m^4] For forces at points, one for each voxel. The thin layer of a stiffer foundation would be hit and missed as
+/// the head moves.
 inline constexpr double kStiffnessOfPoints = 1e13;
 
-inline constexpr double kPressureOfCuts = 1e6;    ///< [Pa] of the interface in a common cut, from 0.1 to 10 MPa
-inline constexpr double kLayerOfRadius = 0.01;    ///< [1] engaged layer at that pressure, of the head's radius
-inline constexpr double kLayerOfPoint = 4.0 / 3;  ///< [1] of that layer, for each unit of the slope of a pointed head
-inline constexpr double kThinnestLayer = 0.1;     ///< [1] of that layer, however pointed
+inline constexpr double kPressureOfCuts = 1e6;  ///< [Pa] of the interface in a common cut, which has 0.1 to 10 MPa
+inline constexpr double kLayerOfRadius = 0.01;  ///< [1] engaged layer at that pressure over the head's radius
+inline constexpr double kLayerOfPoint =
+    4.0 / 3;                              ///< [1] factor of that layer for each unit of the slope of a pointed head
+inline constexpr double kMinLayer = 0.1;  ///< [1] minimum factor of that layer, however pointed
 
 namespace detail {
 
-/// [1] d rho/dz of a head's end near its tip: above 2 for ends that are round or flat.
+/// [1] Slope d rho/dz of a head's end near its tip: above 2 for round or flat ends.
 [[nodiscard]] inline double slope_of_tip(const ToolHead& head) {
   constexpr double kHeight = 0.05;  // [1] of the radius, above the tip
   constexpr int kHalvings = 30;
@@ -43,17 +42,17 @@ namespace detail {
 
 }  // namespace detail
 
-/// The k_v that a simulation chooses by default: under kPressureOfCuts the interface between head and material, whose
-/// pressure is k_v t^2/2 at depth t, is pressed in by a hundredth of the head's radius; of a needle by less, or it
-/// would sink through bone before the material at its point is crushed. The size of voxels has no part in it, or what a
-/// constant force removes would depend on them: the rear half of a bur rests on its own groove, and how deep goes with
-/// k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
+/// The k_v that a simulation chooses by default. Under kPressureOfCuts the interface between head and material, whose
+/// pressure is k_v t^2/2 at depth t, is pressed in by a hundredth of the head's radius. For a needle the layer is
+/// thinner, because the needle would otherwise sink through bone before the material at its point is crushed. The voxel
+/// size does not enter, because the volume that a constant force removes would then depend on it: the rear half of a
+/// bur rests on its own groove, at a depth proportional to k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
 /// @param max_relative_stiffness  [1] > 0, of the stiffest material
 /// @return [N/m^4] for a material of relative stiffness 1
 /// @throws Error when the relative stiffness is not positive
 [[nodiscard]] inline double stiffness_for_head(const ToolHead& head, double max_relative_stiffness = 1) {
   require_positive(max_relative_stiffness, "the largest relative stiffness [1]");
-  const double pointed = std::clamp(kLayerOfPoint * detail::slope_of_tip(head), kThinnestLayer, 1.0);
+  const double pointed = std::clamp(kLayerOfPoint * detail::slope_of_tip(head), kMinLayer, 1.0);
   const double layer = pointed * kLayerOfRadius * head.cutting_radius();
   return 2 * kPressureOfCuts / (layer * layer) / max_relative_stiffness;
 }
@@ -63,9 +62,9 @@ namespace detail {
 inline constexpr int kSections = 64;  // planes through the head, in each direction
 inline constexpr int kSection = 64;   // points across one of them
 
-// A flat solid that advances by dd into the head adds a slice of thickness dd to what is immersed, so with N the normal
-// of its face, `dF/dd = k_v Int s w |n . N| dA` over the section of the head by that face;
-// s is its scale, 1 or kSmoothScale.
+// A flat solid that advances by dd into the head adds a slice of thickness dd to the immersed volume. With N the normal
+// of its face, `dF/dd = k_v Int s w |n . N| dA` over the section of the head by that face; s is the scale of the
+// spring, 1 or kSmoothScale.
 
 /// The integral over the section normal to the axis at height z.  [m^3]
 [[nodiscard]] inline double axial_section(const ToolHead& head, double z, double radius) {
@@ -94,9 +93,9 @@ inline constexpr int kSection = 64;   // points across one of them
 
 }  // namespace detail
 
-/// The reference stiffness from which on the engaged layer of a steady cut is thinner than a tenth of the head's
-/// radius: k_v = `200 u V/(kappa omega R^3)`, V = v_f + sqrt(h_s f_z v_f) + h_e f_z (C35), over the material's relative
-/// stiffness. Below it cutting forces come out low.
+/// The reference stiffness above which the engaged layer of a steady cut is thinner than a tenth of the head's radius:
+/// k_v = `200 u V/(kappa omega R^3)`, V = v_f + sqrt(h_s f_z v_f) + h_e f_z (C35), over the material's relative
+/// stiffness. With a lower stiffness, cutting forces are too low.
 /// @param material       u, h_e, h_s, kappa and the relative stiffness are used; kappa must be > 0
 /// @param spindle_speed  not 0
 /// @param feed_speed     [m/s] > 0, at most kMaxFeed
@@ -115,23 +114,22 @@ inline constexpr int kSection = 64;   // points across one of them
          (material.relative_stiffness * material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);
 }
 
-/// The greatest contact stiffness of a head pressed into a flat solid of unit k_v, along its axis or sideways:
-/// `max dF/dd`, by the pressure identity (C11) on a plane that moves through the head. For a sphere `(4 pi/27) R^3`
-/// (C2).
+/// The maximum contact stiffness of a head pressed into a flat solid of unit k_v, along its axis or sideways: `max
+/// dF/dd`, by the pressure identity (C11) on a plane that moves through the head. For a sphere `(4 pi/27) R^3` (C2).
 /// @return [m^3] to be multiplied by k_v; relative error below 1 %
 [[nodiscard]] inline double max_contact_stiffness(const ToolHead& head) {
   const HeadBox box = head.bounding_box();
-  double largest = 0;
+  double maximum = 0;
   for (int i = 0; i < detail::kSections; ++i) {
-    const double share = (i + 0.5) / detail::kSections;
-    const double z = box.min.z() + share * (box.max.z() - box.min.z());
-    largest = std::max(largest, detail::axial_section(head, z, box.max.x()));
-    largest = std::max(largest, detail::lateral_section(head, share * box.max.x(), box));
+    const double fraction = (i + 0.5) / detail::kSections;
+    const double z = box.min.z() + fraction * (box.max.z() - box.min.z());
+    maximum = std::max(maximum, detail::axial_section(head, z, box.max.x()));
+    maximum = std::max(maximum, detail::lateral_section(head, fraction * box.max.x(), box));
   }
-  return largest;
+  return maximum;
 }
 
-/// The greatest k_v that a directly driven device can render stably: `K_max / max_contact_stiffness(head)`.
+/// The maximum k_v that a directly driven device can render stably: `K_max / max_contact_stiffness(head)`.
 /// @param device_stiffness  [N/m] K_max > 0, the stiffest wall the device renders
 /// @return [N/m^4] for a material of relative stiffness 1
 /// @throws Error when the device stiffness is not positive

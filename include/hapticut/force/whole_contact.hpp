@@ -10,32 +10,32 @@ namespace hapticut {
 /// Integrals over the filled part of the head, in T. `w` is the depth, `n` the direction from the tool into the
 /// material, `v_t` the slip of the head over it (spin and feed), `kappa` the material's cutting ratio.
 struct ContactMoments {
-  double volume = 0;                   ///< [m^3]  Int dV
-  Vec3 first_moment = Vec3::Zero();    ///< [m^4]  Int r dV
-  double pressed = 0;                  ///< [m^4]  Int w dV
-  Vec3 pressed_normal = Vec3::Zero();  ///< [m^4]  Int w n dV
-  Wrench rubbing;                      ///< [m^4], [m^5]  Int w kappa (t, r x t) dV,  t = v_t / sqrt(v_t^2 + v_eps^2)
-  double rubbing_speed = 0;            ///< [m^5/s]  Int w kappa t . v_t dV
-  double depth = 0;                    ///< [m] greatest w
-  double radius = 0;                   ///< [m] greatest distance of material from the spindle's axis
+  double volume = 0;                    ///< [m^3]  Int dV
+  Vec3 first_moment = Vec3::Zero();     ///< [m^4]  Int r dV
+  double depth_integral = 0;            ///< [m^4]  Int w dV
+  Vec3 normal_integral = Vec3::Zero();  ///< [m^4]  Int w n dV
+  Wrench rubbing;                       ///< [m^4], [m^5]  Int w kappa (t, r x t) dV,  t = v_t / sqrt(v_t^2 + v_eps^2)
+  double rubbing_speed = 0;             ///< [m^5/s]  Int w kappa t . v_t dV
+  double depth = 0;                     ///< [m] maximum w
+  double radius = 0;                    ///< [m] maximum distance of material from the spindle's axis
 
-  /// Mean direction into the material; zero when nothing is pressed, or as much on one side as on the other.
+  /// Mean direction into the material; zero without contact, or when opposite sides cancel.
   [[nodiscard]] Vec3 normal() const {
-    const double length = pressed_normal.norm();
-    return length > 1e-9 * pressed ? Vec3(pressed_normal / length) : Vec3::Zero();
+    const double length = normal_integral.norm();
+    return length > 1e-9 * depth_integral ? Vec3(normal_integral / length) : Vec3::Zero();
   }
 };
 
-/// What a law of the whole contact delivers.
+/// Result of a law of the whole contact.
 struct LumpedForce {
   Wrench wrench_T;            ///< [N], [N·m] on the tool about To, in T
-  double cutting_power = 0;   ///< [W] >= 0 that may take material away; what it does not cut is rubbed
+  double cutting_power = 0;   ///< [W] >= 0 available for cutting; the part that does not cut is rubbing
   double elastic_before = 0;  ///< [J] stored in the contact at the beginning of the sub-step
-  double elastic = 0;         ///< [J] and at its end
+  double elastic = 0;         ///< [J] stored in the contact at the end of the sub-step
   double damped = 0;          ///< [J] dissipated in the sub-step in other ways
 };
 
-/// Both, for the laws that share the cut out among the samples.
+/// Moments and force, for laws that distribute the cut among the samples.
 struct WholeContact {
   ContactMoments moments;
   LumpedForce lumped;

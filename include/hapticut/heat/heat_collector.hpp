@@ -11,7 +11,7 @@
 
 namespace hapticut {
 
-/// What steps have turned into heat, and where.
+/// Heat that steps have produced, and where.
 struct HeatPulse {
   double dt = 0;
   double cut = 0;
@@ -23,14 +23,15 @@ struct HeatPulse {
 
 constexpr auto fields_of(Of<HeatPulse>) {
   return std::tuple{
-      field("dt", &HeatPulse::dt, "s", "that the steps lasted"),
-      field("cut", &HeatPulse::cut, "J", "by cutting, and the springs of what was cut: it is where material went"),
+      field("dt", &HeatPulse::dt, "s", "duration of the steps"),
+      field("cut", &HeatPulse::cut, "J",
+            "by cutting, and of springs of cut material; it arises where material was removed"),
       field("rubbed_in_cut", &HeatPulse::rubbed_in_cut, "J",
-            "by rubbing and damping, in steps that cut: it is where material went, too"),
+            "by rubbing and damping, in steps that cut; it also arises where material was removed"),
       field("rubbed", &HeatPulse::rubbed, "J", "by rubbing, damping and dry friction, in steps that cut nothing"),
       field("p_WQ", &HeatPulse::p_WQ, "m",
-            "where the head rubs without cutting: its surface, against the force; in the last of those steps"),
-      field("radius", &HeatPulse::radius, "m", "of what touches there"),
+            "where the head rubs without cutting: the point of its surface opposite to the force, in the last step"),
+      field("radius", &HeatPulse::radius, "m", "of the contact there"),
   };
 }
 
@@ -44,27 +45,27 @@ constexpr auto fields_of(Of<HeatCollectorOptions>) {
   using O = HeatCollectorOptions;
   return std::tuple{
       field("pulses", &O::pulses, "1", Range::between(1, 1e6),
-            "steps under way at once, 72 bytes each; beyond that several become one, and nothing is lost"),
-      field("blocks", &O::blocks, "the blocks that change"),
+            "steps in the queue, 72 bytes each; beyond that several become one, and nothing is lost"),
+      field("blocks", &O::blocks, "queue of changed blocks"),
   };
 }
 
-/// Takes the heat out of a loop: an observer of the simulation, from its construction to its end, that hands on what
-/// each step has dissipated, and the blocks that it has changed. One other thread receives both, `HeatField::take`
-/// does; neither waits for the other.
+/// Passes heat from a loop to another thread. It is an observer of the simulation for its whole life. It passes on the
+/// energy that each step has dissipated, and the blocks that the step has changed. One other thread receives both with
+/// `HeatField::drain`; neither thread waits for the other.
 class HeatCollector final : public StepObserver {
  public:
-  /// @param simulation  must outlive it, and stay where it is
+  /// @param simulation  must outlive it and must not be moved
   /// @throws Error as ChangeFeed, or when an option is out of range
   explicit HeatCollector(Simulation& simulation, const HeatCollectorOptions& options = {});
   ~HeatCollector() override;
   HeatCollector(const HeatCollector&) = delete;
   HeatCollector& operator=(const HeatCollector&) = delete;
 
-  /// Takes one pulse. For the receiving thread.  @return false when there is none
+  /// Receives one pulse. For the receiving thread.  @return false when there is none
   bool receive(HeatPulse& pulse);
 
-  /// Takes one changed block. For the receiving thread.  @return false when there is none
+  /// Receives one changed block. For the receiving thread.  @return false when there is none
   bool receive(ChangedBlock& block) { return feed_.receive(block); }
 
   /// @realtime no allocation, no lock; O(1)
@@ -76,13 +77,13 @@ class HeatCollector final : public StepObserver {
 
   Simulation& simulation_;
   std::unique_ptr<Queue> queue_;
-  EnergyLedger before_;  // the last step
-  HeatPulse pending_;    // what found no room, and the present step
-  ChangeFeed feed_;      // an observer of its own
+  EnergyLedger before_;  // of the last step
+  HeatPulse pending_;    // of steps that did not fit the queue, and of the present step
+  ChangeFeed feed_;      // a second observer
 };
 
-/// Where a head touches what it is pressed against, as its force tells: the point of its surface against the force,
-/// seen from where the line of force passes its axis.
+/// The point at which a head touches material, from its force: the point of its surface opposite to the force, as seen
+/// from where the line of the force passes the axis.
 /// @param wrench_T  about To, on the tool, in T; without a force the point is To
 /// @return p_TQ [m]
 /// @realtime no allocation, no lock; O(1)

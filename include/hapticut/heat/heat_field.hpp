@@ -14,7 +14,7 @@ namespace hapticut {
 
 class HeatCollector;
 
-/// How a material takes up heat and conducts it. The defaults are those of cortical bone; docs/heat.md has those of
+/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/heat.md lists those of
 /// enamel, dentin and pulp, with their sources.
 struct ThermalProperties {
   double conductivity = 0.55;
@@ -33,9 +33,9 @@ constexpr auto fields_of(Of<ThermalProperties>) {
 struct HeatConfig {
   int voxels_per_cell = 4;
 
-  /// Assumed, not measured: metal cutting leaves a tenth or two in what is cut, grinding more than half, and for burs
-  /// in bone no number is agreed upon. Every rise of temperature is in proportion to it. The rest leaves with chips and
-  /// tool.
+  /// Assumed, not measured: metal cutting leaves one or two tenths in the workpiece, grinding more than half, and for
+  /// burs in bone there is no agreed number. Every rise of temperature is proportional to it. The rest leaves with
+  /// chips and tool.
   double cutting_share = 0.2;
   double rubbing_share = 0.2;
 
@@ -46,7 +46,7 @@ struct HeatConfig {
   double irrigation = 0;
   double water_temperature = 23;
 
-  /// 47 deg C for a minute is what bone survives just so (Eriksson and Albrektsson, J Prosthet Dent 50, 1983, 101).
+  /// Bone just survives 47 deg C for a minute (Eriksson and Albrektsson, J Prosthet Dent 50, 1983, 101).
   double threshold = 47;
 };
 
@@ -54,20 +54,22 @@ constexpr auto fields_of(Of<HeatConfig>) {
   using C = HeatConfig;
   return std::tuple{
       field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8), "along an edge: 1, 2, 4 or 8"),
-      field("cutting_share", &C::cutting_share, "1", Range::between(0, 1), "of the energy of cutting that stays"),
+      field("cutting_share", &C::cutting_share, "1", Range::between(0, 1),
+            "part of the energy of cutting that stays in the workpiece"),
       field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
-            "of the energy of rubbing, damping and dry friction that stays"),
-      field("properties", &C::properties, "of materials that `by_material` does not name"),
+            "part of the energy of rubbing, damping and dry friction that stays in the workpiece"),
+      field("properties", &C::properties, "of materials without an entry in `by_material`"),
       field("by_material", &C::by_material, "of the materials in the order of their ids, from 1; may be shorter"),
-      field("body_temperature", &C::body_temperature, "deg C", Range::between(-50, 200), "before any heat"),
+      field("body_temperature", &C::body_temperature, "deg C", Range::between(-50, 200),
+            "of the workpiece at the beginning"),
       field("irrigation", &C::irrigation, "W/(m^2 K)", Range::not_negative(),
-            "from the surface to the water, some thousands under a spray; 0: dry, no heat leaves to the air"),
+            "heat transfer to the water, some thousands under a spray; 0: dry, no heat leaves to the air"),
       field("water_temperature", &C::water_temperature, "deg C", Range::between(-50, 200), "of the irrigation"),
-      field("threshold", &C::threshold, "deg C", Range::between(-50, 500), "above which time is counted"),
+      field("threshold", &C::threshold, "deg C", Range::between(-50, 500), "temperature above which time is counted"),
   };
 }
 
-/// What the heat did to one material, over the cells that hold any of it. A temperature is the mean of a cell.
+/// Effect of the heat on one material, over the cells that hold any of it. A temperature is the mean of a cell.
 struct StructureHeat {
   MaterialId material = kEmpty;
   double temperature = 0;
@@ -81,22 +83,23 @@ constexpr auto fields_of(Of<StructureHeat>) {
   using S = StructureHeat;
   return std::tuple{
       field("material", &S::material, "1", "its id"),
-      field("temperature", &S::temperature, "deg C", "largest now; that of the body where none of it is left"),
-      field("peak", &S::peak, "deg C", "largest so far, also in what is gone"),
-      field("time_above", &S::time_above, "s", "above the threshold, longest of what is left"),
-      field("cem43", &S::cem43, "min", "cumulative equivalent minutes at 43 deg C, most of what is left"),
-      field("volume_above", &S::volume_above, "m^3", "of what is left that was ever above the threshold"),
+      field("temperature", &S::temperature, "deg C", "maximum now; body temperature if none of it is left"),
+      field("peak", &S::peak, "deg C", "maximum so far, including removed material"),
+      field("time_above", &S::time_above, "s", "above the threshold, maximum over the remaining cells"),
+      field("cem43", &S::cem43, "min", "cumulative equivalent minutes at 43 deg C, maximum over the remaining cells"),
+      field("volume_above", &S::volume_above, "m^3", "of remaining material that was ever above the threshold"),
   };
 }
 
-/// Where the heat went, in [J] since the beginning. Closes to rounding: what was brought in is stored, or has left.
+/// Balance of the heat, in [J] since the beginning. It closes to rounding: heat that was brought in is stored or has
+/// left.
 struct HeatBalance {
   double brought_in = 0;
   double stored = 0;
   double chips = 0;
   double irrigation = 0;
 
-  /// [J] what is missing; 0 when the balance closes.
+  /// [J] Error of the balance; 0 when it closes.
   [[nodiscard]] double imbalance() const { return brought_in - (stored + chips + irrigation); }
 };
 
@@ -104,9 +107,9 @@ constexpr auto fields_of(Of<HeatBalance>) {
   using B = HeatBalance;
   return std::tuple{
       field("brought_in", &B::brought_in, "J", "by cutting and rubbing, and by `add_heat`"),
-      field("stored", &B::stored, "J", "above the body's temperature, now; less than 0 where water has cooled it"),
-      field("chips", &B::chips, "J", "gone with material that was removed, or brought where none is left"),
-      field("irrigation", &B::irrigation, "J", "taken by the water"),
+      field("stored", &B::stored, "J", "above body temperature, now; negative where water has cooled the workpiece"),
+      field("chips", &B::chips, "J", "left with removed material, or brought in where no material is left"),
+      field("irrigation", &B::irrigation, "J", "removed by the water"),
   };
 }
 
@@ -121,36 +124,37 @@ constexpr auto fields_of(Of<HeatBalance>) {
 ///
 ///     d(rho c V T)/dt = sum over faces of G (T_neighbour - T) + sources - U (T - T_water)
 ///
-/// explicit in time, in as many equal parts as keep every cell between its neighbours. Material that is filled only
-/// partly stores and conducts as much less; to the air no heat goes but by irrigation. What is removed takes its heat
+/// explicit in time, in as many equal parts as keep every cell between its neighbours. Partly filled material stores
+/// and conducts in proportion to its fill. To the air, heat leaves only by irrigation. Removed material takes its heat
 /// along. Not thread-safe: one thread calls it, ten to thirty times a second.
 class HeatField {
  public:
-  /// All of the workpiece has the temperature of the body.
+  /// The whole workpiece begins at body temperature.
   /// @throws Error when a number of the configuration is out of range, the workpiece is empty, or there would be too
   ///         many cells
   explicit HeatField(const Workpiece& workpiece, HeatConfig config = {});
 
-  /// Takes everything that a collector holds: heat to where it arose, material out of its cells.
-  /// @return [s] how long the steps lasted that it came from, for `advance`
-  double take(HeatCollector& collector);
+  /// Receives everything that a collector holds: adds its heat where it arose, and updates the changed blocks.
+  /// @return [s] total duration of the steps, for `advance`
+  double drain(HeatCollector& collector);
 
-  /// Heat at a point, spread over the material of the cells around it, or over the surface within a radius [m]. Where
-  /// there is no material near it has left with the chips.
+  /// Adds heat at a point, distributed over the material of the cells around it, or over the surface within a radius
+  /// [m]. If there is no material near it, the heat counts as left with the chips.
   void add_heat(const Vec3& p_WQ, double heat, double radius = 0);
 
-  /// Heat where material went since the last call, in proportion to its volume and specific cutting energy, into what
-  /// is left of those cells and beside them. Where nothing went yet it waits until something has.
+  /// Adds heat where material was removed since the last call, in proportion to its volume and specific cutting energy,
+  /// to the material that is left in those cells and beside them. If no material was removed yet, the heat waits until
+  /// some is.
   void add_cutting_heat(double heat);
 
-  /// A block as it is now. What came back has the temperature of the body.
+  /// Updates a block to its present content. Material that came back has body temperature.
   /// @param material, fill  [512]
   void update(const VoxelIndex& origin, const MaterialId* material, const float* fill);
 
-  /// The same for blocks of a workpiece, those that a step has changed.
+  /// Updates blocks of a workpiece that a step has changed.
   void update(const Workpiece& workpiece, std::span<const VoxelIndex> origins);
 
-  void advance(double dt);  ///< [s] lets time go by; any, in parts that are small enough
+  void advance(double dt);  ///< [s] advances the temperatures by any time, in small enough parts
 
   /// @param coefficient  [W/(m^2 K)] HeatConfig::irrigation from now on
   /// @throws Error when it is out of range
@@ -160,19 +164,19 @@ class HeatField {
   [[nodiscard]] std::vector<StructureHeat> structures() const;  ///< one entry per material of the workpiece
   [[nodiscard]] HeatBalance balance() const;
 
-  /// [deg C] between the centres of the cells around; not a number where none of them holds material
+  /// [deg C] Interpolated between the centres of the cells around; NaN where none of them holds material.
   [[nodiscard]] double temperature_at(const Vec3& p_WQ) const;
 
-  // --- the cells, for pictures --------------------------------------------------------------------------------------
+  // --- the cells, for display ---------------------------------------------------------------------------------------
   [[nodiscard]] std::array<int, 3> dims() const { return dims_; }
   [[nodiscard]] double cell_size() const { return cell_size_; }            ///< [m]
   [[nodiscard]] Vec3 center(const std::array<int, 3>& cell) const;         ///< [m] in W
-  [[nodiscard]] double temperature(const std::array<int, 3>& cell) const;  ///< [deg C] not a number: no material
-  [[nodiscard]] double peak(const std::array<int, 3>& cell) const;         ///< [deg C] largest so far
+  [[nodiscard]] double temperature(const std::array<int, 3>& cell) const;  ///< [deg C] NaN: no material
+  [[nodiscard]] double peak(const std::array<int, 3>& cell) const;         ///< [deg C] maximum so far
   [[nodiscard]] double dose(const std::array<int, 3>& cell) const;         ///< [min] CEM43
 
  private:
-  /// Heat is stored above the temperature of the body.
+  /// Heat is stored relative to body temperature.
   struct Cells {
     explicit Cells(std::size_t count);
     std::vector<double> heat, capacity, conductivity, filled;  // [J], [J/K], [W/(m K)], [1]
@@ -180,7 +184,7 @@ class HeatField {
     std::vector<double> wetted;                                // [m^2] of the surface
     std::vector<double> cooling;                               // [W/K] to the water
     std::vector<double> rise, peak, above, dose;               // [K], [K], [s], [min]
-    std::vector<double> went;                                  // [J] of cutting energy, since it was last looked at
+    std::vector<double> removed;                               // [J] cutting energy of removed material
   };
 
   [[nodiscard]] std::size_t number_of(const std::array<int, 3>& cell) const;
@@ -211,12 +215,12 @@ class HeatField {
   std::vector<ThermalProperties> properties_;  // by id from 1
   std::vector<double> cutting_energy_;         // [J/m^3] by id from 1
   Cells cells_;
-  std::vector<float> volumes_;        // [1] of each cell's volume by material, cell by cell
+  std::vector<float> volumes_;        // [1] fraction of each cell's volume by material, cell by cell
   std::vector<std::size_t> changed_;  // cells whose content has changed
-  std::vector<std::size_t> went_;     // cells that lost material since the last `add_cutting_heat`
-  std::vector<double> peaks_;         // [K] by id from 1, also of what is gone
-  double waiting_ = 0;                // [J] of cutting whose place is not known yet
-  double rate_ = 0;                   // [1/s] the fastest of the cells; 0: not known
+  std::vector<std::size_t> removed_;  // cells that lost material since the last `add_cutting_heat`
+  std::vector<double> peaks_;         // [K] by id from 1, including removed material
+  double waiting_ = 0;                // [J] of cutting, whose place is not known yet
+  double rate_ = 0;                   // [1/s] maximum of the cells; 0: not known
   HeatBalance balance_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace hapticut {
 
-/// How pieces that were cut loose leave.
+/// Options for the removal of pieces that were cut loose.
 struct IslandWatchOptions {
   IslandOptions islands;
   double period = 0.01;
@@ -24,45 +24,45 @@ struct IslandWatchOptions {
 constexpr auto fields_of(Of<IslandWatchOptions>) {
   using O = IslandWatchOptions;
   return std::tuple{
-      field("islands", &O::islands, "what is an island"),
+      field("islands", &O::islands, "definition of an island"),
       field("period", &O::period, "s", Range::between(1e-4, 10), "between two searches"),
       field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::positive(),
-            "of an island that are looked at or leave in a tick at most; 1 us each"),
-      field("blocks", &O::blocks, "the blocks that change, on their way to the search"),
+            "maximum number of an island's blocks that a tick checks or removes; 1 us each"),
+      field("blocks", &O::blocks, "queue of changed blocks, to the search"),
   };
 }
 
-/// Finds pieces that were cut loose in a thread of its own, and lets them leave between the ticks of a loop, some
-/// blocks at a time: see IslandFinder and remove_island. When a piece leaves depends on when that thread
-/// gets its turn, so two runs need not leave the same bits; steps of a recording end with the first piece.
+/// Finds pieces that were cut loose, in its own thread, and removes them between the ticks of a loop, some blocks at a
+/// time: see IslandFinder and remove_island. The moment of removal depends on the timing of that thread, so two runs
+/// may differ in their bits. Steps of a recording end with the first removal.
 class IslandWatch {
  public:
-  /// @param simulation  must outlive it, and stay where it is
+  /// @param simulation  must outlive it and must not be moved
   /// @throws Error when an option is out of range, or as IslandFinder and ChangeFeed
   explicit IslandWatch(Simulation& simulation, const IslandWatchOptions& options = {});
   ~IslandWatch();
   IslandWatch(const IslandWatch&) = delete;
   IslandWatch& operator=(const IslandWatch&) = delete;
 
-  /// Goes on with what is to leave. In the thread that makes the steps, between two of them.
+  /// Continues the removal of pieces. To be called in the thread that makes the steps, between two steps.
   /// @realtime no allocation, no lock; O(blocks_per_tick)
   void tick() noexcept;
 
-  /// Pieces that have left. From any thread.
+  /// Number of removed pieces. From any thread.
   [[nodiscard]] std::uint64_t count() const noexcept;
 
-  /// What has left since the last call, at most the latest 64 pieces: to be shown as bodies. From any thread.
-  [[nodiscard]] std::vector<Island> left();
+  /// Pieces that were removed since the last call, at most the latest 64, for display as bodies. From any thread.
+  [[nodiscard]] std::vector<Island> removed();
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// A model of a loop from whose workpiece pieces that are cut loose leave, between two of its ticks.
+/// A model of a loop that removes pieces which are cut loose from its workpiece, between two ticks.
 class IslandModel final : public LoopModel {
  public:
-  /// @param model  of a simulation, as a SimulationModel; both must outlive this
+  /// @param model  drives a simulation, as SimulationModel does; both must outlive this
   /// @throws Error when the model drives no simulation, or as IslandWatch
   explicit IslandModel(LoopModel& model, const IslandWatchOptions& options = {});
 

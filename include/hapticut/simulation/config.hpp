@@ -15,10 +15,10 @@
 
 namespace hapticut {
 
-/// Where on its way the head meets the material in a sub-step.
+/// The moment of a sub-step at which the contact is evaluated.
 enum class ContactTime {
-  middle,  ///< second order in dt: for poses that come from a hand or a script (default)
-  end      ///< first order, but unconditionally stable for poses that were solved for: what an implicit coupling needs
+  middle,  ///< second order in dt: for poses that a hand or a script gives (default)
+  end      ///< first order, but unconditionally stable for poses that an implicit coupling has solved for
 };
 
 constexpr auto names_of(Of<ContactTime>) {
@@ -29,35 +29,37 @@ constexpr auto names_of(Of<ContactTime>) {
   };
 }
 
-/// [s/m] What keeps burs calm behind a coupling at any rate, device and bone, with some margin; of a quiet press
-/// nothing is felt of it (docs/decisions/0021-hand-to-the-end.md).
+/// [s/m] Contact damping that keeps burs calm behind a coupling, with any device and bone at any rate, with some
+/// margin. In a quiet press the hand does not feel it (docs/decisions/0021-hand-to-the-end.md).
 inline constexpr double kCalmingDamping = 300;
 
-/// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
+/// How a simulation computes. Every field has a default that works. The constructor of Simulation checks all fields.
 struct SimulationConfig {
-  /// That of each material must be within 1 ... 1e25. A regularisation, not a material constant: cutting forces do not
-  /// depend on it while the engaged layer is thin. 0: a layer of a hundredth of the head's radius in the stiffest of
-  /// the materials (`stiffness_for_head`), also when tool or materials are exchanged; where the quadrature is one of
-  /// points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see force/stiffness.hpp.
+  /// k_v of each material must be within 1 ... 1e25. This stiffness is a regularisation, not a material constant:
+  /// cutting forces do not depend on it while the engaged layer is thin. 0: chosen so that the layer is a hundredth of
+  /// the head's radius in the stiffest material (`stiffness_for_head`), again after each exchange of tool or materials;
+  /// with a quadrature of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
+  /// force/stiffness.hpp.
   double reference_stiffness = 0;
 
-  /// On top of each Material::damping. Behind a coupling the drag of the spin, which follows the contact's force, feeds
-  /// a vibration of the tool that the contact has to calm; a device that is driven directly would shake with the noise
-  /// of its velocity. Empty: kCalmingDamping where the contact_time is `end`, else 0.
+  /// Is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
+  /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
+  /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end`, else 0.
   std::optional<double> contact_damping;
 
   RemovalLaw removal = RemovalLaw::constant_energy;
   Quadrature quadrature = Quadrature::automatic;
 
-  /// With `end`, springs push harder than what they store in the sub-step: the difference is booked as damping, and the
-  /// ledger of each sub-step closes by it; EnergyLedger::entered is what came out of nothing then.
+  /// With `end`, springs push harder than the energy that they store in the sub-step. The difference is booked as
+  /// damping, which closes the ledger of each sub-step. EnergyLedger::entered then holds the energy that no work
+  /// brought in.
   ContactTime contact_time = ContactTime::middle;
 
   std::shared_ptr<const ForceLaw> law = std::make_shared<FoundationLaw>();  // never null
   std::optional<DryFriction> friction;
 
-  /// See force/deep_contact.hpp. Only under a law that `holds_deep_contact`, the default one; the others' forces stay
-  /// as their formulas give them.
+  /// See force/deep_contact.hpp. Only with a law that `holds_deep_contact`, which is the default law. The forces of
+  /// other laws stay as their formulas give them.
   bool deep_contact = true;
 
   HandleTorque handle_torque = HandleTorque::full_wrench;
@@ -66,17 +68,17 @@ struct SimulationConfig {
   Effects effects;
   double update_rate = 1000;
 
-  /// About 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.
+  /// About 2.8 kB each. A cavity needs about two for each patch of 8 x 8 voxels of its wall.
   std::size_t reserved_blocks = 2048;
 
-  /// Voxels beyond it are removed all the same.
+  /// Voxels beyond it are removed, but not listed.
   std::size_t removed_voxel_capacity = 0;
 
-  /// Where the blocks that the head touches hold more, only every n-th strip of 16 voxels is evaluated in a sub-step,
-  /// in turn, and counts n times: the deadline holds, the force is that of a coarser quadrature, and
-  /// StepStatus::detail_reduced and Contact::level_of_detail, which is n, say so. In a groove cut at n = 5 the force
-  /// stays within 7 % (the just noticeable difference) and the removed volume within 2 %. All solid voxels of those
-  /// blocks are counted, so n is larger than needed, about twice for a ball of 30 voxels across. Only with the default
+  /// When the blocks that the head touches hold more voxels, a sub-step evaluates only every n-th strip of 16 voxels,
+  /// in turn, and counts it n times. The deadline holds, and the force is that of a coarser quadrature.
+  /// StepStatus::detail_reduced reports it, and Contact::level_of_detail is n. In a groove cut at n = 5 the force stays
+  /// within 7 % (the just noticeable difference) and the removed volume within 2 %. n is computed from all solid voxels
+  /// of those blocks, so it is larger than needed, about twice for a ball of 30 voxels across. Only with the default
   /// law.
   std::size_t voxel_budget = 0;
 
@@ -85,7 +87,7 @@ struct SimulationConfig {
   double min_dt = 1e-6;
   double max_dt = 0.1;
 
-  /// A step that moves the head by more than half a voxel is cut into equal sub-steps.
+  /// A step that moves the head by more than half a voxel is split into equal sub-steps.
   int max_sweep = 64;
 };
 
@@ -93,41 +95,41 @@ constexpr auto fields_of(Of<SimulationConfig>) {
   using C = SimulationConfig;
   return std::tuple{
       field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::between(0, 1e25),
-            "k_v, foundation stiffness of a material of relative stiffness 1; 0: what suits the head's radius"),
+            "k_v, foundation stiffness of a material of relative stiffness 1; 0: chosen from the head's radius"),
       field("contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
             "chi, Hunt and Crossley's damping of all contact; empty: 300 at the end of a step, 0 at its middle"),
-      field("removal", &C::removal, "how material is taken away"),
-      field("quadrature", &C::quadrature, "where in a partly filled voxel its force is taken"),
-      field("contact_time", &C::contact_time, "where on its way the head meets the material"),
+      field("removal", &C::removal, "how material is removed"),
+      field("quadrature", &C::quadrature, "where in a partly filled voxel the force is evaluated"),
+      field("contact_time", &C::contact_time, "when in a sub-step the contact is evaluated"),
       field("law", &C::law, "the force law"),
       field("friction", &C::friction,
             "dry friction of the standing head, the same everywhere; empty: each material's own"),
       field("deep_contact", &C::deep_contact, "a ball pushed beyond its radius keeps pushing back"),
       field("handle_torque", &C::handle_torque, "how force and torque at the head are felt at the handle"),
       field("handle_torque_scale", &C::handle_torque_scale, "1", Range::between(-1e6, 1e6),
-            "zeta of HandleTorque::thesis; no part of the full wrench"),
-      field("effects", &C::effects, "what is added to the model's force, and what the output is limited to"),
+            "zeta of HandleTorque::thesis; the full wrench does not use it"),
+      field("effects", &C::effects, "additions to the model's force, and limits of the output"),
       field("update_rate", &C::update_rate, "Hz", Range::positive(),
-            "at which the step will be called; only the vibration's check needs it"),
+            "rate of calls of the step; only the check of the vibration uses it"),
       field("reserved_blocks", &C::reserved_blocks, "1", Range::between(1, 1e8),
             "blocks (8^3 voxels) that may become partly cut before Simulation::reserve_blocks has to be called again"),
       field("removed_voxel_capacity", &C::removed_voxel_capacity, "1", Range::between(0, 1e9),
-            "longest list of removed voxels of one step; 0: as many as the head holds"),
+            "maximum number of removed voxels that a step lists; 0: as many as the head holds"),
       field("voxel_budget", &C::voxel_budget, "1", Range::between(0, 1e9),
-            "most voxels that one sub-step may evaluate, at least 4096; 0: no limit"),
+            "maximum number of voxels that a sub-step evaluates, at least 4096; 0: no limit"),
       field("stage_times", &C::stage_times, "measure Simulation::stage_times"),
       field("min_dt", &C::min_dt, "s", Range::positive(), "shorter steps are rejected"),
       field("max_dt", &C::max_dt, "s", Range::between(0, 1), "longer steps are rejected"),
       field("max_sweep", &C::max_sweep, "1", Range::between(1, 100000),
-            "most sub-steps of one step; what needs more is a jump, not a motion, and is rejected"),
+            "maximum number of sub-steps of a step; a motion that needs more is a jump and is rejected"),
   };
 }
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const SimulationConfig& config);
 
-/// The same with what is left to the simulation: what `reference_stiffness` 0 and Quadrature::automatic stand for with
-/// this head in these materials. Simulation::config is the outcome for those that it has.
+/// Replaces the values that are left to the simulation: `reference_stiffness` 0, Quadrature::automatic and an empty
+/// contact_damping, for this head in these materials. Simulation::config returns the completed configuration.
 [[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials);
 
 }  // namespace hapticut

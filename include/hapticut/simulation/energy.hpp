@@ -6,12 +6,12 @@
 
 namespace hapticut {
 
-/// Where the work went (docs/model.md, energy ledger). Everything is accumulated since construction, but what is
-/// stored, which is that of the end of the last step. All in [J]. No loss is ever negative, but for two: `damping`
-/// where the velocity that is given lags behind the poses so far that the damper pulls, and `released` with
-/// RemovalLaw::elastic_release, which takes from it what is estimated to have helped cutting; 0.6 % of the work was
-/// seen below zero. How losses share the work depends on the stiffness: in bone the stiffer the foundation is, the more
-/// of it is `rubbing` in place of `cutting`. Their sum does not.
+/// Where the work went (docs/model.md, energy ledger). All in [J]. All terms are accumulated since construction, except
+/// the stored energies, which are those at the end of the last step. Losses are never negative, with two exceptions:
+/// `damping`, when the given velocity lags so far behind the poses that the damper pulls; and `released` with
+/// RemovalLaw::elastic_release, which subtracts an estimate of the energy that helped cutting (measured: down to -0.6 %
+/// of the work). How the work is divided among the losses depends on the stiffness: in bone, a stiffer foundation moves
+/// work from `cutting` to `rubbing`. The sum of the losses does not depend on it.
 ///
 ///     hand_work + motor_work + credited + entered = stored() + losses()
 ///
@@ -36,21 +36,21 @@ struct EnergyLedger {
   double credited = 0;
 
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
-  /// material that left it still pressed: where the tool appears out of nowhere, and where material passes a face
-  /// behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a cone). Else zero
-  /// within the error of the quadrature. No work brought it in, so that `closure` does not count it. With
-  /// ContactTime::end, what of that is more than `damping` took in the same sub-step.
+  /// material that left it while still pressed. This happens when the tool appears inside material, and when material
+  /// passes a face behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a
+  /// cone). Otherwise it is zero within the error of the quadrature. No work brought it in, so `closure` does not count
+  /// it. With ContactTime::end it is the part that `damping` did not take in the same sub-step.
   double entered = 0;
 
-  /// What came in and went out again as well, so that it only grows; by it an imbalance is judged.
+  /// Counts energy that came in even if it went out again, so it only grows. An imbalance is judged relative to it.
   double turnover = 0;
 
-  /// [J] in springs now
+  /// [J] stored in springs now
   [[nodiscard]] double stored() const { return elastic + anchored; }
-  /// [J] what became heat, chips and new surface
+  /// [J] that became heat, chips and new surface
   [[nodiscard]] double losses() const { return cutting + crushed + released + damping + rubbing + sliding; }
 
-  /// [J] work that is found nowhere; `-entered` within single precision.
+  /// [J] work that no term accounts for; `-entered` within single precision.
   [[nodiscard]] double imbalance() const { return hand_work + motor_work + credited - stored() - losses(); }
 
   /// [1] imbalance relative to the turnover; 0 before any work.
@@ -65,21 +65,23 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("elastic", &E::elastic, "J", "stored in the foundation now"),
       field("anchored", &E::anchored, "J", "stored in the anchor of dry friction now"),
       field("cutting", &E::cutting, "J",
-            "of removed volume: the specific cutting energy, and where chips are thin as many times it as their "
-            "layer takes above its threshold"),
+            "specific cutting energy times removed volume; thin chips cost a multiple of it, the part of their layer "
+            "above its threshold"),
       field("crushed", &E::crushed, "J", "compressive strength times crushed volume"),
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
       field("damping", &E::damping, "J",
-            "Hunt-Crossley damping, and what springs take that are met at the end of a sub-step"),
-      field("rubbing", &E::rubbing, "J",
-            "tangential work that removes nothing: of edges and of what thin chips take below the threshold of their "
-            "layer, on smooth sides and walls, under the edge pressure, with removal off"),
+            "Hunt-Crossley damping, and the excess work of springs that are evaluated at the end of a sub-step"),
+      field(
+          "rubbing", &E::rubbing, "J",
+          "tangential work that removes nothing: of edges, of thin chips below the threshold of their layer, on smooth "
+          "sides and walls, under the edge pressure, with removal off"),
       field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
       field("credited", &E::credited, "J",
-            "cutting energy of what is taken away without work: the last millionth of a voxel (under other laws "
-            "than FoundationLaw a thousandth), and what single precision rounds"),
-      field("entered", &E::entered, "J", "elastic energy of material that came in or left without having been pressed"),
-      field("turnover", &E::turnover, "J", "hand_work, motor_work and entered of each sub-step without their signs"),
+            "cutting energy of material that is removed without work: the last millionth of a voxel (with other laws "
+            "than FoundationLaw a thousandth), and rounding errors of single precision"),
+      field("entered", &E::entered, "J", "elastic energy of material that entered or left the head without work"),
+      field("turnover", &E::turnover, "J",
+            "sum of the magnitudes of hand_work, motor_work and entered of each sub-step"),
   };
 }
 

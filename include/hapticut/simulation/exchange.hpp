@@ -10,28 +10,27 @@
 #include "hapticut/workpiece/material.hpp"
 #include "hapticut/workpiece/removal.hpp"
 
-/// @file
-/// What a simulation is given between two steps of a loop that goes on: made beforehand, elsewhere, with all the memory
-/// that it needs. The exchange itself swaps pointers; what was in place before is in the prepared object afterwards, to
-/// be freed where that does no harm.
+/// Objects that replace parts of a simulation between two steps of a running loop. They are made beforehand, in another
+/// thread, with all the memory that they need. The exchange only swaps pointers. Afterwards the prepared object holds
+/// the old part, which can be freed outside the loop.
 namespace hapticut {
 
-/// A tool for a simulation of which only the size of its voxels and its configuration are known: another thread may be
-/// stepping it.
+/// A tool that is prepared for a simulation. Only the voxel size and the configuration of that simulation are needed,
+/// so another thread may be stepping it.
 class PreparedTool {
  public:
   /// @param voxel_size  [m] of the workpiece
-  /// @param config      that the simulation was made with
-  /// @throws Error as the constructor of Simulation, where the head does not suit the voxels or the law
+  /// @param config      of the simulation
+  /// @throws Error when the head does not suit the voxels or the law, as the constructor of Simulation
   PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config);
   PreparedTool(PreparedTool&&) noexcept;
   PreparedTool& operator=(PreparedTool&&) noexcept;
   ~PreparedTool();
 
-  [[nodiscard]] bool empty() const noexcept { return state_ == nullptr; }  ///< it was moved away
+  [[nodiscard]] bool empty() const noexcept { return state_ == nullptr; }  ///< it was moved from
   [[nodiscard]] const Tool& tool() const noexcept;
-  [[nodiscard]] double voxel_size() const noexcept;     ///< [m] that it was made for
-  [[nodiscard]] WorstCase worst_case() const noexcept;  ///< what a step with it may have to do at most
+  [[nodiscard]] double voxel_size() const noexcept;     ///< [m] it was made for
+  [[nodiscard]] WorstCase worst_case() const noexcept;  ///< upper bound on the work of a step with it
 
  private:
   friend class Simulation;
@@ -39,17 +38,17 @@ class PreparedTool {
   std::unique_ptr<State> state_;
 };
 
-/// Constants of the materials of a workpiece that another thread may be cutting.
+/// Constants of materials that are prepared for a workpiece, which another thread may be cutting.
 class PreparedMaterials {
  public:
-  /// @param config  that the simulation was made with
+  /// @param config  of the simulation
   /// @throws Error when a stiffness is out of range
   PreparedMaterials(MaterialTable materials, const SimulationConfig& config);
   PreparedMaterials(PreparedMaterials&&) noexcept;
   PreparedMaterials& operator=(PreparedMaterials&&) noexcept;
   ~PreparedMaterials();
 
-  [[nodiscard]] bool empty() const noexcept { return state_ == nullptr; }  ///< it was moved away
+  [[nodiscard]] bool empty() const noexcept { return state_ == nullptr; }  ///< it was moved from
   [[nodiscard]] const MaterialTable& materials() const noexcept;
 
  private:

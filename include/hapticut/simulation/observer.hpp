@@ -12,59 +12,60 @@ namespace hapticut {
 
 class Simulation;
 
-/// What the hand is given where a coupling stands between it and the tool.
+/// The wrench that a coupling renders to the hand.
 struct HandOutput {
   Pose X_WD;      ///< of the hand's handle
   Wrench wrench;  ///< about Ho of the hand, in W, on the hand; before effects and limits
-  double dt = 0;  ///< [s] since it was last given something
+  double dt = 0;  ///< [s] since the last output
 };
 
-/// Stands between the tool and the hand. A step asks it, once the force of the model is known, what the hand is to be
-/// given instead of that force; the effects and limits then act on it.
+/// Maps the tool's wrench to the hand's. Once the force of the model is known, a step asks it for the wrench to render
+/// instead of that force; effects and limits then act on this wrench.
 class HandCoupling {
  public:
   virtual ~HandCoupling() = default;
 
-  /// @param stepped  of this step; `force` and `torque` are still those of the last one
-  /// @return nothing: the hand keeps what it has, as in all parts of a tick but the last
+  /// @param stepped  result of this step; `force` and `torque` are still those of the last step
+  /// @return empty: the hand keeps its last output, as in all parts of a tick except the last
   /// @realtime no allocation, no lock
   [[nodiscard]] virtual std::optional<HandOutput> answer(const StepResult& stepped) noexcept = 0;
 };
 
-/// Which way the force of a step took to the hand.
+/// Which path the force of a step took to the hand.
 enum class OutputPath : std::uint8_t {
   direct,   ///< the hand holds the tool
   coupled,  ///< through a coupling
-  kept,     ///< the coupling left the hand what it had
+  kept,     ///< the coupling kept the last output
 };
 
 /// A step that is complete, as an observer sees it.
 struct ObservedStep {
-  const Simulation& simulation;  ///< that made it
+  const Simulation& simulation;  ///< that took the step
   std::uint64_t number;          ///< steps before it, since construction or `Simulation::reset`
-  const StepInput& input;        ///< what it was given
-  std::size_t free_blocks;       ///< reserved blocks that were left when it began
-  bool hand_released;            ///< the hand had let go before it: see Simulation::release_hand
-  bool halted;                   ///< the spindle had been made to stand before it: see Simulation::halt_spindle
-  double spindle_setting;        ///< [rad/s] asked of the spindle in it; 0 while it is held
-  OutputPath path;               ///< of its force
-  const HandOutput& hand;        ///< of the coupling, where `path` is coupled
-  const StepResult& result;      ///< what came of it
+  const StepInput& input;        ///< pose, velocity and dt of the step
+  std::size_t free_blocks;       ///< reserved blocks that were left when the step began
+  bool hand_released;            ///< the hand had released the tool before it: see Simulation::release_hand
+  bool halted;                   ///< the spindle had been halted before it: see Simulation::halt_spindle
+  double spindle_setting;        ///< [rad/s] speed setting of the spindle; 0 while it is held
+  OutputPath path;               ///< of the force
+  const HandOutput& hand;        ///< of the coupling, when `path` is coupled
+  const StepResult& result;      ///< of the step
 };
 
-/// Is told of every step of a simulation, also of those that a loop or a coupling makes: see Simulation::add_observer.
+/// Observes every step of a simulation, including those that a loop or a coupling takes: see Simulation::add_observer.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
 
-  /// At the end of a step, in its thread; also of one whose input was rejected.
-  /// @realtime no allocation, no lock beyond what the observer says
+  /// Called at the end of a step, in its thread, also when the input was rejected.
+  /// @realtime no allocation, no lock, unless the observer documents them
   virtual void on_step(const ObservedStep& step) noexcept = 0;
 
-  /// Between two steps, when something else has changed what steps meet: see Simulation::workpiece_exchanges.
+  /// Called between two steps, when something other than a step has changed the workpiece, tool or materials: see
+  /// Simulation::workpiece_exchanges.
   virtual void on_exchange() noexcept {}
 
-  /// Between two steps, when voxels were taken out that nothing has cut: see Simulation::remove_voxels.
+  /// Called between two steps, when voxels were removed without cutting: see Simulation::remove_voxels.
   virtual void on_removal(const BlockVoxels& /*removed*/) noexcept {}
 };
 

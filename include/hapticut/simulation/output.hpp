@@ -12,9 +12,8 @@
 #include "hapticut/force/effects/vibration.hpp"
 #include "hapticut/simulation/output_limits.hpp"
 
-/// @file
-/// What is added to the force of the model before the hand feels it, and what it is limited to. Nothing here enters the
-/// energy ledger: that is about the model.
+/// Effects that are added to the force of the model, and limits of the output to the hand. They do not enter the energy
+/// ledger, which describes the model.
 namespace hapticut {
 
 /// All effects, off by default.
@@ -31,7 +30,7 @@ constexpr auto fields_of(Of<Effects>) {
       field("gravity", &Effects::gravity, "weight of the tool"),
       field("vibration", &Effects::vibration, "along the spindle while it cuts"),
       field("delta_filter", &Effects::delta_filter, "the force filter of the thesis"),
-      field("enabled", &Effects::enabled, "components that are on"),
+      field("enabled", &Effects::enabled, "components of the output that are on"),
       field("limits", &Effects::limits, "size and growth of the output"),
   };
 }
@@ -40,7 +39,7 @@ constexpr auto fields_of(Of<Effects>) {
 /// @throws Error naming the field, its value and the allowed range
 void validate(const Effects& effects, double update_rate);
 
-/// What the effects need to know of a step.
+/// The state of a step that the effects use.
 struct EffectsInput {
   Pose X_WH;              ///< of the handle
   Pose X_WT;              ///< of the head
@@ -49,12 +48,12 @@ struct EffectsInput {
   double dt = 0;          ///< [s]
 };
 
-/// The effects from step to step, in their order: gravity, vibration, delta filter and mask; then, always last,
-/// saturation, growth limit and start-up ramp.
+/// Applies the effects from step to step, in this order: gravity, vibration, delta filter, mask, saturation, growth
+/// limit, start-up ramp.
 class Output {
  public:
-  /// What the hand is given until the next call.
-  /// @param wrench  about Ho, in W: force and torque of the model, or of the coupling behind which it stands
+  /// Computes the output to the hand until the next call.
+  /// @param wrench  about Ho, in W: force and torque of the model, or of the coupling
   /// @return about Ho, in W
   /// @realtime no allocation, no lock; O(1)
   const Wrench& give(const Effects& effects, const EffectsInput& at, const Wrench& wrench) noexcept {
@@ -62,16 +61,16 @@ class Output {
     return given_;
   }
 
-  /// What the hand was given last.
+  /// The last output to the hand.
   [[nodiscard]] const Wrench& given() const noexcept { return given_; }
 
-  /// No output in this step: growth starts from zero again.
+  /// Gives no output in this step. Growth starts from zero again.
   void drop() noexcept {
     full_ = given_ = {};
     unlimited_force_ = Vec3::Zero();
   }
 
-  /// The ramp starts again.
+  /// Restarts the start-up ramp.
   void restart() noexcept { *this = {}; }
 
  private:
@@ -94,7 +93,7 @@ class Output {
 
   [[nodiscard]] Wrench limited(const OutputLimits& limits, Wrench wrench, double dt) noexcept {
     running_ += dt;
-    const double share = limits.ramp_time > 0 ? std::min(1.0, running_ / limits.ramp_time) : 1.0;
+    const double ramp = limits.ramp_time > 0 ? std::min(1.0, running_ / limits.ramp_time) : 1.0;
     wrench.force = saturated(wrench.force, limits.max_force);
     wrench.torque = saturated(wrench.torque, limits.max_torque);
     const auto grown = [dt](const Vec3& from, const Vec3& to, double rate) {
@@ -102,7 +101,7 @@ class Output {
     };
     full_.force = grown(full_.force, wrench.force, limits.force_growth);
     full_.torque = grown(full_.torque, wrench.torque, limits.torque_growth);
-    return {share * full_.force, share * full_.torque};
+    return {ramp * full_.force, ramp * full_.torque};
   }
 
   VibrationPhase vibration_;

@@ -10,9 +10,9 @@
 
 namespace hapticut {
 
-/// What the output may be and how fast it may grow. All unlimited by default, because a simulation by itself has no
-/// device: what it returns is what the model gives. Where a hand feels it, in RealtimeLoop, SafetyGuard limits size and
-/// growth to what the device can do, whatever is set here; in a loop of your own take those of `output_limits(device)`
+/// Limits on the size and the growth of the output. Unlimited by default, because a simulation alone has no device and
+/// returns the force of the model. In RealtimeLoop, where a hand feels the output, SafetyGuard limits size and growth
+/// to what the device can do, whatever is set here. In your own loop use `output_limits(device)`
 /// (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
   double max_force = std::numeric_limits<double>::infinity();
@@ -25,36 +25,37 @@ struct OutputLimits {
 constexpr auto fields_of(Of<OutputLimits>) {
   using L = OutputLimits;
   return std::tuple{
-      field("max_force", &L::max_force, "N", Range::limit(), "longer forces are shortened to this"),
-      field("max_torque", &L::max_torque, "N m", Range::limit(), "the same of torques"),
+      field("max_force", &L::max_force, "N", Range::limit(), "larger forces are shortened to this size"),
+      field("max_torque", &L::max_torque, "N m", Range::limit(), "larger torques are shortened to this size"),
       field("force_growth", &L::force_growth, "N/s", Range::limit(), "how fast the force may grow; it falls at once"),
-      field("torque_growth", &L::torque_growth, "N m/s", Range::limit(), "the same of the torque"),
+      field("torque_growth", &L::torque_growth, "N m/s", Range::limit(),
+            "how fast the torque may grow; it falls at once"),
       field("ramp_time", &L::ramp_time, "s", Range::not_negative(),
-            "in which the output grows to its full size after the start, a jump or a reset"),
+            "time in which the output grows to its full size after the start, a jump or a reset"),
   };
 }
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const OutputLimits& limits);
 
-/// [N/s] the least growth that does not turn a wall of stiffness K, met at speed v, into a source of energy:
+/// [N/s] The minimum growth limit that does not turn a wall of stiffness K, hit at speed v, into a source of energy:
 /// 1.25 K v.
 /// @param stiffness  [N/m] that the device renders
-/// @param speed      [m/s] fastest that the hand moves into it
+/// @param speed      [m/s] maximum speed of the hand into the wall
 [[nodiscard]] constexpr double min_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
 
-/// The vector, shortened to a length: its direction is kept.
+/// Shortens a vector to a maximum length. Its direction is kept.
 /// @realtime no allocation, no lock; O(1)
-[[nodiscard]] inline Vec3 saturated(const Vec3& v, double longest) {
+[[nodiscard]] inline Vec3 saturated(const Vec3& v, double max_length) {
   const double length = v.norm();
-  return length > longest ? Vec3(v * (longest / length)) : v;
+  return length > max_length ? Vec3(v * (max_length / length)) : v;
 }
 
-/// From the last output towards a target: release is immediate, growth takes its time.
+/// Moves from the last output towards a target. Release is immediate, growth takes time.
 ///
-/// The output first shrinks along its own direction to the foot of the target on it, at once; from there it moves
+/// The output first shrinks along its own direction to the foot of the target on it, at once. From there it moves
 /// straight towards the target, by at most `max_growth`. So its direction of change is constant, it is never larger
-/// than the larger of the two, and a target of zero is reached at once (C18). A limit on shrinking would make a wall
+/// than the larger of the two, and it reaches a target of zero at once (C18). A limit on shrinking would make a wall
 /// active.
 /// @param max_growth  rate times dt, in the unit of the vectors
 /// @realtime no allocation, no lock; O(1)

@@ -6,10 +6,11 @@
 
 namespace hapticut {
 
-/// [s] Wall time of the stages of one step, summed over its sub-steps; each is named like its stage (docs/step.md). All
-/// zero unless SimulationConfig::stage_times is set.
+/// [s] Wall time of the stages of one step, summed over its sub-steps. Each field has the name of its stage
+/// (docs/step.md). All zero unless SimulationConfig::stage_times is set.
 struct StageTimes {
   double check_input = 0;
+  double find_start = 0;
   double plan_sweep = 0;
   double plan_sub_step = 0;
   double find_blocks = 0;
@@ -27,19 +28,20 @@ struct StageTimes {
 constexpr auto fields_of(Of<StageTimes>) {
   using T = StageTimes;
   return std::tuple{
-      field("check_input", &T::check_input, "s", "refuses an input that is not valid"),
+      field("check_input", &T::check_input, "s", "check of the input"),
+      field("find_start", &T::find_start, "s", "pose from which the tool moves"),
       field("plan_sweep", &T::plan_sweep, "s", "number of sub-steps"),
       field("plan_sub_step", &T::plan_sub_step, "s", "pose and twist of a sub-step"),
-      field("find_blocks", &T::find_blocks, "s", "blocks that the head may touch"),
-      field("drive_spindle", &T::drive_spindle, "s", "speed of a motor with limits under the load"),
+      field("find_blocks", &T::find_blocks, "s", "search for the blocks that the head may touch"),
+      field("drive_spindle", &T::drive_spindle, "s", "speed of a motor with limits, under the load"),
       field("press_and_cut", &T::press_and_cut, "s", "force, energies and new fills"),
-      field("remove_emptied", &T::remove_emptied, "s", "voxels that became empty"),
-      field("hold_deep_contact", &T::hold_deep_contact, "s", "a ball pushed beyond its radius"),
-      field("add_friction", &T::add_friction, "s", "dry friction of a head that stands"),
+      field("remove_emptied", &T::remove_emptied, "s", "removal of voxels that became empty"),
+      field("hold_deep_contact", &T::hold_deep_contact, "s", "force on a ball pushed beyond its radius"),
+      field("add_friction", &T::add_friction, "s", "dry friction of a standing head"),
       field("book_energy", &T::book_energy, "s", "work of hand and motor"),
       field("transport_to_handle", &T::transport_to_handle, "s", "force and torque about Ho"),
       field("advance_spindle", &T::advance_spindle, "s", "ramp and inertia of the motor"),
-      field("give_output", &T::give_output, "s", "what the hand feels"),
+      field("give_output", &T::give_output, "s", "output to the hand"),
   };
 }
 

@@ -7,8 +7,8 @@
 
 namespace hapticut {
 
-/// What a step's status means and what to do about it, one sentence for each bit; "" of `ok`. `describe` (in Python
-/// `describe_status`) has the names.
+/// Says what the status of a step means and what to do about it, one sentence for each bit; "" for `ok`. `describe` (in
+/// Python `describe_status`) gives the names of the bits.
 [[nodiscard]] inline std::string sentences_of(StepStatus status) {
   std::string sentences;
   for (const Named<StepStatus>& bit : names_of(Of<StepStatus>{}))

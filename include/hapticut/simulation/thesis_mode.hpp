@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-/// What the thesis leaves to the scene.
+/// Parameters that the thesis leaves to the scene.
 struct ThesisMode {
   ThesisLaw::Constants law;            ///< springs, dampers, spin torque and removal
   double update_rate = 1000;           ///< [Hz] > 0 at which the step will be called
@@ -21,18 +21,19 @@ struct ThesisMode {
 /// | eqs. | what | where |
 /// |---|---|---|
 /// | 5.5-5.8 | springs and dampers of whole voxels, spin torque | ThesisLaw |
-/// | 5.15-5.16 | a voxel goes when its power reaches what its stiffness asks for | ThesisLaw |
+/// | 5.15-5.16 | a voxel is removed when its power reaches a threshold proportional to its stiffness | ThesisLaw |
 /// | Table 5.2 | stick and slip, mu_s = mu_d = 0.3 (case study 6.5) | DryFriction |
 /// | 5.9 | weight, if the tool has a mass | Gravity |
 /// | 5.10 | 0.3 N at 500 Hz along the spindle (6.5) | Vibration |
 /// | 5.11-5.14 | torque at the handle | HandleTorque::thesis |
 /// | Table 6.1 | filter of 0.5 N and 0.005 N | DeltaFilter |
 ///
-/// Stiffness per voxel, 0 ... 1, is `Material::relative_stiffness`. Forces are taken at the voxels' centres, whatever
-/// is left of them, and a ball is let through (D15). What is no longer legible in the thesis is a reading; each header
-/// says which. Two things are not as printed, because they cannot be computed so: friction hands over to the spin
-/// torque while the spindle turns (friction.hpp), and the vibration is left out below 500 Hz / 0.45 = 1111 Hz. At the 1
-/// kHz of the thesis it is zero at every sample (D9), so there it makes no difference.
+/// Stiffness per voxel, 0 ... 1, is `Material::relative_stiffness`. Forces are taken at the voxels' centres, however
+/// much of them is left, and a ball can pop through (D15). Parts of the thesis that are no longer legible are
+/// interpreted; each header says which. Two things differ from the printed text, because they cannot be computed as
+/// printed: friction changes to the spin torque while the spindle turns (friction.hpp), and the vibration is left out
+/// below 500 Hz / 0.45 = 1111 Hz. At the 1 kHz of the thesis it is zero at every sample (D9), so there it makes no
+/// difference.
 /// @throws Error naming the field, its value and the allowed range
 [[nodiscard]] SimulationConfig thesis_mode(const ThesisMode& mode = {});
 

@@ -8,13 +8,13 @@
 
 namespace hapticut {
 
-/// The most that a step may have to do, known at set-up: its work is proportional to the voxels it evaluates.
+/// Upper bound on the work of a step, known at set-up. The work is proportional to the voxels that it evaluates.
 struct WorstCase {
-  std::size_t blocks = 0;   ///< blocks looked at in one sub-step
+  std::size_t blocks = 0;   ///< blocks visited in one sub-step
   std::size_t voxels = 0;   ///< voxels evaluated in one sub-step, level of detail considered
-  int sub_steps = 0;        ///< of the longest sweep that is not rejected
-  int level_of_detail = 1;  ///< 1: every voxel in every sub-step; n: an n-th of them in turn
-  int contacts = 1;         ///< in which so many voxels are evaluated; more than one in a tick of VirtualCoupling
+  int sub_steps = 0;        ///< of the longest motion that is not rejected
+  int level_of_detail = 1;  ///< 1: every voxel in every sub-step; n: one n-th of them, in turn
+  int contacts = 1;         ///< evaluations of so many voxels; more than one in a tick of VirtualCoupling
 };
 
 /// Upper bound on the voxels that a head in any pose can touch: those whose cube may meet it.

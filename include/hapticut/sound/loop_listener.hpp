@@ -10,17 +10,17 @@
 
 namespace hapticut {
 
-/// Turns the snapshots of a loop into what DrillSound is given, for one thread beside it: power and removal rate are
-/// means from one snapshot to the next.
+/// Converts the snapshots of a loop to the input of DrillSound, in a thread beside the loop. Power and removal rate are
+/// means between two snapshots.
 class LoopListener {
  public:
   /// @param rate  [Hz] ticks a second of the loop, > 0
-  /// @throws Error when it is not
+  /// @throws Error when it is not positive
   explicit LoopListener(double rate = 1000) : rate_(rate) {
     require_within(rate, Range::positive(), "the rate of a LoopListener [Hz]");
   }
 
-  /// @param snapshot  the latest; the same again gives the same
+  /// @param snapshot  the latest; a repeated snapshot gives the same input
   /// @realtime no allocation, no lock; O(1)
   const SoundInput& listen(const LoopSnapshot& snapshot) noexcept {
     const ToolSnapshot& tool = snapshot.tool;

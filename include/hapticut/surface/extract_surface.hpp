@@ -8,18 +8,18 @@
 
 namespace hapticut {
 
-/// The surface of a workpiece and what it is made of.
+/// The surface of a workpiece, with normals and materials.
 struct WorkpieceSurface {
   TriangleMesh mesh;                  ///< closed; [m] in W; counter-clockwise seen from outside
-  std::vector<Vec3> normals;          ///< of each vertex, of length 1, out of the material; in W
-  std::vector<MaterialId> materials;  ///< of each vertex: of the nearest voxel around that is at least half full
+  std::vector<Vec3> normals;          ///< of each vertex, unit length, out of the material; in W
+  std::vector<MaterialId> materials;  ///< of each vertex: of the nearest voxel that is at least half full
 };
 
-/// The surface of what is left, as SurfaceStream finds it, in one mesh and without its rounding: where the filled
-/// fraction, interpolated between voxel centres, is one half. Partly filled voxels make it smooth (a plane comes out
-/// plane, whatever its direction; a ball's volume is right to second order in the voxel size); enclosed cavities have
-/// surfaces too.
-/// @return an empty mesh when nothing is left
+/// The surface of the remaining material, as SurfaceStream computes it, in one mesh and without rounding. It lies where
+/// the filled fraction, interpolated between voxel centres, is one half. Partly filled voxels make it smooth: a plane
+/// stays a plane in any direction, and a ball's volume is right to second order in the voxel size. Enclosed cavities
+/// have surfaces too.
+/// @return an empty mesh when no material is left
 [[nodiscard]] WorkpieceSurface extract_surface(const Workpiece& workpiece);
 
 /// The surface of one material alone, as if the others were empty.

@@ -11,13 +11,13 @@
 
 namespace hapticut {
 
-/// A vertex of a page, 12 bytes, as a graphics card takes it. The two bytes that are 0 keep the numbers of each kind at
-/// a multiple of four.
+/// A vertex of a page, 12 bytes, in a format for graphics cards. Two bytes of padding keep each field at a multiple of
+/// four.
 struct SurfaceVertex {
   static constexpr int kStepsPerVoxel = 512;
 
   std::array<std::int16_t, 3> position;  ///< [1/512 voxel edge] along the axes of V, from the page's first voxel centre
-  MaterialId material;                   ///< of the nearest voxel around that is at least half full
+  MaterialId material;                   ///< of the nearest voxel that is at least half full
   std::uint8_t unused_1 = 0;
   std::array<std::int8_t, 3> normal;  ///< [1/127] of unit length, along the axes of V, out of the material
   std::uint8_t unused_2 = 0;
@@ -26,23 +26,23 @@ struct SurfaceVertex {
 };
 static_assert(sizeof(SurfaceVertex) == 12);
 
-/// The surface in 32 x 32 x 32 voxels: what one draw call shows. A page without vertices says that there is none left.
+/// The surface in 32 x 32 x 32 voxels, for one draw call. A page without vertices means that no surface is left there.
 ///
-/// Triangles belong to the page in which the lower one of the two samples lies between which the surface passes; so
-/// pages meet without a gap and without an overlap, and vertices at a seam are in both.
+/// A triangle belongs to the page of the lower of the two samples between which the surface passes. So pages meet
+/// without gap or overlap, and vertices at a seam are in both pages.
 struct SurfacePage {
   static constexpr int kEdge = 32;                        ///< voxels along an edge
   static constexpr int kBlocks = kEdge / kBlockEdge;      ///< blocks along an edge
   static constexpr std::size_t kMaxVertices = 64 * 729;   ///< fewer than 65 536, so that 16 bits number them
   static constexpr std::size_t kMaxIndices = 64 * 9'216;  ///< a checkerboard
 
-  VoxelIndex origin = {0, 0, 0};  ///< its first voxel; names the page
+  VoxelIndex origin = {0, 0, 0};  ///< its first voxel; identifies the page
   std::uint64_t version = 0;      ///< grows with every page that is handed out
   std::vector<SurfaceVertex> vertices;
   std::vector<std::uint16_t> indices;  ///< three a triangle, counter-clockwise seen from outside
 };
 
-/// [m] in W, of a vertex of a page.
+/// [m] Position of a vertex of a page, in W.
 [[nodiscard]] inline Vec3 vertex_position(const GridFrame& frame, const SurfacePage& page,
                                           const SurfaceVertex& vertex) {
   Vec3 p_V;
@@ -52,7 +52,7 @@ struct SurfacePage {
   return frame.X_WV * (frame.voxel_size * p_V);
 }
 
-/// Of a vertex of a page, in W, of length 1.
+/// Normal of a vertex of a page, in W, of unit length.
 [[nodiscard]] inline Vec3 vertex_normal(const GridFrame& frame, const SurfaceVertex& vertex) {
   return (frame.X_WV.rotation * Vec3(vertex.normal[0], vertex.normal[1], vertex.normal[2])).normalized();
 }

@@ -64,7 +64,7 @@ void measure_wall(const DeviceModel& device, Findings& findings) {
     if (row.device != device.name) continue;
     for (int delay = 0; delay < kWallDelays; ++delay) {
       const double limit = max_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
-      const double expected = row.stiffest[std::size_t(delay)], error = limit / expected - 1;
+      const double expected = row.max_stiffness[std::size_t(delay)], error = limit / expected - 1;
       const auto paused = findings.progress->pause();
       std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
                   delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);

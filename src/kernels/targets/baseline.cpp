@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels for what the compiler may assume of every processor.
+// The kernels for the instruction set that the compiler assumes.
 #include "kernels/targets/which.hpp"
 //
 #define HAPTICUT_TARGET HWY_STATIC_TARGET

@@ -7,7 +7,7 @@
 //
 #include <hwy/highway.h>
 
-// What the compiler was told to assume (-mavx2, say) is the baseline, and compiled there.
+// The set that the compiler assumes (with -mavx2, say) is the baseline, and is compiled there.
 #if HWY_TARGET == HAPTICUT_TARGET && \
     (defined(HAPTICUT_TARGET_IS_BASELINE) || (HWY_BASELINE_TARGETS & HAPTICUT_TARGET) == 0)
 #include "kernels/press_blocks-inl.hpp"

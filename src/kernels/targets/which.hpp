@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// @file
-/// The instruction sets that kernels are compiled for: what the compiler may assume anyway (baseline.cpp), AVX2 and
-/// AVX-512, or of these two what HAPTICUT_KERNELS leaves. The sets between them are left out: they gain little and cost
-/// compile time. So are those whose vectors have no fixed length, because no class can hold them: what is left for ARM
-/// is NEON, for RISC-V plain code.
+/// The instruction sets that kernels are compiled for: the one that the compiler assumes anyway (baseline.cpp), AVX2
+/// and AVX-512, unless HAPTICUT_KERNELS excludes one. The sets between them are left out: they gain little and cost
+/// compile time. Sets with vectors of variable length are left out too, because no class can hold such vectors; so ARM
+/// uses NEON, and RISC-V plain code.
 #ifndef HAPTICUT_KERNELS_LEAVE_OUT
 #define HAPTICUT_KERNELS_LEAVE_OUT 0
 #endif

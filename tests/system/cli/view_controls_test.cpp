@@ -13,7 +13,7 @@
 #include "cli/view/watched_model.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::view_controls_test {
 namespace {
@@ -25,10 +25,10 @@ using units::rpm;
 
 /// A model as in a loop, and the controls of a page, which tell it as a session does.
 struct Panel {
-  test::loop_rig::Rig rig{3000, true};
-  cli::WatchedModel watched{rig.model, rig.simulation, *rig.device, 1e-3};
-  ViewControls controls{rig.simulation.tool(), rig.simulation.workpiece().materials(), rig.simulation.config().effects,
-                        true};
+  test::scripted_loop::ScriptedLoop scripted{3000, true};
+  cli::WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
+  ViewControls controls{scripted.simulation.tool(), scripted.simulation.workpiece().materials(),
+                        scripted.simulation.config().effects, true};
 
   [[nodiscard]] const view::Control& control(const std::string& name) const {
     for (const view::Control& one : controls.all())
@@ -45,12 +45,12 @@ struct Panel {
     if (change == Change::removal) tell(commands::SetRemoval{controls.removal()});
     if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed()});
     if (change == Change::effects) tell(commands::SetEffects{controls.effects()});
-    if (change == Change::materials) tell(rig.model.prepare_materials(controls.materials()));
-    if (change == Change::tool) tell(rig.model.prepare_tool(controls.tool()));
+    if (change == Change::materials) tell(scripted.model.prepare_materials(controls.materials()));
+    if (change == Change::tool) tell(scripted.model.prepare_tool(controls.tool()));
   }
-  [[nodiscard]] const Tool& tool() const { return rig.simulation.tool(); }
-  [[nodiscard]] const Effects& effects() const { return rig.simulation.config().effects; }
-  [[nodiscard]] const Material& material() const { return rig.simulation.workpiece().materials()[MaterialId(1)]; }
+  [[nodiscard]] const Tool& tool() const { return scripted.simulation.tool(); }
+  [[nodiscard]] const Effects& effects() const { return scripted.simulation.config().effects; }
+  [[nodiscard]] const Material& material() const { return scripted.simulation.workpiece().materials()[MaterialId(1)]; }
 };
 
 /// What a control is to be turned to, and what the model then has, in the unit of the control.
@@ -71,11 +71,11 @@ const std::map<std::string, Turned>& turned() {
                                       bending = {{"tool/Handle", 1}}, cylinder = {{"tool/Head", 6}};
   static const std::map<std::string, Turned> all = {
       {"application/Haptics", {0, [](P p) { return p.effects().enabled.force[1]; }}},
-      {"application/Cutting", {0, [](P p) { return p.rig.simulation.config().removal != RemovalLaw::none; }}},
+      {"application/Cutting", {0, [](P p) { return p.scripted.simulation.config().removal != RemovalLaw::none; }}},
       {"application/Removal",
-       {1, [](P p) { return p.rig.simulation.config().removal == RemovalLaw::elastic_release; }}},
-      {"application/Spindle", {0, [](P p) { return p.rig.model.spindle_speed(); }}},
-      {"tool/Speed", {12345, [](P p) { return p.rig.model.spindle_speed() / rpm; }}},
+       {1, [](P p) { return p.scripted.simulation.config().removal == RemovalLaw::elastic_release; }}},
+      {"application/Spindle", {0, [](P p) { return p.scripted.model.spindle_speed(); }}},
+      {"tool/Speed", {12345, [](P p) { return p.scripted.model.spindle_speed() / rpm; }}},
       {"tool/Head", {15, [](P p) { return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? 15 : 0; }}},
       {"tool/Diameter", {2.5, [](P p) { return 2 * p.tool().head().max_radius() / mm; }, cylinder}},
       {"tool/Length", {4.5, length, cylinder}},

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::watched_model_test {
 namespace {
@@ -15,8 +15,8 @@ using cli::WatchedModel;
 
 /// A ball in a block, deeper from tick to tick, and what it has shown.
 struct Cut {
-  test::loop_rig::Rig rig{3000};
-  WatchedModel watched{rig.model, rig.simulation, *rig.device, 1e-3};
+  test::scripted_loop::ScriptedLoop scripted{3000};
+  WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
   std::vector<Vec3> forces;
 
   void run(int ticks) {
@@ -24,7 +24,7 @@ struct Cut {
     options.simulated_time = true;
     options.stop_on_signals = false;
     options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
-    (void)rig.device->run(
+    (void)scripted.device->run(
         [&](const DeviceState& reading) {
           DeviceState state = reading;
           state.X_BS.translation.z() = 0.3e-3 - 1e-6 * double(forces.size());
@@ -76,7 +76,7 @@ TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
   EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first is late to nothing
   ASSERT_EQ(shown.removed.size(), 1U);
   EXPECT_GT(shown.removed[0], 0);
-  EXPECT_EQ(shown.removed[0], cut.rig.simulation.removed_volume_by_material()[1]);
+  EXPECT_EQ(shown.removed[0], cut.scripted.simulation.removed_volume_by_material()[1]);
 }
 
 TEST(WatchedModel, TellsWhatCommandsHaveMadeOfTheModel) {

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Composed ticks through the whole chain: device, map, guard, coupling, step; with the commands of a loop.
+// SPDX-License-Identifier: Apache-2.0 Random ticks through the whole chain of device, map, guard, coupling and step,
+// with the commands of a loop.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -30,7 +30,7 @@ class Course {
     period_ = 1 / random_.between(500, 4000);
   }
 
-  /// @return that no invariant is broken
+  /// @return whether all invariants hold
   bool run(int ticks) {
     RunOptions options;
     options.simulated_time = true;
@@ -64,7 +64,7 @@ class Course {
   [[nodiscard]] const Margins& margins() const { return invariants_.margins; }
 
  private:
-  /// A hand, a reading that may be spoilt, and a look at what the motors get.
+  /// Moves the hand, changes the reading if a fault is drawn, and checks the output to the motors.
   class WatchedMock final : public MockDevice {
    public:
     explicit WatchedMock(Course& course) : MockDevice(rigid_touch()), course_(course) {}
@@ -106,7 +106,7 @@ class Course {
     spoilt_->happens(*this, state);
   }
 
-  /// What a reading may suffer on its way from the device.
+  /// Faults of a reading on its way from the device.
   struct Spoilt {
     std::string_view name;
     void (*happens)(Course& course, DeviceState& state);
@@ -125,7 +125,7 @@ class Course {
         {"late",
          [](Course& course, DeviceState& state) {
            state.time -= course.late_;
-           course.late_ += course.random_.between(2e-3, 0.2);  // and all that come after it
+           course.late_ += course.random_.between(2e-3, 0.2);  // and all later readings
            state.time += course.late_;
          }},
         {"jump", [](Course& course, DeviceState& state) { state.X_BS.translation += course.random_.vector(40 * mm); }},
@@ -133,7 +133,7 @@ class Course {
     return all;
   }
 
-  /// The motors have it: the tick is complete.
+  /// Called when the motors have the wrench and the tick is complete.
   void look(const Wrench& applied) noexcept {
     applied_ = applied;
     if (!std::exchange(is_under_way_, false)) return;
@@ -148,7 +148,7 @@ class Course {
     spoilt_ = &spoilt()[below(3, random_) == 0 ? std::size_t(below(int(spoilt().size()), random_)) : 0];
     every_ = below(2, random_) == 0 ? 1000 : 1 + below(30, random_);
     command_ = below(2, random_) == 0 ? -1 : below(15, random_);
-    if (is_open_ && below(3, random_) != 0) command_ = 1;  // or nothing would come of it
+    if (is_open_ && below(3, random_) != 0) command_ = 1;  // else nothing would happen
     std::optional<LoopCommand> command = next();
     if (!command) return;
     if (command_ == 9) hand_.hold(std::get<commands::SetTool>(*command).tool.tool());

@@ -1,19 +1,18 @@
-// SPDX-License-Identifier: Apache-2.0
-// What composed ticks found, reduced to the smallest sequence.
+// SPDX-License-Identifier: Apache-2.0 Faults that random ticks found, reduced to the shortest sequence.
 #include <gtest/gtest.h>
 
 #include <utility>
 
 #include "support/coupling.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::composed_reduced_test {
 namespace {
 
 using namespace test;
 
-// Near the axis a voxel slips by what its section does, and a couple about the axis does that work: against the spin
-// and against the hand that turns the handpiece about the same axis.
+// Near the axis a voxel slips with the mean slip of its section, and a couple about the axis does that work, against
+// the spin and against a hand that rotates the handpiece about the axis.
 TEST(TwistedSpindle, LeavesTheLedgerClosed) {
   for (const double spin : {50.0, 500.0, 5000.0})
     for (const double twist : {0.0, 5.0, -5.0}) {
@@ -26,24 +25,24 @@ TEST(TwistedSpindle, LeavesTheLedgerClosed) {
     }
 }
 
-// Whether it was open or not.
+// With the clutch open or closed.
 TEST(ClosedClutch, CutsNothingInTheTickThatIsNotFelt) {
-  loop_rig::Rig rig(3000, true);
+  scripted_loop::ScriptedLoop scripted(3000, true);
   double before = 0, unfelt = 0;
-  rig.run(
-      900, loop_rig::press(0.5e-3),
+  scripted.run(
+      900, scripted_loop::press(0.5e-3),
       [&](int n) {
         if (n == 600) {
-          EXPECT_TRUE(rig.tell(commands::CloseClutch{}));
+          EXPECT_TRUE(scripted.tell(commands::CloseClutch{}));
         }
       },
       [&](int n) {
-        const double removed = rig.snapshot.tool.removed_volume;
+        const double removed = scripted.snapshot.tool.removed_volume;
         const double in_tick = removed - std::exchange(before, removed);
         if (n == 599) {
           EXPECT_GT(in_tick, 0);
         }
-        if (n >= 600 && rig.commanded.isZero(0)) unfelt += in_tick;
+        if (n >= 600 && scripted.commanded.isZero(0)) unfelt += in_tick;
       });
   EXPECT_EQ(unfelt, 0);
 }

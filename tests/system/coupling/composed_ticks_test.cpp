@@ -1,10 +1,9 @@
-// SPDX-License-Identifier: Apache-2.0
-// Ticks of a coupled tool with everything that may come between, composed from a seed: what the hand does, what the
-// device reads, what is told to the simulation. Whatever the sequence, the invariants hold after every tick.
+// Random ticks of a coupled tool with all possible events, from a seed: actions of the hand, readings of the device,
+// commands to the simulation. Whatever the sequence, the invariants hold after every tick.
 //
 //     HAPTICUT_COMPOSED_TICKS=1000000 test_coupling --gtest_filter='ComposedTicks.KeepTheInvariantsForLong'
 //
-// runs as many as one likes; HAPTICUT_COMPOSED_SEED=n begins with the episode that a failure names.
+// runs that many ticks; HAPTICUT_COMPOSED_SEED=n begins with the episode that a failure names.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -20,7 +19,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// A scene, a hand and what comes between, for some ticks.
+/// A scene, a hand and events, for some ticks.
 class Episode {
  public:
   explicit Episode(std::uint64_t seed)
@@ -36,7 +35,7 @@ class Episode {
     other_rate();
   }
 
-  /// @return that no invariant is broken
+  /// @return whether all invariants hold
   bool run(int ticks) {
     for (tick_ = 0; tick_ < ticks && invariants_.broken().empty(); ++tick_) {
       if (left_-- == 0) begin_action();
@@ -58,7 +57,7 @@ class Episode {
  private:
   void begin_action() {
     left_ = int(random_.between(0.01, 0.3) / dt_);
-    // A tool that waits is led out of the material soon, or nothing would come of an episode.
+    // A waiting tool is soon led out of the material, else nothing would happen in an episode.
     const bool waits = has_any(coupling_.last_result().status, StepStatus::tool_waits);
     const auto motion = waits && below(2, random_) == 0 ? Motion::lift : Motion(below(9, random_));
     hand_.begin(motion, random_);
@@ -71,19 +70,19 @@ class Episode {
 
   void other_rate() { dt_ = 1 / random_.between(500, 4000); }
 
-  /// A reading as a device may give it.
+  /// A reading of a device.
   struct Reading {
     Pose pose;
     Twist velocity;
     double dt;  // [s]
   };
 
-  /// What happens before a motion of the hand, or during it.
+  /// An event before a motion of the hand, or during it.
   struct Event {
     std::string_view name;
     void (*happens)(Episode& e);
-    bool exchanges = false;                                  // what the workpiece is of, or who holds it
-    bool (*spoils)(Episode& e, Reading& reading) = nullptr;  // @return that it must be refused
+    bool exchanges = false;                                  // exchanges the material or the hand
+    bool (*spoils)(Episode& e, Reading& reading) = nullptr;  // @return whether it must be refused
   };
 
   static const std::vector<Event>& events() {
@@ -174,7 +173,7 @@ class Episode {
         {"flip", kNothing, false,
          [](Episode&, Reading& reading) {
            reading.pose.rotation = rotation_from_vector(Vec3(units::kPi, 0, 0)) * reading.pose.rotation;
-           return false;  // by a tool that waits, when it is in the air
+           return false;  // by a waiting tool in the air
          }},
         {"no_rotation", kNothing, false,
          [](Episode&, Reading& reading) {
@@ -207,7 +206,7 @@ class Episode {
 
   void move() {
     hand_.move(coupling_.last_result().hand.force.norm(), dt_);
-    if (event_->name == kClutchOpens) return leave(VirtualCoupling::Rejoin::near);  // the hand moves on
+    if (event_->name == kClutchOpens) return leave(VirtualCoupling::Rejoin::near);  // while the hand moves
     Reading reading{hand_.X_WD(), hand_.velocity(), dt_};
     const bool refused = left_ % every_ == 0 && event_->spoils != nullptr && event_->spoils(*this, reading);
     const CoupledResult& result = coupling_.step(reading.pose, reading.velocity, reading.dt);

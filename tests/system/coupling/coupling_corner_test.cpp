@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// A spinning tool pressed into the corner of two faces: its drag along one face presses it on the other, and only a
-// matrix that knows it finds the balance of forces (docs/decisions/0005-implicit-coupling.md).
+// A spinning tool pressed into the corner of two faces. Its drag along one face presses it on the other, and only a
+// stiffness matrix that contains the drag finds the balance of forces (docs/decisions/0005-implicit-coupling.md).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +13,7 @@ using namespace test;
 using units::deg;
 using units::mm;
 
-/// A block with a quarter of space cut out of it along y: walls x > 0 and z < 0.
+/// A block without one quadrant along y, with walls at x > 0 and z < 0.
 Workpiece corner(const Material& material, double voxel) {
   return body({Vec3(-4, -2, -2) * mm, Vec3(2, 2, 4) * mm}, voxel, material, [](const Vec3& p) {
     return std::max(-std::max(p.x(), -p.z()), (p.cwiseAbs() - Vec3::Constant(5 * mm)).maxCoeff());
@@ -23,11 +22,11 @@ Workpiece corner(const Material& material, double voxel) {
 
 struct CornerRun {
   double max_force = 0, closure = 0, removed = 0;
-  double fastest = 0;  // [m/s]
+  double max_speed = 0;  // [m/s]
   int unsolved = 0, braked = 0, steps = 0, most_in_a_tick = 0;
 };
 
-/// A hand that goes 3 mm into the corner, circles there, and comes back.
+/// A hand that moves 3 mm into the corner, circles there, and comes back.
 CornerRun push_into_corner(double kappa, double spin, bool hard, double stiffness) {
   Material material = plain_material();
   material.cutting_ratio = kappa;
@@ -49,7 +48,7 @@ CornerRun push_into_corner(double kappa, double spin, bool hard, double stiffnes
     run.max_force = std::max(run.max_force, result.coupling.force.norm());
     run.unsolved += has_any(result.status, StepStatus::not_in_balance);
     run.braked += has_any(result.status, StepStatus::tool_braked);
-    run.fastest = std::max(run.fastest, result.V_WH.linear.norm());
+    run.max_speed = std::max(run.max_speed, result.V_WH.linear.norm());
     run.steps += result.newton_steps;
     run.most_in_a_tick = std::max(run.most_in_a_tick, result.newton_steps);
     run.removed += result.removed_volume;
@@ -64,10 +63,10 @@ TEST(CouplingCorner, FindsTheBalanceOfForcesAtEveryCuttingRatio) {
       for (const double spin : {kSpin, -kSpin, 100.0}) {
         const CornerRun run = push_into_corner(kappa, spin, hard, 1e16);
         SCOPED_TRACE("kappa " + std::to_string(kappa) + (hard ? ", hard" : ", cut") + ", spin " + std::to_string(spin));
-        EXPECT_LE(run.unsolved, 8) << "of 800 ticks, by the work that is missed";
+        EXPECT_LE(run.unsolved, 8) << "of 800 ticks, by the imbalance of work";
         EXPECT_LT(std::abs(run.closure), 1e-2);
-        EXPECT_LT(run.fastest, 0.5) << "m/s: it is braked, as the status says";
-        if (run.fastest > 0.15) {
+        EXPECT_LT(run.max_speed, 0.5) << "m/s: it is braked, and the status reports it";
+        if (run.max_speed > 0.15) {
           EXPECT_GT(run.braked, 0);
         }
         EXPECT_LE(run.max_force, 3.3 * (1 + 1e-9)) << "spring and damper together";

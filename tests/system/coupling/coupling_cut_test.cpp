@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a hand feels of a cut through the coupling: feeds under a constant force, and the force across the feed.
+// SPDX-License-Identifier: Apache-2.0 Cuts through the coupling: feed under a constant force, and the force across the
+// feed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double kEnergy = 3e8, kKappa = 0.5;  // u [J/m^3] and cutting ratio of
 constexpr closed_forms::SteadyCut kCut{kEnergy, kKappa, kSpin, 2e-3};
 constexpr double kFineVoxel = 0.05 * mm;  // half of the thinnest engaged layer of 1e14 N/m^4
 
-/// The feed under a constant force: the hand stays as far below the tool as the spring needs for it.
+/// The feed under a constant force: the hand keeps the distance below the tool at which the spring has this force.
 struct ConstantForceCut {
   double feed = 0;   // [m/s] downwards
   double force = 0;  // [N] mean on the hand
@@ -45,12 +45,12 @@ ConstantForceCut cut_under(VirtualCoupling& coupling, double force, double from,
   return {(begin - z) / (time - kTick), sum / time};
 }
 
-// --- an oracle that knows how thick the engaged layer is -------------------------------------------------------------
+// --- an oracle with the thickness of the engaged layer ---------------------------------------------------------------
 
 // C23 and C28 are the limits of a thin layer; at 1e14 N/m^4 it is 0.11 R, and they are off by 14 %. Here a material
 // point at distance s from the axis enters the head at its lower face and decays on its way up,
 //   dphi/dz = -kappa k_v w(s, z) omega s phi / (u V),
-// so that the force is an integral over the head; no grid, no time steps, and none of the library's code.
+// so the force is an integral over the head, without grid, time steps, or code of the library.
 
 /// [N] of a ball that has plunged deeper than its radius at V [m/s].
 double plunging_ball(double speed, double k) {
@@ -110,7 +110,7 @@ void expect_the_feed_of_the_oracle(const Plunge& plunge) {
     EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3) << plunge.name << ", k_v = " << k;
 
     const double error = std::abs(cut.feed / (plunge.thin_layer * cut.force) - 1);
-    EXPECT_LT(error, last_error) << "the layer shrinks, and with it what the closed form leaves out";
+    EXPECT_LT(error, last_error) << "the layer shrinks, and with it the error of the closed form";
     last_error = error;
   }
   EXPECT_LT(last_error, 0.03) << "the closed form itself at 1e16 N/m^4";
@@ -133,11 +133,11 @@ TEST(CouplingFeed, TheOraclesAreTheClosedFormsWhereTheLayerIsThin) {
   EXPECT_NEAR(plunging_ball(v, 1e17), ball, 0.01 * ball);
 }
 
-/// The force across the feed and the one along it bend the coupling as far as its spring says, while the same cut by a
-/// driven tool meets the same force.
+/// The forces across and along the feed stretch the coupling by force over stiffness, and a driven tool on the same
+/// path has the same force.
 TEST(CouplingCut, FeelsTheForceAcrossTheFeedAsADrivenToolDoes) {
   const double feed = 2e-3;         // [m/s] along x
-  constexpr double kRipple = 0.03;  // of voxels that are thicker than the layer
+  constexpr double kRipple = 0.03;  // from voxels that are thicker than the layer
   for (const double k : {1e14, 1e15, 1e16}) {
     Simulation simulation(half_space(4 * mm, plain_material(), kFineVoxel), ball(kSpin), implicit(k));
     VirtualCoupling coupling(simulation, {});
@@ -156,7 +156,7 @@ TEST(CouplingCut, FeelsTheForceAcrossTheFeedAsADrivenToolDoes) {
     EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3) << k;
     EXPECT_LT(mean.y(), -0.25 * mean.norm()) << "the spin pushes the ball across the feed";
 
-    // The tool runs `offset` beside the hand; driven along that line without a coupling it feels the same.
+    // The tool runs `offset` beside the hand. Driven along that line without a coupling, it has the same force.
     Simulation driven(half_space(4 * mm, plain_material(), kFineVoxel), ball(kSpin), implicit(k));
     const SteadyState direct =
         test::feed(driven, start + offset, {feed, 0, 0}, kTicks * kTick * feed, kTick, double(kFrom) / kTicks);
@@ -186,7 +186,7 @@ double light_groove(double dt) {
   return removed / (mm * mm * mm);
 }
 
-// Where a tool trembles, chips do not get cheaper: by its speed of the moment it removed 8 % more at 4 than at 0.5 kHz.
+// Chips do not get cheaper when a tool trembles: with its momentary speed it removed 8 % more at 4 than at 0.5 kHz.
 TEST(CouplingCut, RemovesTheSameFromALightGrooveAtEveryRate) {
   const double slow = light_groove(2e-3), usual = light_groove(1e-3), fast = light_groove(0.25e-3);
   EXPECT_GT(usual, 0.05) << "it cuts";

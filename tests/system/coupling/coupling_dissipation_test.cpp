@@ -20,24 +20,24 @@ using namespace test;
 using units::mm;
 
 struct Stroke {
-  double min_hand_work = 0;  // [J] the lowest that the sum of the hand's work ever was
+  double min_hand_work = 0;  // [J] minimum of the accumulated work of the hand
   double max_imbalance = 0;  // [J] of the coupling's ledger
-  double rebound = 0;        // [m/s] greatest speed upwards while the hand comes down
+  double rebound = 0;        // [m/s] maximum speed upwards while the hand comes down
   double jitter = 0;         // [m] along x while the hand rests
-  double sideways = 0;       // [N] greatest on the hand
+  double sideways = 0;       // [N] maximum on the hand
   int changes = 0;           // between sticking and sliding
 };
 
 /// The hand comes down on the surface, rests, moves 3 mm sideways, rests, and goes up again.
 Stroke stroke(VirtualCoupling& coupling, double force) {
   Stroke seen;
-  const double start = kRadius + 0.5 * mm, pressed = kRadius - force / coupling.gains().stiffness;
+  const double start = kRadius + 0.5 * mm, rest = kRadius - force / coupling.gains().stiffness;
   Vec3 hand(0, 0, start), last = hand;
   double low = 1, high = -1;
   bool was_moving = false;
   for (int n = 0; n < 4000; ++n) {
     if (n < 1000)
-      hand.z() = std::max(pressed, start - kApproach * n * kTick);
+      hand.z() = std::max(rest, start - kApproach * n * kTick);
     else if (n < 2500)
       hand.x() = 2e-3 * (n - 1000) * kTick;
     else if (n >= 3500)
@@ -87,11 +87,11 @@ TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
     EXPECT_LT(seen.rebound, 0.5 * kApproach) << at.str();
     EXPECT_LT(seen.jitter, 2e-8) << at.str();
     EXPECT_GT(seen.sideways, 0.25 * 2) << at.str() << ": friction is felt";
-    EXPECT_LT(seen.sideways, 0.45 * 3) << at.str() << ": and never beyond its cone";
+    EXPECT_LT(seen.sideways, 0.45 * 3) << at.str() << ": and never above its cone";
     const CouplingEnergy& energy = coupling.last_result().energy;
     EXPECT_GE(energy.damper, 0);
     EXPECT_GE(energy.implicit, 0);
-    EXPECT_GT(energy.tool_work, 0) << at.str() << ": what the contact took in it has kept";
+    EXPECT_GT(energy.tool_work, 0) << at.str() << ": the contact gives no energy back";
     EXPECT_LT(std::abs(energy.closure()), 1e-3) << at.str();
     EXPECT_LT(seen.max_imbalance, 1e-3 * energy.hand_work) << at.str();
     EXPECT_LT(unbooked(simulation.last_result().energy), 1e-5) << at.str();
@@ -119,7 +119,7 @@ TEST(CouplingDamping, IsThereByDefaultOnlyWhereContactIsTakenAtTheEndOfAStep) {
   EXPECT_THROW((void)damping_of(config), Error);
 }
 
-// A speed that is told too late, or wrong, gives the damper work to do on the tool: its loss is negative.
+// With a late or wrong velocity the damper does work on the tool: its loss is negative.
 TEST(CouplingEnergy, IsJudgedByWhatWasTurnedOverAlsoWhereTheDamperGives) {
   Simulation simulation(half_space(4 * mm, material(0, 1e3)), ball(), implicit(1e14));
   VirtualCoupling coupling(simulation, {});
@@ -157,7 +157,7 @@ TEST(CouplingEnergy, ClosesAlsoWhereGainsChangeWhileTheToolIsPulled) {
 
 /// A needle, pressed with 2 N by a hand that comes down within 0.2 s, waits, and lifts by 8 mm within 1 s.
 struct Prick {
-  double pull = 0, height = 0;  // [N] the most that it takes to draw it out, [m] of its tip at the end
+  double pull = 0, height = 0;  // [N] maximum force to draw it out, [m] of its tip at the end
   int unsolved = 0, ticks = 0;
 };
 Prick prick(double dt) {
@@ -181,7 +181,7 @@ Prick prick(double dt) {
   return seen;
 }
 
-// Friction mu/tan(alpha) = 1.5 times what the normals bear: it locks itself, and lets go within a tick.
+// Friction is mu/tan(alpha) = 1.5 times the limit of the normals: the needle locks, and releases within a tick.
 TEST(CouplingFriction, LetsASlenderPointOutAtEveryRate) {
   for (const double rate : {500.0, 1000.0, 4000.0}) {
     const Prick seen = prick(1 / rate);

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Energy that 10^3 random hands get at the device: from the wrenches that were given out and held, and the poses.
-// Section "Passivity at the hand" of docs/devices.md has the argument.
+// Energy that 10^3 random hands get from the device, by the rendered and held wrenches and the poses. Section
+// "Passivity at the hand" of docs/devices.md has the argument.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,9 +24,9 @@ using units::mm;
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kHands = 250;          // of each of the four kinds
-constexpr double kShare = 1e-3;      // [1] of its turnover that a hand may get
-constexpr double kNothing = 1e-7;    // [J] less than a hand can turn over
-constexpr double kAbove = 0.6 * mm;  // of the surface, where a path begins
+constexpr double kShare = 1e-3;      // [1] part of its turnover that a hand may get
+constexpr double kNothing = 1e-7;    // [J] below the turnover of any hand
+constexpr double kAbove = 0.6 * mm;  // above the surface, where a path begins
 
 template <class Choices>
 auto& one_of(RandomPoses& random, Choices&& choices) {
@@ -45,7 +44,7 @@ const ToolHead& any_head(RandomPoses& random) {
   return one_of(random, heads);
 }
 
-/// The device's gains with a damper as weak as may be: it would hide what the spring gives.
+/// The device's gains with a minimal damper, because a damper would hide the energy of the spring.
 CouplingGains any_gains(RandomPoses& random, const DeviceModel& device) {
   CouplingGains gains = coupling_gains(capabilities(device));
   const double weak = random.between(0, 1);
@@ -87,22 +86,22 @@ Pose above_the_slab(RandomPoses& random, const Tool& tool) {
   return Pose{tilt, Vec3(aside.x(), aside.y(), kAbove - lowest)} * tool.X_HT().inverse();
 }
 
-/// A smooth way of the hand into the material and elsewhere, which closes.
+/// A smooth closed path of the hand into the material and elsewhere.
 struct ClosedPath {
   static constexpr int kWaves = 3;
   Pose start;
-  std::array<Vec3, kWaves> ways, turns;  // [m], [rad]
+  std::array<Vec3, kWaves> shifts, rotations;  // [m], [rad]
   double seconds = 0;
 
   [[nodiscard]] Pose at(double time) const {
-    Vec3 way = Vec3::Zero(), turn = Vec3::Zero();
+    Vec3 shift = Vec3::Zero(), rotation = Vec3::Zero();
     const double angle = std::numbers::pi * std::clamp(time / seconds, 0.0, 1.0);
     for (int n = 0; n < kWaves; ++n) {
       const double wave = std::pow(std::sin((n + 1) * angle), 2);
-      way += wave * ways[std::size_t(n)];
-      turn += wave * turns[std::size_t(n)];
+      shift += wave * shifts[std::size_t(n)];
+      rotation += wave * rotations[std::size_t(n)];
     }
-    return {rotation_from_vector(turn) * start.rotation, start.translation + way};
+    return {rotation_from_vector(rotation) * start.rotation, start.translation + shift};
   }
 };
 
@@ -115,7 +114,7 @@ struct Scene {
   VirtualCoupling coupling;
   ClosedPath path;
 
-  /// @param turns  whether the hand turns as well
+  /// @param turns  whether the hand rotates as well
   Scene(RandomPoses& random, const DeviceModel& model, bool spins, bool turns)
       : period(1 / one_of(random, std::array{500.0, 1000.0, 2000.0, 4000.0})),
         device(model),
@@ -128,10 +127,11 @@ struct Scene {
     path.seconds = random.between(0.05, 0.2);
     const double reach = tool.head().reach() + tool.X_HT().translation.norm();
     for (int n = 0; n < ClosedPath::kWaves; ++n) {
-      path.ways[std::size_t(n)] = random.vector((n == 0 ? 1.5 : 0.5) * mm);
-      path.turns[std::size_t(n)] = turns ? random.vector(std::min(0.3, 2 * mm / reach) / (n + 1)) : Vec3(Vec3::Zero());
+      path.shifts[std::size_t(n)] = random.vector((n == 0 ? 1.5 : 0.5) * mm);
+      path.rotations[std::size_t(n)] =
+          turns ? random.vector(std::min(0.3, 2 * mm / reach) / (n + 1)) : Vec3(Vec3::Zero());
     }
-    path.ways[0].z() = -kAbove - random.between(0.1, 1.2) * gains.max_force / gains.stiffness;
+    path.shifts[0].z() = -kAbove - random.between(0.1, 1.2) * gains.max_force / gains.stiffness;
   }
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -145,33 +145,33 @@ struct Scene {
 
 // --- the work --------------------------------------------------------------------------------------------------------
 
-/// What motor and turning do, step by step.
+/// Work of the motor and of rotations, summed over the steps.
 class Steps final : public StepObserver {
  public:
-  double motor = 0;   // [J] of the spindle
-  double turned = 0;  // [J] that a hand would give that feels the contact's torque at the end of each step
+  double motor = 0;     // [J] of the spindle
+  double rotation = 0;  // [J] of a hand that feels the contact's torque at the end of each step
   Pose last;
 
   void on_step(const ObservedStep& step) noexcept override {
     if (has_any(step.result.status, kRejected)) return;
     motor += step.result.spindle.torque * step.result.spindle.speed * step.input.dt;
-    const Mat3 turn = step.input.X_WH.rotation * last.rotation.transpose();
-    turned -= step.result.model.torque.dot(vector_from_rotation(turn));
+    const Mat3 moved = step.input.X_WH.rotation * last.rotation.transpose();
+    rotation -= step.result.model.torque.dot(vector_from_rotation(moved));
     last = step.input.X_WH;
   }
 };
 
-/// What a hand gives to a device that holds each wrench until the next, beyond what holding and reading may cost.
+/// Work of a hand on a device that holds each wrench until the next, beyond the allowance for holding and reading.
 class HandWork {
  public:
   explicit HandWork(const Scene& scene, double encoder_step = 0)
       : gains_(scene.gains), period_(scene.period), encoder_step_(encoder_step) {}
 
-  /// From pose to pose, with the wrench that was given out before.
-  /// @param read  what the device says of the way, as a twist in a tick, and its estimate of the velocity
+  /// Adds the work from pose to pose, with the wrench of the tick before.
+  /// @param read  the motion in the device's readings, as a twist in a tick, and its estimate of the velocity
   void go(const Pose& from, const Pose& to, const Twist& read, const Twist& estimate, const CoupledResult& result) {
-    const Twist way = twist_between(from, to, 1);
-    const double work = -held.force.dot(way.linear) - held.torque.dot(way.angular);
+    const Twist path = twist_between(from, to, 1);
+    const double work = -held.force.dot(path.linear) - held.torque.dot(path.angular);
     const double parts = std::max(1, result.parts), hold = (parts + 1) * (2 * parts + 1) / (6 * parts);
     allowed += 0.5 * hold * gains_.stiffness * read.linear.squaredNorm();
     allowed += 0.5 * hold * gains_.angular_stiffness * read.angular.squaredNorm();
@@ -180,7 +180,7 @@ class HandWork {
     allowed += 0.25 * gains_.angular_damping * period_ * (estimate.angular - read.angular / period_).squaredNorm();
     given += work;
     turnover += std::abs(work);
-    booked -= result.coupling.force.dot(way.linear) + result.coupling.torque.dot(way.angular);
+    booked -= result.coupling.force.dot(path.linear) + result.coupling.torque.dot(path.angular);
     held = result.hand;
     if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors
     max_force = std::max(max_force, held.force.norm());
@@ -188,19 +188,19 @@ class HandWork {
     waited = waited || has_any(result.status, StepStatus::tool_waits | kRejected);
   }
 
-  /// After each tick. @param by_others  [J] that others than the hand gave
+  /// Called after each tick. @param by_others  [J] work of others than the hand
   void judge(double by_others) {
     others = by_others;
-    least = std::min(least, given + allowed + others);
+    min_work = std::min(min_work, given + allowed + others);
   }
 
   Wrench held;           // by the motors
   double given = 0;      // [J] by the hand so far
-  double allowed = 0;    // [J] what holding and reading may cost
+  double allowed = 0;    // [J] allowance for holding and reading
   double turnover = 0;   // [J] of the hand
-  double others = 0;     // [J] given by them
+  double others = 0;     // [J] work of others
   double booked = 0;     // [J] by the coupling, of the hand
-  double least = 0;      // [J] that hand and others had given, with what is allowed
+  double min_work = 0;   // [J] minimum of the work of hand and others, with the allowance
   double max_force = 0;  // [N]
   int max_parts = 0;
   bool waited = false;
@@ -210,7 +210,7 @@ class HandWork {
   double period_, encoder_step_;
 };
 
-/// A hand that goes along the path whatever it feels.
+/// A hand that moves along the path whatever the force.
 HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
   HandWork work(scene);
   steps.last = scene.path.start;
@@ -221,14 +221,14 @@ HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
     const Pose pose = scene.path.at(double(n) * scene.period);
     const Twist read = twist_between(last, pose, 1), velocity = twist_between(last, pose, scene.period);
     work.go(last, pose, read, velocity, scene.coupling.step(pose, velocity, scene.period));
-    work.judge(steps.motor + (counts_turning ? steps.turned : 0));
+    work.judge(steps.motor + (counts_turning ? steps.rotation : 0));
     last = pose;
   }
   scene.simulation.remove_observer(steps);
   return work;
 }
 
-/// What all hands of a kind did: a test in which nothing happens proves nothing.
+/// Totals of all hands of a kind: a test in which nothing happens proves nothing.
 struct Tally {
   int touched = 0, cut = 0, got = 0;
   double max_got = 0;  // [J]
@@ -246,7 +246,7 @@ struct Tally {
 };
 
 void expect_passive(const Scene& scene, const HandWork& work) {
-  EXPECT_GE(work.least, -kShare * (work.turnover + std::abs(work.others)) - kNothing) << scene.words();
+  EXPECT_GE(work.min_work, -kShare * (work.turnover + std::abs(work.others)) - kNothing) << scene.words();
   EXPECT_FALSE(work.waited) << scene.words();
 }
 
@@ -288,8 +288,7 @@ TEST(RandomHands, AndTheMotorGetNothingFromAHeadThatTurns) {
   EXPECT_GT(tally.cut, kHands * 3 / 4);
 }
 
-// A device without motors for torque lets the hand turn the tool for nothing. What it gives away is that work, not
-// more.
+// A device without motors for torque lets the hand rotate the tool without torque. It gives away that work, not more.
 TEST(RandomHands, GetFromATurnWithoutMotorsAtMostWhatTheTurnWouldCost) {
   Tally tally;
   for (int n = 0; n < kHands; ++n) {
@@ -304,10 +303,10 @@ TEST(RandomHands, GetFromATurnWithoutMotorsAtMostWhatTheTurnWouldCost) {
     tally.add(scene, work);
   }
   EXPECT_GT(tally.touched, kHands * 9 / 10);
-  EXPECT_GT(tally.got, 0) << "the page says that this is given away";
+  EXPECT_GT(tally.got, 0) << "the page documents this loss";
 }
 
-// Mass, spring and damper, bonded or behind a pad, which want to go along the path and are moved by the force.
+// A hand of mass, spring and damper, bonded or behind a pad, that follows the path and yields to the force.
 TEST(RandomHands, ThatTheForceMovesGetNothing) {
   Tally tally;
   for (int n = 0; n < kHands; ++n) {
@@ -332,7 +331,7 @@ TEST(RandomHands, ThatTheForceMovesGetNothing) {
     scene.simulation.add_observer(steps);
     HandWork work(scene, config.encoder ? device.encoder_step : 0);
     Pose last = loop.plant().pose(), last_read = loop.read().X_BS;
-    const long ticks = std::lround(1.5 * scene.path.seconds / scene.period);  // and then it holds still
+    const long ticks = std::lround(1.5 * scene.path.seconds / scene.period);  // then it rests
     for (long k = 0; k <= ticks; ++k) {
       loop.plant().set_target(scene.path.at(double(k) * scene.period));
       const DeviceState& state = loop.read();

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Laws of your own behind the coupling: their stiffness is measured, for they know none.
+// SPDX-License-Identifier: Apache-2.0 Custom laws behind the coupling: their stiffness is measured, because they report
+// none.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// The default law in disguise: the simulation takes it for one of somebody's own.
+/// The default law in disguise: the simulation treats it as a custom law.
 class Disguised final : public ForceLaw {
  public:
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
@@ -68,7 +68,7 @@ TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
     const Twist down = {Vec3(0, 0, -5e-3), Vec3::Zero()};
     const ContactProbe probe = simulation.probe(at, down, kTick);
     ASSERT_GT(probe.contact.voxels, 0) << named.name;
-    if (!named.name.starts_with("Foundation")) {  // which knows its own, with the drag of the spin in it
+    if (!named.name.starts_with("Foundation")) {  // which reports its stiffness, including the drag of the spin
       EXPECT_LT((probe.stiffness - probe.stiffness.transpose()).norm(), 1e-9 * probe.stiffness.norm()) << named.name;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(probe.stiffness);
       EXPECT_GE(modes.eigenvalues().minCoeff(), -1e-9 * modes.eigenvalues().maxCoeff()) << named.name;
@@ -80,8 +80,8 @@ TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
   }
 }
 
-// A small motion must not change into how many sub-steps the way is cut: the mean force over one sub-step and over two
-// differ by far more than what the motion does.
+// A small motion must not change the number of sub-steps, because the mean force over one sub-step and over two differs
+// by far more than the effect of the motion.
 TEST(CouplingLaws, AMeasuredStiffnessIsThatOfTheWayAlsoWhereOneMoreSubStepIsNear) {
   constexpr double kPart = 0.5 * kVoxel;  // [m]
   for (const double parts : {0.7, 0.9999, 1.0001, 1.9999, 2.0001, 2.5}) {
@@ -95,24 +95,23 @@ TEST(CouplingLaws, AMeasuredStiffnessIsThatOfTheWayAlsoWhereOneMoreSubStepIsNear
     const ContactProbe a = known.probe(to, {}, kTick), b = measured.probe(to, {}, kTick);
     EXPECT_NEAR(b.wrench.force.z(), a.wrench.force.z(), 1e-3 * a.wrench.force.z());
     EXPECT_NEAR(b.stiffness(2, 2), a.stiffness(2, 2), 0.05 * a.stiffness(2, 2)) << parts;
-    for (int axis = 0; axis < 2; ++axis) {  // where the law's own stiffness leaves out how the normals turn
+    for (int axis = 0; axis < 2; ++axis) {  // where the law's own stiffness neglects the rotation of the normals
       EXPECT_LT(b.stiffness(axis, axis), a.stiffness(axis, axis)) << parts;
       EXPECT_GT(b.stiffness(axis, axis), 0.3 * a.stiffness(axis, axis)) << parts;
     }
   }
 }
 
-/// What of the work may stay unexplained, relative to what was turned over: docs/forces.md says why, and how much it
-/// is.
+/// Allowed imbalance of the work, relative to the turnover; docs/forces.md has the reason and the measured values.
 double tolerated_imbalance(const NamedLaw& named) {
-  constexpr double kMargin = 1.5;  // [1] over what was measured
+  constexpr double kMargin = 1.5;  // [1] over the measured value
   if (named.name == "DampingMatrix") return kMargin * 0.044;
   if (named.name == "ContactMechanicsOnAFlat") return kMargin * 0.012;
   if (named.name == "TwistDrillOnAFlat") return kMargin * 0.0027;
   return 1e-3;
 }
 
-/// Each law of the library, standing and cutting, under a hand that presses 3 N, rubs and leaves.
+/// Each law of the library, standing and cutting, under a hand that presses with 3 N, rubs and leaves.
 class EveryLaw : public testing::TestWithParam<NamedLaw> {};
 
 // Proves: every law behind the coupling.
@@ -125,7 +124,7 @@ TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
     VirtualCoupling coupling(simulation, gains);
     const double top = -named.head.bounding_box().min.z() + 0.2 * mm;
     Vec3 hand(0, 0, top), last = hand;
-    double greatest = 0, fastest = 0;
+    double max_force = 0, max_speed = 0;
     for (int n = 0; n < 600; ++n) {
       hand.z() += n < 200 ? -2e-5 : n > 400 ? 2e-5 : 0;
       if (n >= 200 && n < 400) hand.x() += 2e-6;
@@ -133,12 +132,12 @@ TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
           coupling.step(Pose::from_translation(kAside + hand), {(hand - last) / kTick, Vec3::Zero()}, kTick);
       last = hand;
       ASSERT_TRUE(result.hand.force.allFinite());
-      greatest = std::max(greatest, result.hand.force.norm());
-      fastest = std::max(fastest, result.V_WH.linear.norm());
+      max_force = std::max(max_force, result.hand.force.norm());
+      max_speed = std::max(max_speed, result.V_WH.linear.norm());
     }
     const CouplingEnergy& energy = coupling.last_result().energy;
-    EXPECT_LT(greatest, 3.5) << spin;
-    EXPECT_LT(fastest, 0.1) << spin << ": the tool is not thrown about";
+    EXPECT_LT(max_force, 3.5) << spin;
+    EXPECT_LT(max_speed, 0.1) << spin << ": the tool is not thrown about";
     EXPECT_LT(std::abs(energy.closure()), tolerated_imbalance(named)) << spin;
     const EnergyLedger& ledger = simulation.last_result().energy;
     EXPECT_LE(std::abs(ledger.imbalance() + ledger.entered), 1e-3 * ledger.turnover) << spin;

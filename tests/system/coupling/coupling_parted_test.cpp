@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a tool is in without having cut its way into it is neither felt nor cut: after exchanges, jumps, flips, half
-// turns; behind a coupling and in a loop of one's own.
+// Material that a tool has not cut its way into is neither felt nor cut: after exchanges, jumps, flipped readings and
+// half rotations, behind a coupling and in a custom loop.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -99,7 +98,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
 
 TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
   for (const Exchange& exchange : exchanges()) {
-    if (exchange.name == std::string("reset")) continue;  // a simulation as new, whose first step is anywhere
+    if (exchange.name == std::string("reset")) continue;  // like a new simulation, whose first step may be anywhere
     SCOPED_TRACE(exchange.name);
     Simulation simulation = cutting_simulation(ContactTime::middle);
     const WorkpieceSnapshot fresh = simulation.snapshot();
@@ -114,7 +113,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
       EXPECT_EQ(result.removed_volume, 0);
       EXPECT_EQ(result.force, Vec3::Zero());
     }
-    const Twist up = {Vec3(0, 0, 0.3), Vec3::Zero()};  // it was inside one tick before
+    const Twist up = {Vec3(0, 0, 0.3), Vec3::Zero()};  // it was inside in the tick before
     int felt = 0;
     double removed = 0;
     for (int n = 0; n <= 20; ++n) {
@@ -157,7 +156,7 @@ TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
   for (int n = 0; n <= 1000; ++n)
     coupling.step(Pose::from_translation(at_the_edge + Vec3(0, 0, kRadius + 1e-3 - 3e-6 * n)), {}, kTick);
   coupling.park(VirtualCoupling::Rejoin::free);
-  const Pose beside = Pose::from_translation({-5.1e-3, 0, -1e-3});  // the wall lies between
+  const Pose beside = Pose::from_translation({-5.1e-3, 0, -1e-3});  // the wall is between
   for (int n = 0; n < 5; ++n) {
     const CoupledResult& result = coupling.step(beside, {}, kTick);
     EXPECT_EQ(result.removed_volume, 0);
@@ -213,22 +212,22 @@ TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
 
 struct Flip {
   const char* name;
-  Vec3 turn;   // [rad]
-  Vec3 shift;  // [m]
+  Vec3 rotation;  // [rad]
+  Vec3 shift;     // [m]
 };
 
-const Flip kFlips[] = {{"half turn", {std::numbers::pi, 0, 0}, {0, 0, 0}},
-                       {"quarter turn", {0, std::numbers::pi / 2, 0}, {0, 0, 0}},
+const Flip kFlips[] = {{"half revolution", {std::numbers::pi, 0, 0}, {0, 0, 0}},
+                       {"quarter revolution", {0, std::numbers::pi / 2, 0}, {0, 0, 0}},
                        {"about its axis", {0, 0, std::numbers::pi}, {0, 0, 0}},
-                       {"small turn of a long lever", {0.3, 0, 0}, {0, 0, 0}},
+                       {"small rotation of a long lever", {0.3, 0, 0}, {0, 0, 0}},
                        {"elsewhere", {0, 0, 0}, {0, 0, 0.2}}};
 
-/// A hand that comes down, with readings that are refused.
+/// A hand that comes down, with rejected readings.
 Pose hand_at(int n, const Tool& tool) {
   return Pose::from_translation(Vec3(0, 0, kRadius + 0.1e-3 - 1e-6 * std::min(n, 400))) * tool.X_HT().inverse();
 }
 
-/// What is felt and cut with every `every`-th reading changed.
+/// Force and removal with every `every`-th reading changed.
 template <typename Step>
 auto story_of(int every, const Tool& tool, const std::function<Pose(const Pose&)>& changed, Step step) {
   std::vector<std::pair<Vec3, double>> story;
@@ -245,9 +244,9 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
   for (const double spin : {0.0, kSlow})
     for (const double shank : {0.0, 60 * mm})
       for (const Flip& flip : kFlips) {
-        if (shank == 0 && flip.turn.norm() < 1 && flip.shift.isZero()) continue;  // is a motion
+        if (shank == 0 && flip.rotation.norm() < 1 && flip.shift.isZero()) continue;  // it is a motion
         const auto flipped = [&](const Pose& pose) {
-          return Pose{rotation_from_vector(flip.turn) * pose.rotation, pose.translation + flip.shift};
+          return Pose{rotation_from_vector(flip.rotation) * pose.rotation, pose.translation + flip.shift};
         };
         const Tool tool(SphereHead{kRadius}, RayHandle{shank}, Spindle{spin * units::rad_per_s});
         for (const int every : {2, 10, 100}) {
@@ -268,7 +267,7 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
               return std::pair(result.hand.force, result.removed_volume);
             });
           };
-          EXPECT_EQ(direct(flipped), direct(rubbish)) << "in a loop of one's own";
+          EXPECT_EQ(direct(flipped), direct(rubbish)) << "in a custom loop";
           EXPECT_EQ(coupled(flipped), coupled(rubbish)) << "behind the coupling";
         }
       }
@@ -287,28 +286,28 @@ TEST(PartedTool, IsNotPutWhereNoTwoReadingsAgree) {
   }
   hand.rotation.setIdentity();
   const Vec3 again = simulation.step(hand, {}, kTick).force;
-  EXPECT_LT((again - force).norm(), 1e-6 * force.norm()) << "it goes on from where it was; friction still settles";
+  EXPECT_LT((again - force).norm(), 1e-6 * force.norm()) << "it continues from where it was; friction still settles";
 }
 
 TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
-  for (const double turn : {1.5, std::numbers::pi}) {
+  for (const double angle : {1.5, std::numbers::pi}) {
     Simulation simulation(half_space(), tool_of(FlatHead{0.5 * mm, 4 * mm}, kSlow), on_foundation(1e14));
     for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
     Pose flipped = at_height(-0.05e-3);
-    flipped.rotation = rotation_from_vector({turn, 0, 0});
+    flipped.rotation = rotation_from_vector({angle, 0, 0});
     const double entered = simulation.last_result().energy.entered;
     for (int n = 0; n < 5; ++n) {
       const StepResult& result = simulation.step(flipped, {}, kTick);
-      EXPECT_EQ(result.removed_volume, 0) << turn;
-      EXPECT_EQ(result.force, Vec3::Zero()) << turn;
+      EXPECT_EQ(result.removed_volume, 0) << angle;
+      EXPECT_EQ(result.force, Vec3::Zero()) << angle;
     }
     EXPECT_EQ(simulation.last_result().energy.entered, entered);
     simulation.step(at_height(-0.05e-3), {}, kTick);
-    EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "back it goes on";
+    EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "when it is back, it continues";
   }
 }
 
-// --- half a turn against a head that cannot follow ------------------------------------------------------------------
+// --- half a revolution against a head that cannot follow ------------------------------------------------------------
 
 TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
   const CouplingGains gains = coupling_gains(capabilities(device_model("premium6dof")));
@@ -316,26 +315,26 @@ TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
   const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});
   Simulation simulation(half_space(4e-3, presets::cortical_bone()), tool, implicit(0));
   VirtualCoupling coupling(simulation, gains);
-  // The handle lies just above the surface and turns its head into it, which lifts the hand until the spring has its
+  // The handle is just above the surface and rotates its head into it, which lifts the hand until the spring is at its
   // limit.
   const Mat3 lying = Eigen::Quaterniond::FromTwoVectors(tool.X_HT().translation, Vec3::UnitX()).toRotationMatrix();
-  const auto hand = [&](double turn) {
-    return Pose{rotation_from_vector({0, turn, 0}) * lying, Vec3(-20 * mm, 0, kRadius + 0.05 * mm)};
+  const auto hand = [&](double angle) {
+    return Pose{rotation_from_vector({0, angle, 0}) * lying, Vec3(-20 * mm, 0, kRadius + 0.05 * mm)};
   };
   Vec3 last = Vec3::Zero();
-  double most = 0, let_go = 0;
+  double max_torque = 0, released = 0;
   for (int n = 0; n < 4000; ++n) {
-    const double turn = 1e-3 * n;
-    const CoupledResult& result = coupling.step(hand(turn), {Vec3::Zero(), Vec3(0, 1, 0)}, kTick);
+    const double angle = 1e-3 * n;
+    const CoupledResult& result = coupling.step(hand(angle), {Vec3::Zero(), Vec3(0, 1, 0)}, kTick);
     const Vec3& torque = result.hand.torque;
-    EXPECT_GE(torque.dot(last), -1e-9) << "at " << turn << " rad it pulls the other way";
-    if (last.norm() > 0.01 && torque.norm() < 1e-6) let_go = turn;
+    EXPECT_GE(torque.dot(last), -1e-9) << "at " << angle << " rad it pulls in the other direction";
+    if (last.norm() > 0.01 && torque.norm() < 1e-6) released = angle;
     last = torque;
-    most = std::max(most, torque.norm());
+    max_torque = std::max(max_torque, torque.norm());
   }
-  EXPECT_NEAR(most, gains.max_torque, 0.01 * gains.max_torque);
-  EXPECT_GT(let_go, 2.7);
-  EXPECT_LT(let_go, 3.2);
+  EXPECT_NEAR(max_torque, gains.max_torque, 0.01 * gains.max_torque);
+  EXPECT_GT(released, 2.7);
+  EXPECT_LT(released, 3.2);
   EXPECT_LT(coupling.last_result().hand.torque.norm(), 1e-6) << "there it is in the air, and has its tool";
   EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
 }

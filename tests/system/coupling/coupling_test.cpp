@@ -29,7 +29,7 @@ TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
   EXPECT_LT(pressed.jitter, 1e-9);
   EXPECT_LT(pressed.rebound, 0.5 * kApproach);
   EXPECT_LT(pressed.max_penetration, 1.25 * pressed.rest_penetration + 10e-6) << "no jump through the surface";
-  // The hand feels the spring of the coupling and, of what is left of motion, its damper; no more.
+  // The hand feels only the spring of the coupling and, for the remaining motion, its damper.
   const CouplingGains& gains = coupling.gains();
   const double damper = gains.damping * coupling.last_result().V_WH.linear.z();
   EXPECT_NEAR(pressed.rest_force, kPress - gains.stiffness * pressed.rest_penetration + damper, 1e-9);
@@ -47,7 +47,7 @@ TEST(Coupling, KeepsTheToolWithinATenthOfAMillimetreOfEnamelUnderFiveNewtons) {
   const PressedTool pressed = press(coupling);
   EXPECT_LT(pressed.rest_penetration, 0.1 * mm);
   EXPECT_GT(pressed.rest_force, 0.95 * kPress);
-  EXPECT_LT(pressed.newton_steps, 1.3 * 2000) << "one Newton step is enough nearly always";
+  EXPECT_LT(pressed.newton_steps, 1.3 * 2000) << "one Newton step is nearly always enough";
 }
 
 TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
@@ -57,7 +57,7 @@ TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
   EXPECT_LT(pressed.rest_penetration, 0.15 * mm);
   EXPECT_GT(pressed.rest_force, 0.95 * kPress);
 
-  // The same hand, at rest, with the spindle running: it sinks, then the wall is gone and so is the force.
+  // With the spindle running, the resting hand sinks; then the wall is cut and the force is zero.
   simulation.set_spindle_speed(kSpin * units::rad_per_s);
   const Pose hand = at_height(kRadius - kPress / coupling.gains().stiffness);
   double before_break = 0;
@@ -89,14 +89,14 @@ TEST(Coupling, RestsInBalanceAlsoInTorque) {
   const Wrench& contact = simulation.last_result().model;
   EXPECT_GT(contact.force.z(), 0.5);
   EXPECT_GT(contact.torque.norm(), 1e-3);
-  // At rest the coupling carries the contact, and the tool has turned against its spring.
+  // At rest the coupling bears the contact, and the tool has rotated against its spring.
   EXPECT_LT((result.coupling.force - contact.force).norm(), 1e-4);
   EXPECT_LT((result.coupling.torque - contact.torque).norm(), 1e-5);
   EXPECT_GT(vector_from_rotation(result.X_WH.rotation * tilt.transpose()).norm(), 1e-3);
   EXPECT_LT(std::abs(result.energy.closure()), 1e-3);
 }
 
-// Work is judged by the way, and a tool at rest has none but the rounding of its ledger.
+// The imbalance is judged by the path of the tool; at rest there is only the rounding of the ledger.
 TEST(Coupling, OfAToolAtRestIsInBalance) {
   for (const ToolHead& head : {twist_drill_head(2 * mm, 10 * mm), flame_head(1.4 * mm, 4 * mm, 0.8 * mm, 1.5 * mm)}) {
     Simulation simulation(half_space(4 * mm, presets::cortical_bone()), Tool(head, RayHandle{30 * mm}),
@@ -119,10 +119,10 @@ TEST(Coupling, OfAToolAtRestIsInBalance) {
 TEST(CouplingGains, RefuseAToolThatWouldRingWithTheLargestThatDoesNot) {
   DeviceCapabilities device = capabilities(device_model("touch"));
   device.damping = 5;
-  const double most = 25 / device.stiffness;
+  const double max_mass = 25 / device.stiffness;
   expect_refused([&] { return coupling_gains(device, 0.3); },
-                 {("Choose at most " + format_number(most) + " kg").c_str()});
-  const CouplingGains gains = coupling_gains(device, 0.999 * most);
+                 {("Choose at most " + format_number(max_mass) + " kg").c_str()});
+  const CouplingGains gains = coupling_gains(device, 0.999 * max_mass);
   EXPECT_NEAR(gains.damping / (2 * std::sqrt(gains.stiffness * gains.mass)), 0.5, 0.01);
   EXPECT_NEAR(gains.inertia / CouplingGains{}.inertia, gains.mass / CouplingGains{}.mass, 1e-12);
 }
@@ -205,11 +205,11 @@ TEST(Probe, SeesWhatTheStepWillFeelAndChangesNothing) {
   }
 }
 
-/// The part that Gauss and Newton leave out turns the normals and makes every spring push less sideways: the sum is a
+/// The neglected part (Gauss-Newton) rotates the normals and reduces the sideways push of every spring, so the sum is a
 /// little stiffer than the slope.
 TEST(Probe, StiffnessIsTheSlopeOfTheForce) {
   SimulationConfig smooth = implicit(1e14);
-  smooth.friction = DryFriction{0, 0, 0};  // which has a stiffness of its own
+  smooth.friction = DryFriction{0, 0, 0};  // because friction has its own stiffness
   Simulation simulation(half_space(), Tool(SphereHead{kRadius}, RayHandle{20 * mm}), smooth);
   const Pose pose = at_height(kRadius + 20 * mm - 0.3 * mm);
   const ContactProbe at = simulation.probe(pose, {}, kTick);
@@ -239,7 +239,7 @@ TEST(Probe, OfRubbishFeelsNothing) {
 }
 
 // Velocities in mm/s beside poses in metres, or in degrees, pushed the tool by the damper: 116 times the removal.
-// However few steps there are, a wheel that falls on enamel at 0.3 m/s is held, and a tick does what was said.
+// With few steps too, a wheel that falls on enamel at 0.3 m/s is held, and a tick stays within its bound.
 TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
   for (const int steps : {32, 100}) {
     Simulation simulation(half_space(4 * mm, presets::enamel()),
@@ -289,7 +289,7 @@ TEST(Coupling, WaitsWhileVelocitiesSayManyTimesTheWay) {
   const Result right = drill(1, 0), noisy = drill(1, 0.15), none = drill(0, 0), in_mm = drill(1000, 0);
   EXPECT_GT(right.removed, 0);
   EXPECT_EQ(right.refused + noisy.refused + none.refused, 0);
-  EXPECT_NEAR(none.removed / right.removed, 1, 0.1) << "a device may know none";
+  EXPECT_NEAR(none.removed / right.removed, 1, 0.1) << "a device may give no velocity";
   EXPECT_NEAR(noisy.removed / right.removed, 1, 0.1);
   EXPECT_GT(in_mm.refused, 1400);
   EXPECT_EQ(in_mm.removed, 0);

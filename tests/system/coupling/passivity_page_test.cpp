@@ -25,15 +25,15 @@ struct Held {
   double own_damping;         // of the device
 };
 
-/// [N s/m] that is left of the dampings at a frequency, after `delay` ticks (Colgate and Schenkel 1997, for a spring
-/// and a damper on the backward difference). Negative: the hand gets energy.
+/// [N s/m] Effective damping at a frequency, after `delay` ticks (Colgate and Schenkel 1997, for a spring and a damper
+/// on the backward difference). Negative: the hand gets energy.
 double left_of(const Held& held, double frequency, int delay) {
   const double angle = 2 * units::kPi * frequency * kPeriod;
   const double spring = 0.5 * held.stiffness * kPeriod * std::sin((delay + 0.5) * angle) / std::sin(0.5 * angle);
   return held.own_damping + held.damping * std::cos((delay + 1) * angle) - spring;
 }
 
-/// [Hz] up to which nothing is given away.
+/// [Hz] Frequency up to which the device is passive.
 int passive_up_to(const Held& held, int delay) {
   const int half_rate = int(std::lround(0.5 / kPeriod));
   int frequency = 0;
@@ -94,8 +94,8 @@ TEST(PassivityPage, CoversTheStepsOfEncodersByDryFriction) {
         << device.name;
 }
 
-// The formula, by a hand that swings on a wall: what the held force takes out of it, and what the device's damping
-// does, which is least where the hand moves evenly in a tick.
+// The formula against a hand that swings on a wall: the dissipation by the held force and by the device's damping,
+// which is minimal when the hand moves evenly in a tick.
 TEST(PassivityPage, HasTheFormulaOfAHandThatSwings) {
   for (const DeviceModel& device : device_models()) {
     const CouplingGains gains = coupling_gains(capabilities(device));
@@ -103,15 +103,15 @@ TEST(PassivityPage, HasTheFormulaOfAHandThatSwings) {
     for (int delay = 0; delay <= 2; ++delay)
       for (const double frequency : {3.0, 50.0, 120.0, 200.0, 260.0, 400.0}) {
         const auto at = [&](int n) { return std::cos(2 * units::kPi * frequency * kPeriod * n); };  // [m]
-        double taken = 0, square = 0;
+        double dissipated = 0, square = 0;
         for (int n = 0; n < 1000; ++n) {  // whole swings
           const int known = n - 1 - delay;
           const double force = held.stiffness * at(known) + held.damping * (at(known) - at(known - 1)) / kPeriod;
-          const double way = at(n) - at(n - 1);
-          taken += force * way + held.own_damping * way * way / kPeriod;
-          square += way * way / kPeriod;
+          const double moved = at(n) - at(n - 1);
+          dissipated += force * moved + held.own_damping * moved * moved / kPeriod;
+          square += moved * moved / kPeriod;
         }
-        EXPECT_NEAR(taken / square, left_of(held, frequency, delay), 1e-6 * held.stiffness)
+        EXPECT_NEAR(dissipated / square, left_of(held, frequency, delay), 1e-6 * held.stiffness)
             << device.name << ", " << frequency << " Hz, " << delay;
       }
   }

@@ -12,7 +12,7 @@ void PrintTo(const DeviceModel& model, std::ostream* out) { *out << model.name; 
 namespace hapticut::pressed_ball_test {
 namespace {
 
-constexpr double kHard = 1e16;  // [N/m^4] a ball of 1 mm under 5 N sinks in by 0.09 mm
+constexpr double kHard = 1e16;  // [N/m^4] at which a ball of 1 mm under 5 N sinks in by 0.09 mm
 
 ClosedLoopConfig pressed(const DeviceModel& device, int delay) {
   ClosedLoopConfig config;
@@ -39,7 +39,7 @@ TEST_P(EveryDevice, RendersMaterialTenTimesAsStiffThroughTheCoupling) {
     StabilitySearch search = pressed_search(direct);
     search.tolerance = 0.2;
     const double k_direct = max_stable_stiffness(config, contact_models(direct), search);
-    EXPECT_GT(k_direct, 1e12) << "the search must have found a stable one, or the test says nothing";
+    EXPECT_GT(k_direct, 1e12) << "the search must find a stable stiffness, else the test proves nothing";
     EXPECT_LT(k_direct, 1e15);
     for (const double factor : {10.0, 100.0, 1000.0})
       EXPECT_TRUE(is_stable(config, contact_models(through), factor * k_direct, search)) << delay << ", " << factor;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Constants, profiles and laws that do not fit: refused with value, range and cure, and nothing has changed.
+// SPDX-License-Identifier: Apache-2.0 Constants, profiles and laws that do not fit are refused with value, range and
+// cure, and change nothing.
 #include <gtest/gtest.h>
 
 #include "support/cutting.hpp"
@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// With these words, in a whole sentence.
+/// Expects a whole sentence with these words.
 template <class Action>
 void expect_refused(const Action& action, std::initializer_list<std::string> words) {
   test::expect_refused(action, words);
@@ -62,14 +62,14 @@ TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
       {"power_limit", "-1", "must be"});
 }
 
-// What the contact computes with in single precision would be infinite, and a force of it no number.
+// In single precision the contact would have infinite numbers, and a NaN force.
 TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
   const auto with = [](double Material::*member, double value) {
     return [member, value] {
       Material material = plain_material();
       material.*member = value;
       SimulationConfig config;
-      config.reference_stiffness = 1e14;  // by default what suits the stiffest material
+      config.reference_stiffness = 1e14;  // the default suits the stiffest material
       (void)Simulation(block(material), Tool(SphereHead{1 * mm}), config);
     };
   };
@@ -77,8 +77,8 @@ TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
   expect_refused(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
   expect_refused(with(&Material::specific_cutting_energy, 1e-50), {"specific_cutting_energy", "at least 1000"});
   expect_refused(with(&Material::specific_cutting_energy, 1e50), {"specific_cutting_energy", "between 1000 and 1e+18"});
-  for (const double share : {1e-50, 1e50})
-    expect_refused(with(&Material::relative_stiffness, share),
+  for (const double stiffness : {1e-50, 1e50})
+    expect_refused(with(&Material::relative_stiffness, stiffness),
                    {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});
   for (const double speed : {1e39, -1e39}) {
     expect_refused([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}); },
@@ -115,7 +115,7 @@ TEST(BadForceInput, ALawThatGivesNoNumberGivesNoForceAndTheStatusSaysSo) {
   EXPECT_EQ(simulation.probe(pressed, {}, 0.1).wrench.force, Vec3::Zero());
 }
 
-/// Everything that a simulation shows of itself after a step.
+/// All results of a simulation after a step.
 void expect_same(const StepResult& a, const StepResult& b) {
   EXPECT_EQ(a.force, b.force);
   EXPECT_EQ(a.torque, b.torque);

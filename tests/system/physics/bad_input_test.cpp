@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What the step does with rubbish: a status bit, no force, and an untouched workpiece.
+// SPDX-License-Identifier: Apache-2.0 Invalid input of a step: a status bit, no force, and an untouched workpiece.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -23,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class BadInput : public testing::Test {
  protected:
-  /// A ball that has cut its way 0.3 mm into a block.
+  /// A ball that has cut 0.3 mm into a block.
   BadInput() : simulation_(plain_block(), tool_of(SphereHead{kRadius}, kSpin)) {
     for (int i = 0; i < 150; ++i) (void)simulation_.step(at(i), down_, kTick);
     before_ = simulation_.workpiece().hash();
@@ -89,7 +88,7 @@ TEST_F(BadInput, AHeadThatTurnsIsNotPutIntoMaterial) {
   EXPECT_EQ(simulation_.step(out, {}, 1e-3).status, StepStatus::ok);
   simulation_.halt_spindle();
   expect_rejected(StepStatus::jump_rejected, inside);
-  EXPECT_GT(simulation_.step(inside, {}, 1e-3).contact.voxels, 0) << "a standing one cuts nothing there";
+  EXPECT_GT(simulation_.step(inside, {}, 1e-3).contact.voxels, 0) << "a standing head cuts nothing there";
 }
 
 TEST_F(BadInput, AWayThatWasMadeDuringRefusedInputsIsNotSweptAtOnce) {

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a step says it has changed, against every voxel of the workpiece before and after it.
+// SPDX-License-Identifier: Apache-2.0 The changed blocks of a step, compared with every voxel of the workpiece before
+// and after it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -45,7 +45,7 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
       simulation.step(input.X_WH, input.V_WH, input.dt);
       std::map<VoxelIndex, Fills> after = fills_of(simulation.workpiece());
       const std::set<VoxelIndex> origins = listed(simulation.changed_blocks());
-      // A fill that changed by less than its last bit is listed too, so the list may be longer.
+      // A block whose fill changed by less than its last bit is listed too, so the list may be longer.
       for (const VoxelIndex& origin : differences(before, after)) ASSERT_TRUE(origins.contains(origin)) << name;
       EXPECT_TRUE(simulation.changed_blocks().complete);
       changed += origins.size();
@@ -58,12 +58,12 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
 TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
-  for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).pose, scene.input(tick).velocity, 1e-3);
+  for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).X_WH, scene.input(tick).V_WH, 1e-3);
   ASSERT_FALSE(simulation.changed_blocks().origins.empty());
-  simulation.step(scene.input(60).pose, scene.input(60).velocity, -1);
+  simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, -1);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
   simulation.set_spindle_speed(0);
-  simulation.step(scene.input(60).pose, scene.input(60).velocity, 1e-3);
+  simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, 1e-3);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
 }
 
@@ -105,7 +105,7 @@ TEST(Simulation, GoesOnFromARestoredSnapshotAsItDidFromTheFreshWorkpiece) {
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
 
-/// Counts what it is told of.
+/// Counts the calls.
 struct Counter final : StepObserver {
   void on_step(const ObservedStep& step) noexcept override {
     EXPECT_EQ(step.number, step.simulation.steps() - 1);
@@ -122,7 +122,7 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   simulation.add_observer(told);
   EXPECT_EQ(simulation.steps(), 0U);
   const WorkpieceSnapshot fresh = simulation.snapshot();
-  for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).pose, {}, 1e-3);
+  for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).X_WH, {}, 1e-3);
   EXPECT_EQ(simulation.steps(), 3U);
   EXPECT_EQ(told.exchanges, 0);
   simulation.restore(fresh);
@@ -134,15 +134,15 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   Pose nowhere;
   nowhere.translation.x() = std::nan("");
   simulation.step(nowhere, {}, 1e-3);
-  EXPECT_EQ(told.steps, 4) << "a step whose input was rejected is a step";
+  EXPECT_EQ(told.steps, 4) << "a rejected step counts";
   Counter another;
   simulation.add_observer(another);
   EXPECT_THROW(simulation.add_observer(told), Error);
-  simulation.step(scene.input(0).pose, {}, 1e-3);
+  simulation.step(scene.input(0).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 1);
   simulation.remove_observer(told);
-  simulation.step(scene.input(1).pose, {}, 1e-3);
+  simulation.step(scene.input(1).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 2);
   std::array<Counter, Simulation::kMaxObservers> many;

@@ -12,8 +12,8 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// On a soft foundation chips are so thin that a step takes less of a voxel than single precision tells from nothing:
-/// there the work that is done is rubbed.
+/// On a soft foundation chips are so thin that single precision cannot represent the loss of a voxel in a step. The
+/// work is then booked as rubbing.
 TEST(Chips, LoseNoWorkWhereAStepTakesLessThanSinglePrecisionHolds) {
   for (const double dt : {1e-3, 1e-4}) {
     Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, kVoxel, presets::trabecular_bone()),

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Where the contact is: its point, direction, area and pressure, against integrals over the cap of a ball and the end
-// of a cylinder.
+// Point, direction, area and pressure of the contact, against integrals over the cap of a ball and the end of a
+// cylinder.
 #include <gtest/gtest.h>
 
 #include "hapticut/force/laws/contact_mechanics.hpp"
@@ -28,8 +27,8 @@ Contact contact_of(const ToolHead& head, const Vec3& place, double voxel_size, d
 
 /// Integrals over the cap of a ball, of its springs w = R - r.
 struct Cap {
-  double lever = 0;   // [m] how far the mean place of the springs is from the ball's centre
-  double normal = 0;  // [N] sum of the forces along the normals
+  double lever = 0;   // [m] distance of the springs' mean position from the ball's centre
+  double normal = 0;  // [N] sum of the normal forces
 };
 Cap cap() {
   constexpr int kSteps = 100000;
@@ -61,7 +60,7 @@ TEST(ContactPoint, OfABallIsThatOfItsCap) {
 }
 
 TEST(ContactPoint, OfTheEndOfACylinderIsItsMiddleAndThePressureThatOfItsDepth) {
-  const Mat3 tilted = rotation_from_vector(Vec3(kPi, 0, 0));  // from below: the end up, into nothing
+  const Mat3 tilted = rotation_from_vector(Vec3(kPi, 0, 0));  // from below, with the end up
   const FlatHead head{kRadius, 3 * mm, FlatRule::bottom_only};
   const Contact contact = contact_of(head, {0, 0, -kDepth}, 0.05 * mm);
   EXPECT_NEAR(contact.area / (kPi * kRadius * kRadius), 1, 0.03);
@@ -77,7 +76,7 @@ TEST(ContactPoint, OfTheEndOfACylinderIsItsMiddleAndThePressureThatOfItsDepth) {
 TEST(ContactPoint, DirectionIsWithoutTheDragOfTheSpin) {
   const Vec3 place(0, 0, kRadius - kDepth);
   const Contact standing = contact_of(SphereHead{kRadius}, place, 0.05 * mm);
-  // Turned so that the axis lies along x: the drag is sideways.
+  // Rotated so that the axis is along x: the drag is sideways.
   const Contact turning =
       contact_of(SphereHead{kRadius}, place, 0.05 * mm, 100, rotation_from_vector(Vec3(0, kPi / 2, 0)));
   EXPECT_LT((turning.normal - standing.normal).norm(), 0.01);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a head presses harder than its strength is crushed, whether the spindle turns or not.
+// SPDX-License-Identifier: Apache-2.0 Material that a head presses harder than its strength is crushed, whether the
+// spindle turns or not.
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"
@@ -20,12 +20,12 @@ constexpr double kStrength = 100e6;  // [Pa]
 Material brittle(double strength = kStrength) {
   Material material = plain_material();
   material.compressive_strength = strength;
-  material.static_friction = material.dynamic_friction = 0;  // which would bear a part of the load
+  material.static_friction = material.dynamic_friction = 0;  // because friction would bear a part of the load
   return material;
 }
 double crushing_depth(double stiffness) { return std::sqrt(2 * kStrength / stiffness); }
 
-/// A standing head on a block whose face is z = 0 in the tool's own axes, which lie in the grid as `R` says.
+/// A standing head on a block whose face is z = 0 in the tool's own axes, which have the orientation `R` in the grid.
 struct Press {
   Press(const ToolHead& head, double stiffness, double voxel, const Mat3& R_WT = Mat3::Identity(),
         double thickness = 2 * mm, RemovalLaw removal = RemovalLaw::constant_energy, double spin = 0)
@@ -44,7 +44,7 @@ struct Press {
     return config;
   }
   [[nodiscard]] Pose at(double z) const { return {R, R * (kOffGrid + Vec3(0, 0, z))}; }
-  /// Moves the lowest point from one depth to another, and returns what is felt along the axis at the end.
+  /// Moves the lowest point from one depth to another, and returns the force along the axis at the end.
   double move(double from, double to, double lowest, double step = 2e-6) {
     const int steps = std::max(1, int(std::lround(std::abs(to - from) / step)));
     for (int n = 1; n <= steps; ++n) {
@@ -63,21 +63,21 @@ struct Press {
   std::vector<double> forces;
 };
 
-std::vector<Way> ways() {
-  std::vector<Way> all = {{"along the grid", Mat3::Identity()}};
-  all.insert(all.end(), kWays.begin(), kWays.end());
+std::vector<Orientation> orientations() {
+  std::vector<Orientation> all = {{"along the grid", Mat3::Identity()}};
+  all.insert(all.end(), kOrientations.begin(), kOrientations.end());
   return all;
 }
 
 // Proves: crushing.
 TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
   const double expected = forms::flat_bottom_crushing_force(kStrength, kRadius);
-  for (const Way& way : ways())
+  for (const Orientation& orientation : orientations())
     for (const double stiffness : {1e16, 1e17})
       for (const double voxel : {0.1 * mm, 0.05 * mm}) {
-        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
+        SCOPED_TRACE(std::string(orientation.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
                      std::to_string(voxel / mm) + " mm");
-        Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, stiffness, voxel, way.R_WT);
+        Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, stiffness, voxel, orientation.R_WT);
         const double depth = 0.6 * mm, begun = 1.2 * crushing_depth(stiffness);
         (void)press.move(-0.01 * mm, begun, 0);
         press.forces.clear();
@@ -97,13 +97,13 @@ TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
 
 // Proves: crushing.
 TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
-  for (const Way& way : ways())
+  for (const Orientation& orientation : orientations())
     for (const double stiffness : {1e16, 1e17}) {
-      Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, way.R_WT);
+      Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, orientation.R_WT);
       const double w0 = crushing_depth(stiffness);
       double depth = 0;
       for (const double next : {0.3 * mm, 0.45 * mm, 0.6 * mm}) {
-        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", depth " +
+        SCOPED_TRACE(std::string(orientation.name) + ", k_v " + std::to_string(stiffness) + ", depth " +
                      std::to_string(next / mm) + " mm");
         const double force = press.move(depth, next, kRadius), at = next - 1e-6;  // the mean of the last step
         depth = next;
@@ -114,7 +114,7 @@ TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
     }
 }
 
-// What is left pushes back as far as it was pressed in, and no more: out and in again crushes nothing.
+// The remaining material pushes back up to the depth it was pressed to: moving out and in again crushes nothing.
 TEST(Crushing, WhatIsLeftIsElastic) {
   Press press(SphereHead{kRadius}, 1e16, 0.1 * mm);
   const double force = press.move(0, 0.5 * mm, kRadius), crushed = press.crushed();
@@ -127,10 +127,10 @@ TEST(Crushing, WhatIsLeftIsElastic) {
   EXPECT_NEAR(press.crushed() / crushed, 1, 2e-3);
 }
 
-// A plate gives way to a standing ball, which leaves a hole; what the hand did is the strength times the hole.
+// A standing ball breaks through a plate and leaves a hole; the work of the hand is the strength times the hole.
 TEST(Crushing, APlateIsPunchedThrough) {
   for (const double thickness : {0.2 * mm, 0.5 * mm}) {
-    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, kWays[0].R_WT, thickness);
+    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, kOrientations[0].R_WT, thickness);
     (void)press.move(0, 2 * kRadius + 2 * thickness, kRadius);
     const double hole = kPi * std::pow(kRadius - crushing_depth(1e17), 2) * thickness;
     SCOPED_TRACE(std::to_string(thickness / mm) + " mm");
@@ -140,8 +140,8 @@ TEST(Crushing, APlateIsPunchedThrough) {
   }
 }
 
-// The pin fills its hole through a plate. A smooth side is twice as stiff, and a damped contact many times: still a
-// column of voxels bears no more than the strength, whatever part of it lies in which voxel.
+// The pin fills its hole through a plate. A smooth side is twice as stiff, and a damped contact many times. Still a
+// column of voxels bears at most the strength, however it is divided into voxels.
 TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
   const double thickness = 1 * mm, speed = 10 * mm;  // [m], [m/s]
   const auto pin = [](EdgeKind side) {
@@ -157,18 +157,18 @@ TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
         SimulationConfig config = Press::config(2e16);
         config.contact_damping = damping;
         Simulation simulation(std::move(plate), Tool(pin(side)), config);
-        double least = 1e9, most = 0;
+        double min_force = 1e9, max_force = 0;
         for (int n = 1; n <= 50; ++n) {
           const Vec3 at = kOffGrid + Vec3(n * speed * 1e-3, 0, -2 * mm);
           const double force = -step_to(simulation, at, Vec3(speed, 0, 0)).force.x();
-          if (n > 25) least = std::min(least, force), most = std::max(most, force);
+          if (n > 25) min_force = std::min(min_force, force), max_force = std::max(max_force, force);
         }
         const double bears = kStrength * 2 * kRadius * thickness;
         const std::string scene = std::string(name_or_null(side)) + ", damping " + std::to_string(damping) +
                                   " s/m, voxels of " + std::to_string(1e3 * voxel) + " mm";
-        EXPECT_GT(least, 0.8 * bears) << scene;
-        EXPECT_LT(most, 1.03 * bears) << scene;
-        EXPECT_LT(most - least, 0.1 * bears) << scene;
+        EXPECT_GT(min_force, 0.8 * bears) << scene;
+        EXPECT_LT(max_force, 1.03 * bears) << scene;
+        EXPECT_LT(max_force - min_force, 0.1 * bears) << scene;
       }
 }
 
@@ -201,7 +201,7 @@ TEST(Crushing, NothingIsCrushedWhereNothingMayBeRemoved) {
 }
 
 TEST(Crushing, IsAskedForTheSameByAProbe) {
-  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, kWays[0].R_WT);
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, kOrientations[0].R_WT);
   (void)press.move(0, 0.4 * mm, kRadius);
   const Pose next = press.at(kRadius - 0.41 * mm);
   const Twist twist = {press.R * Vec3(0, 0, -0.01 * mm / 1e-3), Vec3::Zero()};
@@ -211,9 +211,9 @@ TEST(Crushing, IsAskedForTheSameByAProbe) {
   EXPECT_EQ(probed.wrench.force, stepped.model.force);
 }
 
-// A turning head that is pressed into what it cannot cut as fast crushes what is beyond the strength as well.
+// A turning head that is fed faster than it can cut also crushes material beyond its strength.
 TEST(Crushing, ATurningHeadBearsNoMoreThanAStandingOne) {
-  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, kWays[0].R_WT, 2 * mm,
+  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, kOrientations[0].R_WT, 2 * mm,
               RemovalLaw::constant_energy, 20);
   const double force = press.move(0, 0.6 * mm, 0, 1e-5);
   EXPECT_LE(force, 1.02 * forms::flat_bottom_crushing_force(kStrength, kRadius));

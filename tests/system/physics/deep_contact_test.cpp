@@ -43,7 +43,7 @@ double push_to(Simulation& simulation, double& z, double depth) {
 // Proves: deep contact.
 TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
   Simulation held = ball_over(swept()), springs = ball_over(swept(false));
-  double z = kRadius + 0.01 * mm, z_springs = z, before = 0, largest = 0;
+  double z = kRadius + 0.01 * mm, z_springs = z, before = 0, peak = 0;
   for (double depth = 0.02; depth <= 1.6; depth += 0.02) {
     const double force = push_to(held, z, depth * mm);
     const double alone = push_to(springs, z_springs, depth * mm);
@@ -51,11 +51,11 @@ TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
     if (depth <= 0.5) {
       EXPECT_EQ(force, alone) << "up to its radius nothing changes";
     }
-    largest = std::max(largest, alone);
+    peak = std::max(peak, alone);
     before = force;
   }
-  EXPECT_LT(springs.last_result().force.z(), 1e-2 * largest) << "the springs alone let it through";
-  EXPECT_GT(before, 1.5 * largest);
+  EXPECT_LT(springs.last_result().force.z(), 1e-2 * peak) << "with the springs alone it pops through";
+  EXPECT_GT(before, 1.5 * peak);
   EXPECT_LT(std::abs(held.last_result().energy.closure()), 1e-3);
 }
 
@@ -80,13 +80,13 @@ TEST(DeepContact, YieldsWhereAWallBreaks) {
   double z = kRadius + 0.01 * mm;
   double held = push_to(simulation, z, 0.8 * mm);
   EXPECT_GT(held, 0);
-  EXPECT_EQ(push_to(simulation, z, 1.8 * mm), 0) << "through the wall there is nothing to push against";
+  EXPECT_EQ(push_to(simulation, z, 1.8 * mm), 0) << "beyond the wall there is no contact";
   const EnergyLedger& energy = simulation.last_result().energy;
   EXPECT_GT(energy.released, 0);
   EXPECT_GT(energy.hand_work, -1e-9) << "pushing through never gives the hand energy";
 }
 
-// The other laws' forces are those of their formulas, however deep the ball is.
+// The forces of other laws follow their formulas at any depth.
 // Proves: deep contact.
 TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
   int others = 0;
@@ -106,9 +106,8 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
   EXPECT_TRUE(FoundationLaw().holds_deep_contact());
 }
 
-// Spinning about a level axis, the ball is dragged along the surface by kappa f: the spring that holds it is along the
-// push of the springs alone.
-// Proves: deep contact.
+// A ball that spins about a horizontal axis is dragged along the surface by kappa f. The spring that holds it is along
+// the push of the springs alone.
 TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   const auto pushed = [](bool deep_contact) {
     Simulation simulation = ball_over(swept(deep_contact), kBlock, Spindle{2000 * units::rad_per_s});
@@ -118,15 +117,15 @@ TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
     return simulation.last_result().force;
   };
   const Vec3 springs = pushed(false), held = pushed(true) - springs;
-  EXPECT_GT(springs.head<2>().norm(), 0.2 * springs.z()) << "there is a drag to be told from the normal force";
+  EXPECT_GT(springs.head<2>().norm(), 0.2 * springs.z()) << "there must be a drag beside the normal force";
   EXPECT_GT(held.z(), 0.2 * springs.z());
-  // The normal force of a grid is off by its quadrature error.
+  // The normal force of a grid has a quadrature error.
   constexpr double kQuadrature = 0.01;
   EXPECT_LT(held.head<2>().norm(), kQuadrature * held.z());
 }
 
 TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {
-  // Sunk standing to 1.4 R, then the spindle is switched on: what held the ball is cut away.
+  // The ball stands at 1.4 R, then the spindle is switched on: the material that held the ball is cut away.
   Simulation simulation = ball_over(swept());
   double z = kRadius + 0.01 * mm;
   const double standing = push_to(simulation, z, 0.7 * mm);
@@ -139,7 +138,8 @@ TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {
   cutting.set_spindle_speed(20000 * units::rad_per_s);
   for (int i = 0; i < 3000; ++i) (void)cutting.step(Pose::from_translation(Vec3(0, 0, z)), {}, 1e-3);
   EXPECT_GT(cutting.last_result().energy.cutting, 0);
-  EXPECT_LT(cutting.last_result().force.z(), 0.1 * standing) << "little is left but on the axis, where nothing slips";
+  EXPECT_LT(cutting.last_result().force.z(), 0.1 * standing)
+      << "little is left, except on the axis, where nothing slips";
   EXPECT_LT(std::abs(cutting.last_result().energy.closure()), 1e-3);
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Effects in the whole step: what the hand feels beside the model, and that the ledger does not see it.
+// SPDX-License-Identifier: Apache-2.0 Effects in the whole step: the hand feels them in addition to the model, and the
+// ledger does not contain them.
 #include <gtest/gtest.h>
 
 #include "support/cutting.hpp"
@@ -27,7 +27,7 @@ Simulation cut(const Effects& effects) {
                     config);
 }
 
-/// The head goes down at 2 mm/s from just above the surface.
+/// Moves the head down at 2 mm/s from just above the surface.
 Pose head_at(int tick) { return Pose::from_translation(Vec3(0.03, 0.02, 1.1 - 0.002 * tick) * mm); }
 
 const StepResult& step(Simulation& simulation, int tick) {
@@ -70,7 +70,7 @@ TEST(EffectsInTheStep, VibrateAlongTheSpindleOnlyWhileItSpinsInMaterial) {
       ASSERT_LE(std::abs(extra.z()), 0.3 + 1e-12);
     }
   }
-  // Spinning in the air, and standing in material, nothing shakes.
+  // Spinning in the air, or standing in material, there is no vibration.
   simulation.set_spindle_speed(0);
   for (int tick = 200; tick < 210; ++tick) {
     const StepResult& result = step(simulation, tick);

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Dry friction of a standing head in the whole step: where it acts, whose constants it takes, what it costs, and how it
-// hands over to the cutting ratio when the spindle starts.
+// Dry friction of a standing head in the whole step: where it acts, its constants, its energy, and the transition to
+// the cutting ratio when the spindle starts.
 #include <gtest/gtest.h>
 
 #include "hapticut/force/limit_surface.hpp"
@@ -15,9 +14,9 @@ using units::mm;
 
 constexpr double kDepth = 0.3 * mm;
 
-constexpr double kNormal = 3e-3;        // [1] what a grid of a third of the depth turns the normal force by
-constexpr double kTwoMaterials = 5e-3;  // [1] the same where a softer half is near
-constexpr double kArm = 1e-2;           // [1] where the line of a force turned so leaves the ball
+constexpr double kNormal = 3e-3;        // [1] rotation of the normal force by a grid of a third of the depth
+constexpr double kTwoMaterials = 5e-3;  // [1] rotation of the normal force near a softer half
+constexpr double kArm = 1e-2;           // [1] error of the point where the line of a force so rotated leaves the ball
 constexpr double kClosure = 1e-4;       // [1] of the ledger
 constexpr double kPressedOnce = 1e-3;   // [1] the step that presses is not part of the path
 
@@ -52,14 +51,14 @@ const StepResult& press_and_drag(Simulation& simulation, double to_x, double spe
   return simulation.last_result();
 }
 
-/// What a ball that slides along x feels, kDepth deep in a flat solid: the limit surface of all its points.
+/// Force on a ball that slides along x, kDepth deep in a flat solid: the limit surface of all its points.
 struct Sliding {
   double ratio;  // [1] of the force along x to that along z
   double arm;    // [m] below the ball's centre, at which the force along x acts
 };
 Sliding sliding_cap(double friction, const Vec3& along = Vec3::UnitX()) {
   SpreadFriction contact;
-  double pressed = 0;
+  double normal_force = 0;
   constexpr int kAcross = 80;
   const double step = 2 * kRadius / kAcross, surface = -(kRadius - kDepth);
   for (int i = 0; i < kAcross; ++i)
@@ -69,11 +68,11 @@ Sliding sliding_cap(double friction, const Vec3& along = Vec3::UnitX()) {
         if (p.norm() >= kRadius) continue;
         const double normal = kRadius - p.norm();
         contact.add(p, p.normalized(), normal, {friction, friction, 1});
-        pressed -= normal * p.normalized().z();
+        normal_force -= normal * p.normalized().z();
       }
   LimitSurface anchor;
   const Wrench wrench = anchor.move(contact, {1e6 * along, Vec3::Zero()}).wrench;
-  return {-wrench.force.dot(along) / pressed, wrench.torque.norm() / wrench.force.norm()};
+  return {-wrench.force.dot(along) / normal_force, wrench.torque.norm() / wrench.force.norm()};
 }
 
 // Proves: sticking.
@@ -83,7 +82,7 @@ TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheConta
   const double normal = result.force.z();
   // The grid's normal force is vertical up to its quadrature error.
   const Sliding expected = sliding_cap(0.3);
-  EXPECT_NEAR(expected.ratio, 0.315, 1e-3) << "5 % beyond the ratio: the forces around the pole lean";
+  EXPECT_NEAR(expected.ratio, 0.315, 1e-3) << "5 % above the ratio, because the forces around the pole are inclined";
   EXPECT_NEAR(result.force.x() / normal, -expected.ratio, kNormal);
   EXPECT_NEAR(result.force.y() / normal, 0, kNormal);
   EXPECT_NEAR(result.torque.y() / (-expected.arm * result.force.x()), 1, kArm) << "arm: from the centre to the contact";
@@ -150,7 +149,7 @@ TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   Pose pose = Pose::from_translation(Vec3(-4 * mm, 0, kRadius));
   const double speed = 2 * units::mm_per_s;
   Vec3 before = Vec3::Zero();
-  double largest = 0, normal = 0;
+  double max_change = 0, normal = 0;
   std::array<double, 3> ratio = {};  // standing, spinning, standing again
   for (int i = 0; i < 3300; ++i) {
     if (i < 100)
@@ -162,7 +161,7 @@ TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
     const StepResult& result = simulation.step(pose, {}, kTick);
     const Vec3 tangential(result.force.x(), result.force.y(), 0);
     normal = result.force.z();
-    if (i > 900) largest = std::max(largest, (tangential - before).norm());
+    if (i > 900) max_change = std::max(max_change, (tangential - before).norm());
     before = tangential;
     if (i == 999 || i == 1999 || i == 3299)
       ratio[std::size_t(i / 1000 - (i == 3299 ? 1 : 0))] = tangential.norm() / normal;
@@ -174,7 +173,7 @@ TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   EXPECT_EQ(simulation.last_result().spindle.speed, 0);
   EXPECT_NEAR(ratio[2], sliding_cap(0.3).ratio, kNormal);
   // A step would be the whole friction, 0.3 N, in one tick; a hand-over of a quarter of a second takes 250.
-  EXPECT_LT(largest, 0.03 * normal);
+  EXPECT_LT(max_change, 0.03 * normal);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
 }
 

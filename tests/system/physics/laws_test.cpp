@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The formulas of contact mechanics against integrals, the layers of the thesis, and what the Hertzian burr erodes.
-// What each gives in the step are rows of `hapticut validate`.
+// The formulas of contact mechanics against integrals, the layers of the thesis, and the erosion of the Hertzian burr.
+// Rows of `hapticut validate` test each law in the step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,7 +84,7 @@ TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
     return test::hold_well(simulation, Vec3(0, 0, 0.6 * mm)).force;
   };
   const Vec3 equal = layered(0.5, 0.5), unequal = layered(0.3, 0.7);
-  EXPECT_NEAR(unequal.z() / equal.z(), 1, kSinglePrecision) << "the halves weigh alike";
+  EXPECT_NEAR(unequal.z() / equal.z(), 1, kSinglePrecision) << "the halves have equal weights";
   EXPECT_LT(unequal.x(), -0.01 * equal.z()) << "the stiffer half pushes the tool away";
   EXPECT_NEAR(equal.x(), 0, kSinglePrecision * equal.z());
 }

@@ -48,7 +48,7 @@ TEST(CallCounts, SeeEveryKindOfAllocationAndLock) {
   EXPECT_EQ(counts.locks, 1);
 }
 
-/// Expects that nothing in it allocates, frees or locks.
+/// Expects that an action does not allocate, free or lock.
 template <class Work>
 void expect_no_calls(const Work& work) {
   test::arm_call_counts();
@@ -78,7 +78,7 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
       status |= result.status;
     }
   });
-  EXPECT_GT(contacts, kSteps / 10) << "the scene must be at work, or the test says nothing";
+  EXPECT_GT(contacts, kSteps / 10) << "the scene must have contacts, else the test proves nothing";
   if (simulation.tool().spindle().speed != 0) {
     EXPECT_GT(removed, 0);
   }
@@ -133,10 +133,10 @@ TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
   const test::Scene& scene = test::find_scene("deep_ball");
   Simulation simulation = scene.make();
   StepInput bad = scene.input(0);
-  bad.pose.translation.x() = std::nan("");
+  bad.X_WH.translation.x() = std::nan("");
   expect_no_calls([&] {
-    (void)simulation.step(bad.pose, bad.velocity, bad.dt);
-    (void)simulation.step(scene.input(0).pose, {}, -1);
+    (void)simulation.step(bad.X_WH, bad.V_WH, bad.dt);
+    (void)simulation.step(scene.input(0).X_WH, {}, -1);
     (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
     (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
   });
@@ -161,8 +161,8 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
       const double t = 1e-3 * tick;
       const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
       const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
-      const double share = standing_share(result.spindle.speed, 1e-3);
-      ++(share == 1 ? standing : share == 0 ? spinning : between);
+      const double fraction = standing_share(result.spindle.speed, 1e-3);
+      ++(fraction == 1 ? standing : fraction == 0 ? spinning : between);
     }
   });
   EXPECT_GT(std::min({standing, between, spinning}), kSteps / 20);

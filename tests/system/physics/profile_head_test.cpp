@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Heads of any profile in the step: what is felt and cut with a profile of a ball, a cone or a flat head is what is
-// felt and cut with the head itself.
+// Heads of any profile in the step: a profile of a ball, a cone or a flat head has the same force and cut as the head
+// itself.
 #include <gtest/gtest.h>
 
 #include "support/cutting.hpp"
@@ -29,8 +28,8 @@ class ProfileTwin : public testing::TestWithParam<Twins> {};
 
 // Depths agree to single precision, so forces, sums over thousands of voxels, agree better than this.
 constexpr double kSinglePrecision = 2e-6;
-// Of voxels whose centres are beyond the sharp rim of a cone's base and whose parts reach in, cone and profile say
-// differently how far they are outside. Around the whole rim: 5e-5 of the force, 2.3e-3 of the volume.
+// For voxels whose centres are beyond the sharp rim of a cone's base and whose parts reach in, cone and profile give
+// different distances outside. Around the whole rim: 5e-5 of the force, 2.3e-3 of the volume.
 constexpr double kBeyondSharpRims = 1e-4, kVolumeBeyondSharpRims = 3e-3;
 
 TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {
@@ -66,7 +65,7 @@ TEST_P(ProfileTwin, CutsTheSame) {
   const SimulationConfig config = test::on_foundation(1e13);
   Simulation with_analytic(workpiece.clone(), test::tool_of(GetParam().analytic, test::kSpin), config);
   Simulation with_profile(workpiece.clone(), test::tool_of(GetParam().profile, test::kSpin), config);
-  double removed_analytic = 0, removed_profile = 0, largest = 0, worst = 0;
+  double removed_analytic = 0, removed_profile = 0, max_force = 0, worst = 0;
   for (int n = 0; n < 150; ++n) {
     const double t = n / 150.0, low = GetParam().analytic.bounding_box().min.z();
     const Pose pose = {rotation_from_vector(Vec3(0.2 * t, 0.3 * t, 0)),
@@ -75,13 +74,13 @@ TEST_P(ProfileTwin, CutsTheSame) {
     const StepResult& p = with_profile.step(pose, {}, 1e-3);
     removed_analytic += a.removed_volume;
     removed_profile += p.removed_volume;
-    largest = std::max(largest, a.force.norm());
+    max_force = std::max(max_force, a.force.norm());
     worst = std::max(worst, (a.force - p.force).norm());
   }
   EXPECT_GT(removed_analytic, 1e-12);
-  EXPECT_NEAR(removed_profile / removed_analytic, 1, 3e-4);  // beyond an edge the table rounds depths outside, too
+  EXPECT_NEAR(removed_profile / removed_analytic, 1, 3e-4);  // beyond an edge the table also rounds depths outside
   // Single voxels whose depth rounds to one or the other side of a threshold may be cut a step earlier.
-  EXPECT_LT(worst, 1e-3 * largest);
+  EXPECT_LT(worst, 1e-3 * max_force);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heads, ProfileTwin,

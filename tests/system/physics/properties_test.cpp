@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Symmetries of the step with any head, and its energy balance for anything that a hand may do.
+// SPDX-License-Identifier: Apache-2.0 Symmetries of the step with any head, and its energy balance for any motion of
+// the hand.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// Heads of profiles take a while to make.
+/// Heads of profiles, made once because they take a while.
 const std::vector<ToolHead>& heads_of_profiles() {
   static const std::vector<ToolHead> kHeads = [] {
     std::vector<ToolHead> heads;
@@ -24,7 +24,7 @@ const std::vector<ToolHead>& heads_of_profiles() {
   return kHeads;
 }
 
-/// Friction, a handle, and a spindle that starts, stops, turns round or keeps its speed.
+/// Friction, a handle, and a spindle that starts, stops, reverses or keeps its speed.
 void add_anything(CutScene& scene) {
   make_rough(scene.soft);
   make_rough(scene.hard);
@@ -32,13 +32,13 @@ void add_anything(CutScene& scene) {
   scene.spin *= *rc::gen::element(-1.0, 0.0, 1.0);
   if (*rc::gen::arbitrary<bool>()) {
     scene.later_spin = *rc::gen::element(-1.0, 0.0, 1.0) * *number_between(5, 5000);
-    // Ten steps take a fifth of the hand-over from friction to cutting, or all of it and more.
+    // Ten steps cover a fifth of the transition from friction to cutting, or all of it and more.
     scene.acceleration_limit = std::pow(10, *number_between(3, 6));
   }
 }
 
-/// Any head wide enough to meet voxels, with anything that a step may have: dry friction, a handle, a spindle that
-/// turns, stands, starts or stops.
+/// Any head wide enough to touch voxels, with any option of a step: dry friction, a handle, and a spindle that turns,
+/// stands, starts or stops.
 CutScene arbitrary_scene() {
   const bool profile = *rc::gen::arbitrary<bool>();
   const auto wide = [](const ToolHead& head) { return head.bounding_box().max.x() > 0.3 * mm; };
@@ -72,7 +72,7 @@ RC_GTEST_PROP(Step, TheGridsOriginDoesNotMatter, ()) {
   RC_ASSERT(difference(before, run(scene, 10)) < kOneVoxel);
 }
 
-/// Heads of profiles all of whose edges cut: their depth vanishes wherever material can get in.
+/// Heads of profiles whose edges all cut: their depth is zero wherever material can enter.
 const std::vector<ToolHead>& heads_with_potential() {
   static const std::vector<ToolHead> kHeads = [] {
     std::vector<ToolHead> heads;
@@ -90,19 +90,19 @@ void expect_a_closed_ledger(const CutScene& scene, const CutOutcome& outcome) {
   RC_LOG() << "imbalance " << e.imbalance() << " of " << outcome.turnover << " hand " << e.hand_work << " motor "
            << e.motor_work << " elastic " << e.elastic << " cutting " << e.cutting << " released " << e.released
            << " damping " << e.damping << " rubbing " << e.rubbing << " anchored " << e.anchored << " sliding "
-           << e.sliding << " credited " << e.credited << " least loss " << outcome.min_loss << " kind "
+           << e.sliding << " credited " << e.credited << " minimum loss " << outcome.min_loss << " kind "
            << scene.head.shape().index() << " R " << scene.head.max_radius() << " spin " << scene.spin;
-  // A touch too light to fill the first voxel is booked to a few hundredths of that voxel's k_v l^5.
-  constexpr double kClosure = 5e-3;  // [1] what the issue of the whole model asks of every combination
+  // A very light touch has an error of a few hundredths of a voxel's k_v l^5.
+  constexpr double kClosure = 5e-3;  // [1] required of every combination
   RC_ASSERT(std::abs(e.imbalance() + e.entered) < kClosure * outcome.turnover + 3e-2 * 1e13 * std::pow(kSceneVoxel, 5));
-  // Law G knows in advance what is released to the second order of the step only.
+  // Law G predicts the released energy only to second order in the step.
   const double of_turnover = scene.removal == RemovalLaw::elastic_release ? 5e-4 : 1e-6;
   RC_ASSERT(outcome.min_loss >= -of_turnover * outcome.turnover);
   RC_ASSERT(e.elastic >= 0 && e.anchored >= 0);
   RC_ASSERT(outcome.removed_volume >= 0);
 }
 
-// Anything that a hand may do, with anything that a material may be: the ledger closes and nothing is gained.
+// For any motion of the hand and any material the ledger closes, and no energy is gained.
 // Proves: energy ledger; symmetries.
 RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
   CutScene scene = arbitrary_conservative_scene();
@@ -111,7 +111,7 @@ RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
   make_arbitrary(scene.hard);
   add_anything(scene);
   scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);
-  scene.turn_V = *arbitrary_vector(2);
+  scene.omega_V = *arbitrary_vector(2);
   expect_a_closed_ledger(scene, run(scene));
 }
 
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Step, TheLedgerClosesWhereABallIsPushedBeyondItsRadius, ()) {
   expect_a_closed_ledger(scene, run(scene));
 }
 
-// Standing, the friction of any head on any body stays within mu_s of the normal force, and never helps the hand.
+// Friction of any standing head on any body stays within mu_s of the normal force, and never helps the hand.
 // Proves: friction cone.
 RC_GTEST_PROP(Step, TheFrictionOfAStandingHeadStaysInItsCone, ()) {
   CutScene scene = arbitrary_scene();

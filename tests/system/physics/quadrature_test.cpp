@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Where laws of one's own take the force of a partly filled voxel: how the two choices of points converge, and whole
-// voxels (docs/decisions/0002-quadrature.md).
+// The quadrature of custom laws in partly filled voxels: convergence of the two choices of points, and whole voxels
+// (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"
@@ -19,7 +18,7 @@ constexpr double kDepth = 0.3 * mm;
 const Vec3 kNormals[] = {Vec3::UnitZ(), Vec3(0.31, -0.52, 0.8).normalized()};
 const double kForce = closed_forms::cap_force(kStiffness, kRadius, kDepth);
 
-/// The springs of the default law at points.
+/// The springs of the default law, evaluated at points.
 class PointSprings final : public ForceLaw {
  public:
   LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
@@ -38,7 +37,7 @@ class PointSprings final : public ForceLaw {
   }
 };
 
-/// How a half space becomes voxels.
+/// Conversion of a half space to voxels.
 enum class Surface {
   centroid,  // partly filled voxels, force at the centroid of the filled part
   center,    // partly filled voxels, force at the voxel's centre

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// The motor: its torque, its power, and what a limit of it does to the cut.
+// SPDX-License-Identifier: Apache-2.0 The motor: its torque, its power, and the effect of its limits on the cut.
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"
@@ -18,7 +17,7 @@ using units::mm;
 
 constexpr double kClosure = 1e-4;  // [1] of the ledger (docs/validation.md)
 
-/// A flat head fed axially needs u pi R^2 v_f in all, whatever its speed.
+/// A flat head fed axially needs the power u pi R^2 v_f, whatever its speed.
 double power_needed() {
   const Material m = plain_material();
   return closed_forms::cutting_power({m.specific_cutting_energy, m.cutting_ratio, kSpin, kFeed},
@@ -40,35 +39,35 @@ TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
   const double limit = 0.5 * power_needed();
   Simulation simulation = axial_cut(limit);
   StepStatus status = StepStatus::ok;
-  double slowest = kSpin;
+  double min_speed = kSpin;
   const int ticks = 500;
   for (int tick = 0; tick < ticks; ++tick) {
     const StepResult& result = plunge(simulation, tick);
     status |= result.status;
-    slowest = std::min(slowest, result.spindle.speed);
+    min_speed = std::min(min_speed, result.spindle.speed);
     EXPECT_GT(result.spindle.speed, 0);
   }
   EXPECT_TRUE(has_any(status, StepStatus::power_limited));
-  EXPECT_LT(slowest, 0.5 * kSpin);
+  EXPECT_LT(min_speed, 0.5 * kSpin);
   EXPECT_LT(simulation.last_result().energy.motor_work, 1.003 * limit * ticks * 1e-3);
   EXPECT_LT(unbooked(simulation.last_result().energy), kClosure);
 }
 
-// `Tool(head)` has a spindle that stands, and presses without a word.
+// `Tool(head)` has a standing spindle, and cuts nothing.
 TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
-  const auto pressed = [](const Spindle& spindle, RemovalLaw removal, double depth) {
+  const auto status_of = [](const Spindle& spindle, RemovalLaw removal, double depth) {
     SimulationConfig config;
     config.removal = removal;
     Simulation simulation(plain_block(1.3 * mm, 3 * mm), Tool(SphereHead{0.5 * mm}, RayHandle{0}, spindle), config);
     return step_to(simulation, Vec3(0, 0, 0.5 * mm - depth)).status;
   };
   const RemovalLaw cuts = SimulationConfig{}.removal;
-  EXPECT_EQ(describe(pressed({}, cuts, 0.05 * mm)), "spindle_stands");
-  EXPECT_EQ(sentences_of(pressed({}, cuts, 0.05 * mm)),
-            "The spindle of this tool has no speed, so nothing is cut: give it one.");
-  EXPECT_FALSE(has_any(pressed({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
-  EXPECT_FALSE(has_any(pressed({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
-  EXPECT_FALSE(has_any(pressed(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_EQ(describe(status_of({}, cuts, 0.05 * mm)), "spindle_stands");
+  EXPECT_EQ(sentences_of(status_of({}, cuts, 0.05 * mm)),
+            "The spindle of this tool has no speed, so nothing is cut: set a speed.");
+  EXPECT_FALSE(has_any(status_of({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_FALSE(has_any(status_of({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_FALSE(has_any(status_of(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
 }
 
 TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
@@ -98,7 +97,7 @@ TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
     simulation = Simulation(block(c.material), c.with);
     EXPECT_EQ(is_told(), c.told) << c.name;
   }
-  (void)is_told(-0.05 * mm);  // on its way out it still touches
+  (void)is_told(-0.05 * mm);  // on the way out it still touches
   EXPECT_FALSE(is_told(-0.05 * mm)) << "in the air";
 
   simulation = Simulation(block(presets::dentin()), tool({}));
@@ -110,8 +109,8 @@ TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
   EXPECT_FALSE(is_told());
 }
 
-// A ball pushed at 20 mm/s, held, and drawn out slowly: a turbine stalls, stays so while it is held, and runs again.
-// Proves: droop.
+// A ball pushed in at 20 mm/s, held, and drawn out slowly: a turbine stalls, stays stalled while held, and starts
+// again. Proves: droop.
 TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
   for (const double inertia : {0.0, 1e-10})
     for (const double sign : {1.0, -1.0})
@@ -121,7 +120,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
         spindle.rotor_inertia = inertia;
         Simulation simulation(plain_block(1.3 * mm, 3 * mm), Tool(SphereHead{kRadius}, RayHandle{0}, spindle));
         const double max_power = 0.25 * spindle.speed * spindle.speed / spindle.droop;
-        double z = kRadius, most = 0, work_before_hold = 0, turned = 0, max_jump = 0, before = 0;
+        double z = kRadius, max_load = 0, work_before_hold = 0, last_speed = 0, max_jump = 0, before = 0;
         int changes = 0;
         bool stalled = false, stalled_while_held = true;
         StepStatus seen = StepStatus::ok;
@@ -133,36 +132,36 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
           const StepResult& result = simulation.step(Pose::from_translation(Vec3(0.029 * mm, 0.011 * mm, z)),
                                                      {Vec3(0, 0, feed), Vec3::Zero()}, dt);
           seen |= result.status;
-          most = std::max(most, result.spindle.torque * result.spindle.speed / max_power);
+          max_load = std::max(max_load, result.spindle.torque * result.spindle.speed / max_power);
           if (time < 0.03) work_before_hold = result.energy.motor_work;
           const bool stalls = has_any(result.status, StepStatus::spindle_stalled);
           if (stalls) {
             EXPECT_EQ(result.spindle.speed, 0);
             EXPECT_EQ(result.removed_volume, 0);
             EXPECT_LE(std::abs(result.spindle.torque), 0.204 * units::N_mm);
-            EXPECT_GT(sign * result.spindle.torque, 0) << "it pushes on the way that it cannot turn";
+            EXPECT_GT(sign * result.spindle.torque, 0) << "it keeps pushing while it cannot turn";
           }
           if (time > 0.05 && time < 0.2) stalled_while_held &= stalls;
           changes += stalls != stalled;
           stalled = stalls;
           if (time > 0.031 && time < 0.199) max_jump = std::max(max_jump, std::abs(result.force.z() - before));
           before = result.force.z();
-          turned = result.spindle.speed;
+          last_speed = result.spindle.speed;
         }
         if (inertia == 0) {
-          EXPECT_LT(most, 1.02);
+          EXPECT_LT(max_load, 1.02);
         }
         EXPECT_LT(work_before_hold, max_power * 0.03 + 0.5 * inertia * spindle.speed * spindle.speed);
         EXPECT_TRUE(stalled_while_held);
         EXPECT_EQ(changes, 2) << "it does not alternate";
         EXPECT_LT(max_jump, 0.01) << "[N] while it is held";
-        EXPECT_NEAR(turned, spindle.speed, 1e-6 * kSpin);
+        EXPECT_NEAR(last_speed, spindle.speed, 1e-6 * kSpin);
         EXPECT_LT(unbooked(simulation.last_result().energy), kClosure);
         EXPECT_TRUE(has_any(seen, StepStatus::spindle_stalled));
       }
 }
 
-// The friction of a head that may roll under its motor bears nothing about the axis: a ball that lies in bone.
+// Friction of a head that may roll under its motor has no torque about the axis: a ball that lies in bone.
 TEST(Spindle, StalledAndRubbedAlongItsSideHasTheTorqueOfTheMotorAlone) {
   for (const double sign : {1.0, -1.0}) {
     const Spindle turbine = common_spindle(MotorKind::air_turbine, sign * 100e3 * units::rpm);

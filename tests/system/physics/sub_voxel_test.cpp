@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Quadrature::sub_voxel on surfaces askew to the grid and under heads of profiles, and what it refuses. Cuts with it
-// are rows of `hapticut validate` (docs/decisions/0009-cut-voxels.md).
+// Quadrature::sub_voxel on surfaces inclined to the grid and with heads of profiles, and its refusals. Cuts with it are
+// rows of `hapticut validate` (docs/decisions/0009-cut-voxels.md).
 #include <gtest/gtest.h>
 
 #include "hapticut/force/laws/hertzian_burr.hpp"
@@ -16,8 +15,8 @@ namespace {
 using namespace test;
 using units::mm;
 
-// Just outside a profile its table must know the surface too. The side of the second one is in two pieces, which makes
-// three curves: it needs its cells, where the other two have one rule for all places.
+// Just outside a profile its table must also have the surface. The side of the second one is in two pieces, which gives
+// three curves, so it needs cells; the other two have one rule everywhere.
 TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
   struct Case {
     ToolHead profile, shape;

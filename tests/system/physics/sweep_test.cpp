@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Swept motion: what a stroke removes does not depend on how fast it is or how it is cut into steps.
+// SPDX-License-Identifier: Apache-2.0 Swept motion: the removal of a stroke does not depend on its speed or on its
+// division into steps.
 #include <gtest/gtest.h>
 
 #include "support/cutting.hpp"
@@ -10,7 +10,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// Engaged layer far below a voxel at any of the speeds.
+/// A stiffness whose engaged layer is far below a voxel at all speeds.
 Workpiece butter(double half_length) {
   Material material = plain_material();
   material.specific_cutting_energy = 1e3;
@@ -48,7 +48,7 @@ TEST(Sweep, AFastStrokeLeavesNoGap) {
 }
 
 TEST(Sweep, ATurnOfTheHandleIsSweptToo) {
-  // A ball at the end of a 30 mm handle that turns by 0.4 rad in 20 ms, head on an arc through the block.
+  // A ball at the end of a 30 mm handle that rotates by 0.4 rad in 20 ms; the head moves on an arc through the block.
   const auto removed_with = [&](int steps) {
     Simulation simulation(butter(10 * mm),
                           Tool(SphereHead{kRadius}, RayHandle{30 * mm}, Spindle{20000 * units::rad_per_s}));

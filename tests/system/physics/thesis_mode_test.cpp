@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The whole model of the thesis in one configuration: what a step gives is what its equations give, one by one.
+// SPDX-License-Identifier: Apache-2.0 The whole model of the thesis in one configuration: the result of a step equals
+// that of its equations, one by one.
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/force/stiffness.hpp"
 
@@ -28,7 +28,7 @@ ThesisMode constants() {
   mode.law.damping = 1e-4;
   mode.law.spin_torque = 0.2;
   mode.law.spin_exponent = 0.5;
-  mode.law.required_power = 1;  // nothing goes
+  mode.law.required_power = 1;  // nothing is removed
   mode.update_rate = 1800;
   mode.tool_mass = 0.3;
   mode.center_of_mass = Vec3(0, 0, -0.03);
@@ -100,7 +100,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
                                                    expected.wrench_T.torque.z(), 1.5);
   EXPECT_LT((result.model.torque - at_hand).norm(), kSinglePrecision * expected.normal_sum * 50 * mm);
 
-  // 5.9, 5.10 and Table 6.1: the force wanted is some newtons off, so the hand feels a step of epsilon towards it.
+  // 5.9, 5.10 and Table 6.1: the target is some newtons away, so the output changes by epsilon towards it.
   const Vec3 weight(0, 0, -0.3 * 9.80665);
   const Vec3 shaken = 0.3 * std::sin(2 * kPi * 500 * 2 * dt) * Vec3::UnitZ();
   const Vec3 wanted = result.model.force + weight + shaken;
@@ -108,7 +108,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
   EXPECT_NEAR((result.force - before).norm(), DeltaFilter{}.epsilon, 1e-12);
   EXPECT_LT((result.force - before).cross(wanted - before).norm(), 1e-9 * (wanted - before).norm());
 
-  // The torque is not filtered: it is that of the handle and of the weight, and of the shaking at its arm.
+  // The torque is not filtered: it is that of the handle, of the weight, and of the vibration at its arm.
   const Vec3 of_weight = (R_WH * mode.center_of_mass).cross(weight);
   const Vec3 arm = simulation.tool().X_HT().translation;
   const Vec3 of_shaking = (R_WH * arm).cross(shaken);
@@ -133,7 +133,7 @@ TEST(ThesisMode, TakesWholeVoxelsAwayWhereTheirPowerReachesWhatTheirStiffnessAsk
   EXPECT_EQ(simulation.step(at, {}, 1e-3).removed_volume, 0) << "the rest stays, however long";
 }
 
-// Table 5.2 with mu_s = mu_d = 0.3, whatever the material says.
+// Table 5.2 with mu_s = mu_d = 0.3, whatever the material.
 // Proves: thesis mode.
 TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
   ThesisMode mode;
@@ -144,7 +144,7 @@ TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
     (void)simulation.step(pose, {}, 1e-3);
   }
   const Vec3 force = simulation.last_result().model.force;
-  // 5 % beyond the ratio: friction goes with the sum of the normal forces, which lean around the pole.
+  // 5 % above the ratio, because friction is proportional to the sum of the normal forces, which are inclined.
   EXPECT_NEAR(-force.x() / force.z(), 0.315, 0.02) << "whole voxels come and go";
 }
 
@@ -173,7 +173,7 @@ TEST(ThesisMode, IsFeltAndCutsWithItsDefaults) {
                           Tool(SphereHead{bur.radius}, RayHandle{0}, Spindle{bur.spin * units::rad_per_s}),
                           thesis_mode());
     const double depth = 0.8 * bur.radius, feed = 4 * mm;
-    double force = 0;  // [N] most
+    double force = 0;  // [N] maximum
     const int steps = int(depth / feed / 1e-3);
     for (int n = 1; n <= steps; ++n) {
       const Pose pose = Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, bur.radius - n * depth / steps));

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Cuts that leave or meet pieces thinner than a voxel: sheets, and grooves that cross.
+// SPDX-License-Identifier: Apache-2.0 Cuts that leave or touch pieces thinner than a voxel: sheets, and grooves that
+// cross.
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"
@@ -14,8 +14,8 @@ using units::deg;
 using units::kPi;
 using units::mm;
 
-// A sheet of three tenths to two voxels costs as much as its volume does in a block, whichever way it lies in the grid:
-// motor u V, and the hand the thrust of C20 along its thickness.
+// A sheet of 0.3 to 2 voxels costs as much as the same volume of a block, in any orientation: the motor gives u V, and
+// the hand the thrust of C20 along its thickness.
 TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
   for (const double thickness : {0.03 * mm, 0.08 * mm, 0.2 * mm})
     for (const double tilt : {0.0, 10.0, 45.0}) {
@@ -24,8 +24,8 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
       Workpiece sheet = body({Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)}, kVoxel, plain_material(),
                              [&](const Vec3& p) { return std::abs(normal.dot(p - middle)) - thickness / 2; });
       Simulation simulation(std::move(sheet), tool_of(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, kSpin));
-      const double above = 0.2 * mm, way = thickness + 3 * above;
-      (void)feed(simulation, middle + normal * (thickness / 2 + above), -normal * kFeed, way, kTick, 0.5, R);
+      const double above = 0.2 * mm, path = thickness + 3 * above;
+      (void)feed(simulation, middle + normal * (thickness / 2 + above), -normal * kFeed, path, kTick, 0.5, R);
       const EnergyLedger& energy = simulation.last_result().energy;
       const double volume = kPi * kRadius * kRadius * thickness;
       const double thrust = forms::axial_cutting_force_of_a_flat_head({3e8, 0.5, kSpin, kFeed}, kRadius);
@@ -37,7 +37,7 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
     }
 }
 
-// Two grooves of a ball take away the union of what it sweeps, and each costs what it takes away.
+// Two grooves of a ball remove the union of the swept volumes, and each costs the energy of its own removal.
 TEST(ThinPieces, CrossingGroovesTakeAwayTheUnionOfTheirSweeps) {
   const double depth = 0.4 * kRadius, height = kRadius - depth, half = 2.2 * mm;
   for (const double angle : {0.0, 29.0}) {

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a step may have to do is known before, can be bounded, and can be timed.
+// SPDX-License-Identifier: Apache-2.0 The work of a step has a known upper bound, can be limited, and can be timed.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -17,7 +16,7 @@ using namespace test;
 using units::deg;
 using units::mm;
 
-/// A block in which every head of these tests is wholly buried.
+/// A block that can bury every head of these tests.
 Workpiece deep_block() {
   return build_block({Vec3::Constant(-4 * mm), Vec3::Constant(4 * mm)}, kVoxel, plain_material());
 }
@@ -34,17 +33,17 @@ TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
     config.removal = RemovalLaw::none;
     Simulation simulation(deep_block(), Tool(head), config);
     const WorstCase worst = simulation.worst_case();
-    int most = 0;
+    int max_voxels = 0;
     for (int trial = 0; trial < 50; ++trial) {
       const Pose pose = {random.rotation(), random.vector(1 * mm)};
-      simulation.step(pose, {}, 1e-3);  // a jump, which is believed the second time
-      most = std::max(most, simulation.step(pose, {}, 1e-3).contact.voxels);
+      simulation.step(pose, {}, 1e-3);  // a jump, which is accepted the second time
+      max_voxels = std::max(max_voxels, simulation.step(pose, {}, 1e-3).contact.voxels);
     }
-    EXPECT_GT(most, 0);
-    EXPECT_LE(std::size_t(most), worst.voxels);
-    // Every voxel that the surface may touch counts whole: two layers of them around a cone of ten voxels across.
+    EXPECT_GT(max_voxels, 0);
+    EXPECT_LE(std::size_t(max_voxels), worst.voxels);
+    // Every voxel that the surface may touch counts fully: two layers around a cone of ten voxels across.
     if (head.volume() > 500 * std::pow(kVoxel, 3)) {
-      EXPECT_LT(double(worst.voxels), 4.0 * most);
+      EXPECT_LT(double(worst.voxels), 4.0 * max_voxels);
     }
     EXPECT_EQ(worst.level_of_detail, 1);
     EXPECT_EQ(worst.sub_steps, config.max_sweep);
@@ -92,7 +91,8 @@ TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
   EXPECT_FALSE(has_any(whole.status, StepStatus::detail_reduced));
   const Groove reduced = cut_groove(4096);
   EXPECT_LE(reduced.max_evaluated, 4096);
-  EXPECT_LE(reduced.highest_level, 3) << "2 would do; voxels just outside are counted, whose parts may reach inside";
+  EXPECT_LE(reduced.highest_level, 3)
+      << "2 is enough, but voxels just outside count too, because their parts may reach inside";
   EXPECT_TRUE(has_any(reduced.status, StepStatus::detail_reduced));
   EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
   EXPECT_NEAR(reduced.removed, whole.removed, 0.02 * whole.removed);
@@ -131,8 +131,8 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
     (void)step_to(simulation, Vec3::Zero());
     const StageTimes& times = simulation.stage_times();
     for (const double time :
-         {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks, times.press_and_cut,
-          times.remove_emptied, times.hold_deep_contact, times.add_friction, times.book_energy,
+         {times.check_input, times.find_start, times.plan_sweep, times.plan_sub_step, times.find_blocks,
+          times.press_and_cut, times.remove_emptied, times.hold_deep_contact, times.add_friction, times.book_energy,
           times.transport_to_handle, times.drive_spindle, times.advance_spindle, times.give_output}) {
       EXPECT_TRUE(asked ? time > 0 : time == 0) << time;
     }
@@ -143,7 +143,7 @@ TEST(PageFaults, DoNotHappenInTheStepAfterSetUp) {
   for (const test::Scene& scene : test::scenes()) {
     std::vector<StepInput> inputs;
     for (int tick = 0; tick < 2000; ++tick) inputs.push_back(scene.input(tick));
-    // One simulation touches the pages of the program; it lives on, so that the other gets memory of its own.
+    // One simulation touches the pages of the program. It stays alive, so that the other gets new memory.
     Simulation first = scene.make(), simulation = scene.make();
     for (const StepInput& input : inputs) (void)first.step(input.X_WH, input.V_WH, input.dt);
     rusage before{}, after{};

@@ -64,7 +64,7 @@ TEST(Faults, NoFaultBreaksTheRulesAtAnyRate) {
   for (const double period : {4e-3, 2e-3, 0.5e-3, 0.25e-3})
     for (const InjectedFault fault : injected_faults()) {
       ClosedLoopConfig config = pressed("touch", 1);
-      config.period = period;  // given once
+      config.period = period;  // set only here
       GuardOptions options;
       const FaultResponse response = measure_fault_response(config, wall(1), 600, options, fault);
       options.period = period;
@@ -97,7 +97,7 @@ TEST(Faults, AFewMissedTicksDoNotEndTheForce) {
 }
 
 TEST(Faults, WithoutTheGuardAJumpWouldThrowTheHand) {
-  // What the guard is for: a bare wall answers a jump of 30 mm with all the device has, in one tick.
+  // The purpose of the guard: without it, a wall answers a jump of 30 mm with the full force of the device in one tick.
   const double bare = 600 * 0.030;
   const FaultResponse guarded = measure_fault_response(pressed("touch", 0), wall(1), 600, {}, InjectedFault::jump_30mm);
   EXPECT_LT(guarded.max_force, 0.25 * bare);
@@ -140,7 +140,7 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
     }
 }
 
-// A wall gives back what it has stored. A controller that takes that for activity answers with force after force.
+// A wall gives back its stored energy. A controller that mistakes this for activity would react again and again.
 TEST(Passivity, TheControllerOfTheGuardLeavesAHandAloneThatPressesSteadily) {
   for (const char* device : {"touch", "premium15"})
     for (const double stiffness : {200.0, 600.0}) {
@@ -164,7 +164,7 @@ TEST(Passivity, TheControllerOfTheGuardLeavesAHandAloneThatPressesSteadily) {
       EXPECT_EQ(guard->state(), ArmingState::on);
       EXPECT_FALSE(buzz.buzzes()) << device << ", " << stiffness << " N/m: " << buzz.position_rms * 1e6 << " um, "
                                   << buzz.force_peak_to_peak << " N";
-      // A held wall does generate a little while the tip bounces off it once; 20 ticks of 5000 pressed ones.
+      // A held wall generates a little energy while the tip bounces once: 20 ticks of 5000.
       EXPECT_LT(guard->log().count(SafetyEvent::passivity), 20U) << device << ", " << stiffness;
     }
 }

@@ -14,8 +14,8 @@ namespace hapticut::stability_test {
 namespace {
 
 constexpr double kPeriod = 1e-3;           // [s]
-constexpr double kClosedForm = 0.02;       // relative; exact integration, so what is left is the search
-constexpr double kTable = 0.05;            // relative; the table is rounded, and comes from another program
+constexpr double kClosedForm = 0.02;       // relative; the integration is exact, the search is not
+constexpr double kTable = 0.05;            // relative; the table is rounded, and from another program
 constexpr double kRestitution = 0.01;      // [1] the table has three digits, from another set of entry phases
 constexpr double kRestitutionNoise = 0.1;  // [1] dry friction and encoder make it depend on the entry phase
 
@@ -63,7 +63,7 @@ TEST(StabilityLimit, OfDevicesInHandsIsThatOfTheTable) {
   for (const WallRow& row : kWallTable)
     for (int delay = 0; delay < kWallDelays; ++delay)
       expect_near_relative(max_stable_stiffness(loop_of(row.device, row.hand, delay), linear_wall()),
-                           row.stiffest[std::size_t(delay)], kTable,
+                           row.max_stiffness[std::size_t(delay)], kTable,
                            std::string(row.device) + ", " + std::string(row.hand) + ", delay " + std::to_string(delay));
 }
 
@@ -96,9 +96,9 @@ TEST(Bounce, GainsNoSpeedUpToTheStabilityLimitOfAReleasedDevice) {
       const double limit = max_stable_stiffness(config, linear_wall());
       BounceTest test;
       test.time_limit = 4;
-      for (const double share : {0.25, 0.5, 0.9, 0.98})
-        EXPECT_LE(measure_bounce(config, wall(), share * limit, test).restitution, 1 + kRestitution)
-            << device.name << ", delay " << delay << ", " << share << " of " << limit << " N/m";
+      for (const double fraction : {0.25, 0.5, 0.9, 0.98})
+        EXPECT_LE(measure_bounce(config, wall(), fraction * limit, test).restitution, 1 + kRestitution)
+            << device.name << ", delay " << delay << ", " << fraction << " of " << limit << " N/m";
     }
 }
 
@@ -144,7 +144,7 @@ TEST(Bounce, LosesSpeedToDryFrictionAsInTheTable) {
     }
 }
 
-// What a held force gives in excess of a spring that is read at once is what device and hand must dissipate.
+// The energy of a held force in excess of an immediate spring must be dissipated by device and hand.
 TEST(ClosedLoop, GeneratedEnergyIsTheChangeOfKineticEnergyAndOfWhatFrictionTook) {
   ClosedLoop loop(loop_of("touch", "released"));
   loop.reset(Pose::from_translation({0, 0, 0.5e-3}));
@@ -171,7 +171,7 @@ TEST(Press, BuzzesWhereTheTableSaysAndNotBelow) {
   EXPECT_TRUE(buzz.buzzes());
   EXPECT_NEAR(buzz.position_rms, 439e-6, 0.1 * 439e-6);  // a limit cycle, sensitive to how friction is integrated
   EXPECT_NEAR(buzz.frequency, 50, 5);
-  EXPECT_NEAR(buzz.force_peak_to_peak, 3.3, 0.01);  // from nothing to all the device has
+  EXPECT_NEAR(buzz.force_peak_to_peak, 3.3, 0.01);  // from zero to the device's maximum
   EXPECT_GT(buzz.generated_power, 5e-3);
 }
 

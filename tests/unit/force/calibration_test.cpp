@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Constants from drilling tests: those that made the tests come back, and published ones are explained.
+// SPDX-License-Identifier: Apache-2.0 Constants from drilling tests: the fit recovers the constants that generated
+// tests, and explains published tests.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ using units::N_mm;
 using units::rpm;
 
 constexpr double kSearched = 1e-6;  // [1] kappa is searched to 1e-12 of its logarithm, where squares are flat to 1e-8
-constexpr double kNoNoise = 1e-4;   // [1] what a search among all kappa leaves of tests that fit exactly
+constexpr double kNoNoise = 1e-4;   // [1] residual of a search over all kappa for tests that fit exactly
 
 constexpr AngularSpeed kSpeed = 100 * units::rad_per_s;
 constexpr ChipTerm kPressure = ChipTerm::edge_pressure;
@@ -40,10 +40,10 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
     tests.push_back(made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000) * units::rad_per_s,
                             *number_between(0.2, 5) * mm * (n + 1)));
   const Calibration found = calibrate(tests, ChipTerm::edge_pressure);
-  RC_PRE(found.edge_identified);  // six random feeds per turn hardly ever agree within a twentieth
+  RC_PRE(found.edge_identified);  // six random feeds per revolution rarely agree within a twentieth
   RC_ASSERT(found.thrust_residual < kNoNoise);
   RC_ASSERT(found.torque_residual < kNoNoise);
-  // Where edge or chip are a small part of every test, the other is what the tests fix.
+  // If edge or chip is a small part of every test, the tests determine only the other.
   for (const DrillingTest& t : tests) {
     const AxialCutForce again = axial_cut_force(found, t.radius, t.spindle_speed, t.feed_speed);
     RC_ASSERT(std::abs(again.thrust / t.thrust - 1) < 10 * kNoNoise);
@@ -51,8 +51,8 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
   }
 }
 
-// Without noise, two feeds or two speeds fix what an edge or thin chips add, from thrust and torque or from one of
-// them.
+// Without noise, two feeds or two speeds determine the part of an edge or of thin chips, from thrust and torque or from
+// one of them.
 RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
   const ChipTerm term = *rc::gen::element(ChipTerm::edge_length, ChipTerm::size_length);
   Calibration made;
@@ -71,7 +71,7 @@ RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
   const Calibration found = calibrate(tests, term);
   RC_ASSERT(found.edge_identified && found.chip_identified);
   RC_ASSERT(found.ratio_identified == (missing == 0));
-  const double ratio = missing == 2 ? made.cutting_ratio / kAssumedRatio : 1;  // thrusts fix u/kappa
+  const double ratio = missing == 2 ? made.cutting_ratio / kAssumedRatio : 1;  // thrusts determine only u/kappa
   RC_ASSERT(std::abs(found.specific_cutting_energy / made.specific_cutting_energy * ratio - 1) < kNoNoise);
   RC_ASSERT(std::abs(found.edge_length - made.edge_length) <= kNoNoise * made.edge_length);
   RC_ASSERT(std::abs(found.size_length - made.size_length) <= 2 * kNoNoise * made.size_length);
@@ -149,7 +149,7 @@ TEST(Calibration, AssumesAnEdgeLengthWhereTheTestsDoNotTellIt) {
   }
 }
 
-// Thrusts about in proportion to chips of a micrometre: an edge of thirty would have them nearly alike.
+// Thrusts nearly proportional to chips of a micrometre; with an edge of thirty micrometres they would be nearly equal.
 TEST(Calibration, DoesNotAssumeAnEdgeLengthThatTheTestsContradict) {
   const double feed = 0.5 * mm;
   const AngularSpeed speed = 10000 * rpm;
@@ -159,11 +159,11 @@ TEST(Calibration, DoesNotAssumeAnEdgeLengthThatTheTestsContradict) {
   EXPECT_LT(c.edge_length, kAssumedEdgeLength / 10);
   const Calibration steeper =
       calibrate(std::vector<DrillingTest>{{1 * mm, speed, feed, 1, 0}, {1 * mm, speed, 2 * feed, 3, 0}});
-  EXPECT_FALSE(steeper.edge_identified || steeper.edge_assumed) << "more than in proportion: no edge does that";
+  EXPECT_FALSE(steeper.edge_identified || steeper.edge_assumed) << "more than proportional, which no edge can give";
 }
 
-/// Tests at these feeds of a drill in a material of u = 5e8 J/m^3, kappa = 3 and p_e = 1 MPa, whose thrust and torque
-/// scatter by shares of them.
+/// Tests at these feeds of a drill in a material of u = 5e8 J/m^3, kappa = 3 and p_e = 1 MPa, with relative scatter of
+/// thrust and torque.
 struct Scattered {
   double feed, of_thrust, of_torque;
 };
@@ -189,7 +189,7 @@ TEST(Calibration, ClaimsAnEdgeOnlyWhereTheTestsDifferMoreThanTheyScatter) {
       calibrate(scattered({{0.2 * mm, 0.02, -0.02}, {1 * mm, -0.02, 0.02}, {2 * mm, 0.01, 0.01}}), kPressure);
   EXPECT_TRUE(far.edge_identified);
   EXPECT_TRUE(far.chip_identified);
-  EXPECT_NEAR(far.edge_pressure / 1e6, 1, 0.05) << "about what the tests scatter by";
+  EXPECT_NEAR(far.edge_pressure / 1e6, 1, 0.05) << "about the scatter of the tests";
 }
 
 TEST(Calibration, SaysThatTheChipIsNotKnownWhereTheEdgeCarriesAll) {
@@ -215,7 +215,7 @@ TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
   EXPECT_GT(at(1.5 * mm, 100, 1 * mm).torque, base.torque);
   EXPECT_LT(at(1.25 * mm, 200, 1 * mm).thrust, base.thrust);
   EXPECT_LT(at(1.25 * mm, 200, 1 * mm).torque, base.torque);
-  // The energy of a volume, F v + M omega over pi R^2 v, falls with the chip: the edge costs the same for less.
+  // The energy per volume, F v + M omega over pi R^2 v, falls with the chip, because the cost of the edge is constant.
   const auto energy = [&](double feed) {
     const AxialCutForce f = at(1.25 * mm, 100, feed);
     return (f.thrust * feed + f.torque * 100) / feed;

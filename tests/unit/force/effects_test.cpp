@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Each effect by itself, and their order.
+// SPDX-License-Identifier: Apache-2.0 Each effect alone, and their order.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -36,13 +35,13 @@ TEST(Gravity, PullsDownWithTheWeightAndTurnsTheHandAboutTheCentreOfMass) {
 
 // Proves: gravity.
 RC_GTEST_PROP(Gravity, DoesNoWorkOnAClosedPath, ()) {
-  // Potential energy -m g . p_com: the wrench is its gradient, so small turns there and back cancel to second order.
+  // Potential energy -m g . p_com: the wrench is its gradient, so small rotations to and fro cancel to second order.
   const Gravity tool{0.2, *arbitrary_vector(0.1), *arbitrary_vector(9.81)};
   const Mat3 R = *test::arbitrary_rotation();
-  const Vec3 turn = *arbitrary_vector(1e-6);
+  const Vec3 rotation = *arbitrary_vector(1e-6);
   const Vec3 com = R * tool.center_of_mass;
-  const double work = gravity_wrench(tool, R).torque.dot(turn);
-  const double potential = tool.mass * tool.acceleration.dot(rotation_from_vector(turn) * com - com);
+  const double work = gravity_wrench(tool, R).torque.dot(rotation);
+  const double potential = tool.mass * tool.acceleration.dot(rotation_from_vector(rotation) * com - com);
   RC_ASSERT(std::abs(work - potential) < 1e-11);
 }
 
@@ -70,7 +69,7 @@ Shake shake(const Vibration& vibration, double rate) {
 }
 
 constexpr double kPartOfAPeriod = 0.01;  // [1] of a mean over a second that does not hold whole periods
-constexpr double kSampledPeak = 1e-3;    // [N] that sixty samples of a period may miss its top by
+constexpr double kSampledPeak = 1e-3;    // [N] error of the peak with sixty samples in a period
 
 // Proves: vibration.
 TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
@@ -109,9 +108,9 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
   vibration.amplitude_per_watt = 0.1;
   const auto peak = [&](double power) {
     VibrationPhase phase;
-    double largest = 0;
-    for (int i = 0; i < 1000; ++i) largest = std::max(largest, phase.advance(vibration, true, power, 1e-4));
-    return largest;
+    double peak = 0;
+    for (int i = 0; i < 1000; ++i) peak = std::max(peak, phase.advance(vibration, true, power, 1e-4));
+    return peak;
   };
   EXPECT_EQ(peak(0), 0);
   EXPECT_NEAR(peak(2), 0.2, kSampledPeak);
@@ -126,7 +125,7 @@ TEST(DeltaFilter, LagsAStepOf3NByHalfASecondAndDoesNotRunAwayOnRelease) {
   Vec3 force = Vec3::Zero();
   int ticks = 0;
   while ((force - Vec3(3, 0, 0)).norm() > 1e-12) force = filtered(filter, force, Vec3(3, 0, 0)), ++ticks;
-  // epsilon a tick until delta is left, and the last tick all of it: (3 - 0.5)/0.005 + 1.
+  // epsilon in each tick until delta is left, which the last tick adds: (3 - 0.5)/0.005 + 1.
   EXPECT_NEAR(ticks, 501, 1);
   ticks = 0;
   while (force.norm() > 0 && ticks < 10000) {
@@ -151,7 +150,7 @@ TEST(GrowthLimit, ReleasesAtOnce) {
   EXPECT_EQ(growth_limited(Vec3(3, 0, 0), Vec3::Zero(), 1e-3), Vec3(0, 0, 0));
   EXPECT_LT((growth_limited(Vec3(3, 0, 0), Vec3(1, 0, 0), 1e-3) - Vec3(1, 0, 0)).norm(), 1e-15);
   EXPECT_LT((growth_limited(Vec3(3, 0, 0), Vec3(-2, 0, 0), 0.1) - Vec3(-0.1, 0, 0)).norm(), 1e-15)
-      << "a reversal is a release, and growth the other way";
+      << "a reversal is a release, then growth in the other direction";
 }
 
 // Proves: growth limit.
@@ -177,7 +176,7 @@ TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
   for (int i = 1; i <= 20; ++i) {
     const Vec3 wall(0, 0, stiffness * speed * kTick * i);
     force = growth_limited(force, wall, rate * kTick);
-    EXPECT_EQ(force, wall) << "a limiter that lags behind a wall makes it active";
+    EXPECT_EQ(force, wall) << "a limiter that lags makes a wall active";
   }
 }
 
@@ -196,10 +195,10 @@ RC_GTEST_PROP(Output, StaysWithinItsLimitsWhateverTheModelAndTheEffectsGive, ())
     const Wrench model = {*arbitrary_vector(20), *arbitrary_vector(1)};
     const EffectsInput at = {{*test::arbitrary_rotation(), Vec3::Zero()}, {}, true, 1, kTick};
     const Wrench out = output.give(effects, at, model);
-    const double share = std::min(1.0, (i + 1) * kTick / 0.05);
-    RC_ASSERT(out.force.norm() <= 3.3 * share * (1 + 1e-12));
-    RC_ASSERT(out.torque.norm() <= 0.1 * share * (1 + 1e-12));
-    // The ramp may add a fiftieth of the largest force in a tick.
+    const double ramp = std::min(1.0, (i + 1) * kTick / 0.05);
+    RC_ASSERT(out.force.norm() <= 3.3 * ramp * (1 + 1e-12));
+    RC_ASSERT(out.torque.norm() <= 0.1 * ramp * (1 + 1e-12));
+    // The ramp may add a fiftieth of the maximum force in a tick.
     RC_ASSERT(out.force.norm() <= before.force.norm() + 500 * kTick + 3.3 / 50 + 1e-12);
     before = out;
   }

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Dry friction by itself: the cone, and what is refused. The work of a drag, C17, is an experiment of `hapticut
+// Dry friction alone: the cone, and refused constants. The work of a drag, C17, is an experiment of `hapticut
 // validate`.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -16,7 +15,7 @@ using test::arbitrary_vector;
 using test::number_between;
 using units::mm;
 
-/// What a contact at one point gives.
+/// Result of a contact at one point.
 struct AtPoint {
   Vec3 force;
   double dissipated;
@@ -92,8 +91,8 @@ TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
   expect({std::nan(""), 0.3, 1000}, "nan");
 }
 
-/// What implicit steps need: the force of the end is the slope of a convex function of where the step ends, so that a
-/// step has exactly one solution, and `stiffness` is its slope.
+/// Condition of implicit steps: the force at the end is the slope of a convex function of the end of the step, so a
+/// step has exactly one solution, and `stiffness` is the slope of this force.
 RC_GTEST_PROP(LimitSurface, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   const DryFriction friction{*number_between(0.2, 1), *number_between(0, 0.2), *number_between(100, 1e6)};
   const Vec3 normal = *number_between(0.1, 5) * (Vec3(0, 0, 1) + 0.3 * *arbitrary_vector(1)).normalized();

@@ -26,7 +26,7 @@ struct Point {
 };
 using Points = std::vector<Point>;
 
-Points shared_out(Points points) {  // the weights become forces
+Points distributed(Points points) {  // the weights become forces
   const double sum =
       std::accumulate(points.begin(), points.end(), 0.0, [](double all, const Point& p) { return all + p.normal; });
   for (Point& p : points) p.normal *= kNormal / sum;
@@ -39,7 +39,7 @@ Points pin() {
       const Vec3 n(std::cos(2 * kPi * i / 64), std::sin(2 * kPi * i / 64), 0);
       points.push_back({kR * n + Vec3(0, 0, level * 0.25 * mm), n, 1});
     }
-  return shared_out(points);
+  return distributed(points);
 }
 Points disc() {
   Points points;
@@ -48,11 +48,11 @@ Points disc() {
       const double rho = (ring + 0.5) / 40 * kR;
       points.push_back({rho * Vec3(std::cos(2 * kPi * i / 64), std::sin(2 * kPi * i / 64), 0), -Vec3::UnitZ(), rho});
     }
-  return shared_out(points);
+  return distributed(points);
 }
 Points groove() {
   const Vec3 left = Vec3(-1, 0, -1).normalized(), right = Vec3(1, 0, -1).normalized();
-  return shared_out({{kR * left, left, 1}, {kR * right, right, 1}});
+  return distributed({{kR * left, left, 1}, {kR * right, right, 1}});
 }
 SpreadFriction contact_of(const Points& points) {
   SpreadFriction contact;
@@ -60,7 +60,7 @@ SpreadFriction contact_of(const Points& points) {
   return contact;
 }
 
-/// [W] that Coulomb's law takes of a twist.
+/// [W] Dissipation of a twist by Coulomb's law.
 double exact_power(const Points& points, const Vector6& twist) {
   double power = 0;
   for (const Point& p : points) {
@@ -69,7 +69,7 @@ double exact_power(const Points& points, const Vector6& twist) {
   }
   return power;
 }
-/// What a long slide along a twist takes.
+/// Result of a long slide along a twist.
 Wrench slid(const SpreadFriction& contact, const Vector6& twist) {
   LimitSurface anchor;
   Wrench wrench;
@@ -86,8 +86,8 @@ Vector6 twist_of(double x, double y, double z, double a, double b, double c) {
   return twist;
 }
 
-// Friction goes with the sum of the normal forces, not with their resultant, which a pin in its hole does not have.
-// Proves: slipping.
+// Friction is proportional to the sum of the normal forces, not to their resultant, which is zero for a pin in its
+// hole. Proves: slipping.
 TEST(LimitSurface, IsExactWhereAllPointsSlipAlike) {
   const double pull = kMu * kNormal;
   EXPECT_NEAR(slid(contact_of(pin()), twist_of(0, 0, kR, 0, 0, 0)).force.z(), -pull, 1e-9);
@@ -99,8 +99,8 @@ TEST(LimitSurface, IsExactWhereAllPointsSlipAlike) {
 }
 
 TEST(LimitSurface, TakesLittleMorePowerThanTheSumOverItsPointsAndNeverLess) {
-  const double turn = slid(contact_of(disc()), twist_of(0, 0, 0, 0, 0, 1)).torque.z();
-  EXPECT_NEAR(turn / (-kMu * kNormal * 2 / 3 * kR), 1.061, 2e-3);
+  const double torque = slid(contact_of(disc()), twist_of(0, 0, 0, 0, 0, 1)).torque.z();
+  EXPECT_NEAR(torque / (-kMu * kNormal * 2 / 3 * kR), 1.061, 2e-3);
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   for (const Points& points : {pin(), disc(), groove()}) {
@@ -119,7 +119,7 @@ TEST(LimitSurface, TakesLittleMorePowerThanTheSumOverItsPointsAndNeverLess) {
   }
 }
 
-// Each material has its own coefficient on its own wall.
+// Each material has its own coefficient, here on its own wall.
 TEST(LimitSurface, WeighsEachPointByItsOwnCoefficient) {
   const Points walls = groove();
   SpreadFriction contact;
@@ -147,15 +147,15 @@ TEST(LimitSurface, GivesBackTheWorkOfAClosedPathThatNeverSlid) {
   EXPECT_NEAR(work, 0, 1e-4 * turnover);
 }
 
-// Contact that comes and goes, turns and slides: nothing is ever made of it, but for what finite turns in a step are
-// off.
+// A contact that comes and goes, rotates and slides never creates energy, except the error of finite rotations in a
+// step.
 TEST(LimitSurface, NeverGivesMoreThanItWasGiven) {
   const SpreadFriction in_groove = contact_of(groove()), on_disc = contact_of(disc());
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int walk = 0; walk < 60; ++walk) {
     LimitSurface anchor;
-    double work = 0, turnover = 0, dissipated = 0, least = 0;
+    double work = 0, turnover = 0, dissipated = 0, min_work = 0;
     Vector6 direction = Vector6::Zero();
     for (int n = 0; n < 500; ++n) {
       if (n % 20 == 0)
@@ -170,10 +170,10 @@ TEST(LimitSurface, NeverGivesMoreThanItWasGiven) {
       turnover += std::abs(part);
       dissipated += outcome.dissipated;
       EXPECT_GE(outcome.dissipated, 0);
-      least = std::min(least, work - anchor.stored());
+      min_work = std::min(min_work, work - anchor.stored());
       EXPECT_GE(direction.dot(outcome.stiffness * direction), -1e-9 * anchor.stiffness() * kR * kR);
     }
-    EXPECT_GE(least, -1e-3 * turnover);
+    EXPECT_GE(min_work, -1e-3 * turnover);
     EXPECT_NEAR(work, dissipated + anchor.stored(), 1e-3 * turnover);
   }
 }

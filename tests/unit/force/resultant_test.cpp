@@ -10,7 +10,7 @@
 namespace hapticut::resultant_test {
 namespace {
 
-/// A block of random samples; every third lane is outside the head and feels nothing.
+/// A block of random samples; every third lane is outside the head and has no force.
 std::unique_ptr<ContactBlock> random_block(int rows, test::RandomPoses& random) {
   auto block = std::make_unique<ContactBlock>();
   block->rows = rows;
@@ -31,7 +31,7 @@ std::unique_ptr<ContactBlock> random_block(int rows, test::RandomPoses& random) 
   return block;
 }
 
-/// The same sums, lane by lane in double precision.
+/// The sums of sum_resultant, lane by lane in double precision.
 Resultant exact_sum(const ContactBlock& b) {
   Resultant sum;
   sum.voxels = b.samples;

@@ -45,7 +45,8 @@ TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
   EXPECT_NEAR(layer / radius, 0.1, 1e-12);
   Material porous = bone;
   porous.relative_stiffness = 0.02;
-  EXPECT_NEAR(stiffness_for_accuracy(SphereHead{radius}, porous, speed, feed) / k, 50, 1e-9) << "to be passed on";
+  EXPECT_NEAR(stiffness_for_accuracy(SphereHead{radius}, porous, speed, feed) / k, 50, 1e-9)
+      << "inverse to the relative stiffness";
   Material chips = bone;
   chips.size_length = 1e-4;
   EXPECT_GT(stiffness_for_accuracy(SphereHead{radius}, chips, speed, feed), 2 * k) << "thin chips press harder";
@@ -67,7 +68,8 @@ TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {
 TEST(Stiffness, ByDefaultALayerIsAHundredthOfTheRadiusAndLessForAPointedHead) {
   const double round = stiffness_for_head(SphereHead{1 * mm});
   EXPECT_NEAR(round, 2e6 / std::pow(0.01 * mm, 2), 1e-6 * round);
-  EXPECT_NEAR(stiffness_for_head(SphereHead{1 * mm}, 0.1), 10 * round, 1e-6 * round) << "of what is there";
+  EXPECT_NEAR(stiffness_for_head(SphereHead{1 * mm}, 0.1), 10 * round, 1e-6 * round)
+      << "for the stiffest material present";
   for (const ToolHead& blunt : {ToolHead(FlatHead{1 * mm, 4 * mm}), twist_drill_head(2 * mm, 4 * mm),
                                 ToolHead(ConeHead{60 * units::deg, 1 * mm / std::tan(60 * units::deg)})})
     EXPECT_NEAR(stiffness_for_head(blunt), round, 1e-3 * round) << blunt.description();
@@ -89,14 +91,14 @@ TEST(FoundationLaw, DampsSmoothlyAndNeverBeyondWhatCrushes) {
   EXPECT_EQ(Damping::of(-3).crushing_depth(kCrushing), kCrushing);
 }
 
-// A lip that passes along a wall takes no chip; one that a resting hand presses does.
+// A lip that passes along a wall takes no chip; a lip that a resting hand presses does.
 TEST(ChipChord, CountsThinChipsWhereTheFeedGoesIntoTheSurface) {
   using Chord = ChipChord<double>;
-  EXPECT_EQ(Chord::share_of_chips(2e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::share_of_chips(-1e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::share_of_chips(0, 0), 1);
-  EXPECT_NEAR(Chord::share_of_chips(1e-5, 2e-3), 0.5, 1e-3);
-  EXPECT_LT(Chord::share_of_chips(0, 2e-3), 1e-3);
+  EXPECT_EQ(Chord::chip_factor(2e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::chip_factor(-1e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::chip_factor(0, 0), 1);
+  EXPECT_NEAR(Chord::chip_factor(1e-5, 2e-3), 0.5, 1e-3);
+  EXPECT_LT(Chord::chip_factor(0, 2e-3), 1e-3);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Heat on its way from the steps to the field: what is handed on, where it is put, and what comes of it.
+// Heat from the steps to the field: what is passed on, where it is added, and the resulting temperatures.
 #include "hapticut/heat/heat_collector.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +30,7 @@ Simulation bone_under(const ToolHead& head, RemovalLaw removal = RemovalLaw::con
                     Tool(head, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
 }
 
-/// A ball that drills down into bone at 0.2 mm/s, as fast as heat is over a millimetre of it, and the field beside it.
+/// A ball that drills into bone at 0.2 mm/s, about the speed of heat over a millimetre, and the field beside it.
 struct Drilling {
   explicit Drilling(HeatConfig config = {}, const HeatCollectorOptions& options = {})
       : collector(simulation, options), field(simulation.workpiece(), std::move(config)) {}
@@ -43,12 +42,12 @@ struct Drilling {
   void down(int ticks_between_looks = 10) {
     for (int tick = 1; tick <= kDown; ++tick) {
       down_one_tick(tick);
-      if (tick % ticks_between_looks == 0) look();
+      if (tick % ticks_between_looks == 0) update();
     }
   }
   void stay_in_the_air() { (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms); }
-  void look() { field.advance(field.take(collector)); }
-  /// [J] that stays in the workpiece, of what all steps took
+  void update() { field.advance(field.drain(collector)); }
+  /// [J] part of the heat of all steps that stays in the workpiece
   [[nodiscard]] double stays() const { return 0.2 * simulation.last_result().energy.losses(); }
 
   Simulation simulation = bone_under(SphereHead{1 * mm});
@@ -74,10 +73,10 @@ TEST(HeatCollector, LosesNothingWhereItsQueuesAreFull) {
   Drilling drilling({}, tight);
   drilling.down();
   double time = 0;
-  for (int tick = 0; tick < 400; ++tick) {  // the spindle stands, the rest comes out
+  for (int tick = 0; tick < 400; ++tick) {  // the spindle stands, and the rest is received
     drilling.simulation.halt_spindle();
     drilling.stay_in_the_air();
-    time += drilling.field.take(drilling.collector);
+    time += drilling.field.drain(drilling.collector);
   }
   drilling.field.advance(time);
   EXPECT_NEAR(drilling.field.balance().brought_in, drilling.stays(), 1e-9);
@@ -111,7 +110,7 @@ TEST(HeatField, IsNearlyTheSameOnCellsOfHalfTheSize) {
   Drilling coarse, finer(fine);
   coarse.down();
   finer.down();
-  // What leaves with the chips is the heat of the layer that goes, which is warmer the thinner it is seen.
+  // The chips take the heat of the removed layer, which is warmer in finer cells.
   EXPECT_NEAR(coarse.field.balance().stored / finer.field.balance().stored, 1, 0.05);
   EXPECT_NEAR((coarse.field.structures()[0].peak - 37) / (finer.field.structures()[0].peak - 37), 1, 0.35)
       << coarse.field.structures()[0].peak << " and " << finer.field.structures()[0].peak;
@@ -128,12 +127,12 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   HeatField field(simulation.workpiece());
   for (int tick = 0; tick < 500; ++tick) {
     (void)simulation.step(Pose::from_translation({1 * mm, 0.5 * mm, -0.0005 * mm}), {}, 1 * ms);
-    if (tick % 50 == 0) field.advance(field.take(collector));
+    if (tick % 50 == 0) field.advance(field.drain(collector));
   }
-  field.advance(field.take(collector));
+  field.advance(field.drain(collector));
   EXPECT_NEAR(field.balance().brought_in, 0.2 * simulation.last_result().energy.rubbing, 1e-9);
   EXPECT_GT(field.balance().brought_in, 0);
-  // All over the face of the head, not in one point of it.
+  // Over the whole face of the head, not in one point.
   const auto rise_at = [&](double x, double y) { return field.temperature_at(Vec3(x, y, -0.2) * mm) - 37; };
   EXPECT_GT(rise_at(1.4, 0.5), 0.5 * rise_at(1, 0.5));
   EXPECT_LT(rise_at(2.8, 0.5), 0.1 * rise_at(1, 0.5));
@@ -144,10 +143,10 @@ TEST(HeatCollector, HandsItsHeatToAnotherThread) {
   std::atomic<bool> done = false;
   std::thread beside([&] {
     while (!done) {
-      drilling.look();
+      drilling.update();
       std::this_thread::yield();
     }
-    drilling.look();
+    drilling.update();
   });
   for (int tick = 1; tick <= kDown; ++tick) drilling.down_one_tick(tick);
   drilling.simulation.halt_spindle();
@@ -168,7 +167,7 @@ TEST(HeatCollector, GoesOnAfterAnUndoWithMaterialThatIsBack) {
   }
   for (int tick = 0; tick < 400; ++tick) {
     drilling.stay_in_the_air();
-    drilling.look();
+    drilling.update();
   }
   EXPECT_FALSE(std::isnan(drilling.field.temperature_at(in_hole)));
   const HeatBalance balance = drilling.field.balance();

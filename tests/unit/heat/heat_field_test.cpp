@@ -22,7 +22,7 @@ constexpr ThermalProperties kBone;
 
 double diffusivity() { return kBone.conductivity / kBone.heat_capacity; }
 
-/// A block around the origin of W, of whole cells, with the origin in the middle of one.
+/// A block of whole cells around the origin of W, which is in the middle of a cell.
 HeatField block_field(const Vec3& half_size, double cell, HeatConfig config = {}) {
   config.voxels_per_cell = 8;
   const double voxel = cell / 8;
@@ -30,7 +30,7 @@ HeatField block_field(const Vec3& half_size, double cell, HeatConfig config = {}
   return HeatField(build_block({-half_size - odd, half_size + odd}, voxel, test::named("bone")), config);
 }
 
-/// [K] largest error of an instantaneous point source after 8 s, relative to the middle.
+/// [K] Maximum error of an instantaneous point source after 8 s, relative to the middle.
 double error_of_point_source(double cell) {
   constexpr double kHeat = 0.5, kTime = 8;
   HeatField field = block_field(Vec3::Constant(8 * mm), cell);
@@ -69,8 +69,8 @@ TEST(HeatField, TrailsAMovingLineSourceAsJaegersClosedForm) {
     field.advance(kTick);
   }
   const double head = begin + kSpeed * kTime, a = diffusivity();
-  // Ahead the field falls by e in 2.6 cells: there interpolation is off by 2 %, the width of the source by 1 %, and the
-  // tick, in which all heat comes at the beginning, by 1 %.
+  // Ahead the field falls by a factor of e in 2.6 cells: interpolation has an error of 2 %, the width of the source of
+  // 1 %, and the tick, whose heat comes at its beginning, of 1 %.
   const std::pair<Vec3, double> places[] = {
       {{-4, 0, 0}, 0.015}, {{-2, 1, 0}, 0.015}, {{-1, -1, 0}, 0.015}, {{0, 1.5, 0}, 0.015}, {{1, 0, 0}, 0.05}};
   for (const auto& [from, tolerance] : places) {
@@ -84,7 +84,7 @@ TEST(HeatField, TrailsAMovingLineSourceAsJaegersClosedForm) {
   }
 }
 
-/// [m^2] as the water sees it: what it takes at once from a body 1 K warmer, through a film that resists most.
+/// [m^2] Wetted surface: the initial heat flow from a body 1 K warmer, through a film with a dominant resistance.
 double wetted_area(const Workpiece& workpiece) {
   HeatConfig config;
   config.water_temperature = config.body_temperature - 1;
@@ -186,7 +186,7 @@ TEST(HeatField, ReportsByMaterialAndForgetsTheTimeOfWhatIsGone) {
   EXPECT_GT(hot[1].peak, 37.1);
   EXPECT_GT(hot[0].time_above, 0);
   EXPECT_GT(hot[0].volume_above, 0);
-  // All enamel goes.
+  // All enamel is removed.
   std::vector<VoxelIndex> origins;
   slab.for_each_block([&](const BlockView& block) { origins.push_back(block.origin); });
   const MaterialId enamel = slab.materials().id_of(presets::enamel().name);

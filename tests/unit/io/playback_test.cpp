@@ -138,7 +138,7 @@ TEST(Playback, PlaysAPartOfARecording) {
   EXPECT_THROW((void)open_playback(folder / "a.h5", {200}), Error);
   EXPECT_THROW((void)open_playback(folder / "a.h5", {0, 0}), Error);
   EXPECT_EQ(readings_of(*open_playback(folder / "a.h5", {50, 1})).at(0).X_BS.translation.z(),
-            test::find_scene("axial_flat").input(50).pose.translation.z());
+            test::find_scene("axial_flat").input(50).X_WH.translation.z());
 }
 
 TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
@@ -152,7 +152,7 @@ TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
   for (int tick = 0; tick < 200; ++tick) {
     EXPECT_TRUE(readings[std::size_t(tick)].valid);
     EXPECT_EQ(readings[std::size_t(tick)].X_BS.translation,
-              test::find_scene("axial_flat").input(tick).pose.translation);
+              test::find_scene("axial_flat").input(tick).X_WH.translation);
   }
 }
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// A piece that a tool has cut loose leaves: from a simulation, beside a loop of one's own, and from a model's loop.
+// The removal of a piece that a tool has cut loose: from a simulation, beside a custom loop, and from a model's loop.
 #include "hapticut/islands/island_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +7,8 @@
 #include <numeric>
 #include <thread>
 
-#include "support/loop_rig.hpp"
 #include "support/refusal.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::island_watch_test {
 namespace {
@@ -18,7 +17,7 @@ using units::mm;
 
 constexpr double kVoxel = 0.1 * mm, kCut = 4 * mm, kRadius = 0.6 * mm;
 
-/// A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that goes through it at a height of 4 mm.
+/// A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that cuts through it at a height of 4 mm.
 Simulation bar_and_ball() {
   Workpiece bar = build_block({Vec3(-0.4, -0.4, 0) * mm, Vec3(0.4, 0.4, 6) * mm}, kVoxel, test::plain_material());
   SimulationConfig config;
@@ -63,13 +62,13 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   EXPECT_GE(slices, 2);
   EXPECT_FALSE(simulation.changed_blocks().origins.empty());
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  const double left = sum(simulation.taken_volume_by_material());
+  const double left = sum(simulation.detached_volume_by_material());
   EXPECT_NEAR(left, double(islands[0].voxels) * std::pow(kVoxel, 3), 0.05 * left);
   EXPECT_EQ(sum(simulation.removed_volume_by_material()), cut);
   EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
   EXPECT_NEAR(volume_of(simulation.workpiece()) + cut + left, whole, 1e-9 * whole);
   for (int z = 46; z < 60; ++z) EXPECT_EQ(simulation.workpiece().material_at({4, 4, z}), kEmpty) << z;
-  // The tool goes on, and the ledger closes.
+  // The tool continues, and the ledger closes.
   for (int tick = kThrough; tick < kThrough + 50; ++tick) cut_through(simulation, tick);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
   while (!simulation.undo(64)) {
@@ -85,7 +84,8 @@ TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
   const std::vector<Island> islands = find_islands(simulation.workpiece());
   ASSERT_EQ(islands.size(), 1U);
   IslandRemoval half{islands[0]}, late{islands[0]};
-  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1)) << "all was looked at, one block is gone";
+  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1))
+      << "all blocks were checked, one was removed";
   EXPECT_GT(half.removed, 0U);
   while (!simulation.undo(64)) {
   }
@@ -109,7 +109,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   others.origin = {8, 8, 8};
   EXPECT_TRUE(simulation.remove_voxels(some));
   EXPECT_FALSE(simulation.remove_voxels(others));
-  EXPECT_NEAR(sum(simulation.taken_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
+  EXPECT_NEAR(sum(simulation.detached_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
   simulation.reserve_blocks(4);
   EXPECT_TRUE(simulation.remove_voxels(others));
 }
@@ -121,17 +121,17 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
     cut_through(simulation, tick);
     watch.tick();
   }
-  while (watch.count() == 0) {  // in the air; the watch has a thread of its own, which gets its turn some time
+  while (watch.count() == 0) {  // in the air, until the thread of the watch has run
     cut_through(simulation, kThrough + 10);
     watch.tick();
     std::this_thread::yield();
   }
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  EXPECT_GT(sum(simulation.taken_volume_by_material()), 0);
+  EXPECT_GT(sum(simulation.detached_volume_by_material()), 0);
   std::vector<Island> left;
   while (left.empty()) {
-    left = watch.left();
+    left = watch.removed();
     std::this_thread::yield();
   }
   ASSERT_EQ(left.size(), 1U);
@@ -149,8 +149,8 @@ TEST(IslandModel, NeedsAModelOfASimulation) {
 }
 
 TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
-  using namespace test::loop_rig;
-  // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
+  using namespace test::scripted_loop;
+  // A piece away from the hand is cut loose between two ticks, so it is the same in every run.
   Simulation simulation(block(), ball(), config());
   const std::unique_ptr<Device> device = stiff_mock("rest");
   SimulationModel without(simulation, *device);
@@ -158,7 +158,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   options.period = 1e-3;
   IslandModel model(without, options);
   LoopSnapshot snapshot;
-  // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
+  // Around a cube of 20 voxels, at 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
     for (int y = 16; y < 48; y += 8)
       for (int z = 8; z < 40; z += 8) {
@@ -170,7 +170,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         }
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
-  const double cut_out = sum(simulation.taken_volume_by_material());
+  const double cut_out = sum(simulation.detached_volume_by_material());
   ChangeFeed feed(simulation, without.region(), 10000);
   feed.follow();
   (void)device->run(
@@ -185,11 +185,11 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
       simulated_run());
   EXPECT_EQ(model.watch().count(), 1U);
   EXPECT_GE(feed.waiting(), 27U);
-  EXPECT_NEAR(sum(simulation.taken_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
+  EXPECT_NEAR(sum(simulation.detached_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
   while (left.empty()) {
-    left = model.watch().left();
+    left = model.watch().removed();
     std::this_thread::yield();
   }
   ASSERT_EQ(left.size(), 1U);

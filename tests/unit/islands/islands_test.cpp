@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Pieces that are cut loose: found by what is left around the voxels that went, as by looking at every voxel.
+// Pieces that are cut loose: a search around the removed voxels finds the same pieces as a search over all voxels.
 #include "hapticut/islands/islands.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +18,7 @@ using units::mm;
 
 constexpr double kVoxel = 0.1 * mm;
 
-/// [s] that this program has used.
+/// [s] Processor time of this program.
 double cpu_time() { return double(std::clock()) / double(CLOCKS_PER_SEC); }
 
 /// A block of voxels from 0 on.
@@ -35,7 +34,7 @@ bool holds(const IndexBox& box, const VoxelIndex& at) {
   return inside;
 }
 
-/// Takes away the voxels of a box, ends included, that a choice says.  @return the blocks that it has changed
+/// Removes the voxels of a box, ends included, that a predicate selects.  @return the changed blocks
 template <class Choose>
 std::vector<VoxelIndex> cut(Workpiece& workpiece, const IndexBox& box, const Choose& choose) {
   std::vector<VoxelIndex> changed;
@@ -56,7 +55,7 @@ std::vector<VoxelIndex> cut(Workpiece& workpiece, const IndexBox& box) {
   return cut(workpiece, box, [](const VoxelIndex&) { return true; });
 }
 
-/// Everything around a box, as thick as some voxels.
+/// A shell around a box, some voxels thick.
 std::vector<VoxelIndex> undercut(Workpiece& workpiece, const IndexBox& piece, int width = 2) {
   IndexBox around = piece;
   for (std::size_t a = 0; a < 3; ++a) around.min[a] -= width, around.max[a] += width;
@@ -114,12 +113,12 @@ TEST(IslandFinder, FindsSeveralPiecesAtOnceInAnyOrderOfTheBlocks) {
     for (const VoxelIndex& origin : undercut(block, piece)) changed.push_back(origin);
   std::vector<Island> first;
   std::mt19937 random(7);
-  for (int turn = 0; turn < 5; ++turn) {
+  for (int run = 0; run < 5; ++run) {
     IslandFinder finder = fresh;
     for (const VoxelIndex& origin : changed) finder.update(block, {&origin, 1});
     const std::vector<Island> islands = finder.find();
     ASSERT_EQ(islands.size(), 3U);
-    if (turn == 0) first = islands;
+    if (run == 0) first = islands;
     EXPECT_EQ(islands, first);
     std::ranges::shuffle(changed, random);
   }
@@ -130,7 +129,7 @@ TEST(IslandFinder, FindsSeveralPiecesAtOnceInAnyOrderOfTheBlocks) {
 TEST(IslandFinder, DoesNotTakeAnEdgeOrACornerForAJoint) {
   Workpiece block = block_of(16, 16, 16);
   IslandFinder finder(block);
-  // What is left of the upper half touches the lower half with edges alone.
+  // The rest of the upper half touches the lower half only with edges.
   const auto changed = cut(block, {{0, 0, 6}, {15, 15, 15}}, [](const VoxelIndex& at) {
     return !holds({{4, 4, 7}, {9, 9, 9}}, at) && !(at[0] == 3 && at[1] >= 4 && at[2] == 6);
   });
@@ -146,8 +145,8 @@ TEST(IslandFinder, FindsNothingWhereNothingWasCutAndLeavesBodiesThatWereApart) {
   // Both are cut at once, the smaller one too.
   finder.update(block, cut(block, {{16, 5, 5}, {25, 10, 10}}));
   EXPECT_TRUE(finder.find().empty());
-  EXPECT_EQ(find_islands(block).size(), 1U) << "seen as a whole one of the two is held by nothing";
-  // A piece of the smaller one leaves.
+  EXPECT_EQ(find_islands(block).size(), 1U) << "as a whole, one of the two bodies is an island";
+  // A piece of the smaller body comes loose.
   finder.update(block, undercut(block, {{30, 30, 30}, {33, 33, 33}}));
   EXPECT_EQ(sizes_of(finder.find()), Sizes{64});
 }
@@ -171,7 +170,7 @@ TEST(IslandFinder, TakesThinVoxelsForAirAndTheirSkinWithTheIsland) {
   IslandFinder finder(block);
   const IndexBox cube = {{9, 9, 9}, {13, 13, 13}};
   auto changed = undercut(block, cube);
-  // A film on one side of it, and on the ground below.
+  // A film on one side of the piece, and on the ground below.
   for (const int x : {14, 20}) {
     const VoxelIndex origin = {block_start(x), 8, 8};
     float* fill = block.writable_fill(origin);
@@ -203,7 +202,7 @@ TEST(IslandFinder, AgreesWithALookAtEveryVoxelInRandomCuts) {
   std::mt19937 random(11);
   const auto any_of = [&](int from, int to) { return std::uniform_int_distribution(from, to)(random); };
   int found = 0;
-  for (int turn = 0; turn < 40; ++turn) {
+  for (int run = 0; run < 40; ++run) {
     Workpiece block = block_of(17, 18, 19);
     IslandFinder finder(block);
     std::size_t pieces = 0;
@@ -218,7 +217,7 @@ TEST(IslandFinder, AgreesWithALookAtEveryVoxelInRandomCuts) {
       }
       finder.update(block, changed);
       const std::vector<Island> islands = finder.find();
-      EXPECT_EQ(islands, find_islands(block)) << "turn " << turn << ", cut " << cuts;
+      EXPECT_EQ(islands, find_islands(block)) << "run " << run << ", cut " << cuts;
       for (const Island& island : islands) {
         const std::set<VoxelIndex> voxels = voxels_of(island);
         (void)cut(block, {{0, 0, 0}, {23, 23, 23}}, [&](const VoxelIndex& at) { return voxels.contains(at); });
@@ -227,12 +226,12 @@ TEST(IslandFinder, AgreesWithALookAtEveryVoxelInRandomCuts) {
     }
     found += int(pieces);
   }
-  EXPECT_GT(found, 30) << "the cuts must set something free, or the test says nothing";
+  EXPECT_GT(found, 30) << "the cuts must make islands, else the test proves nothing";
 }
 
 TEST(IslandFinder, NeedsMillisecondsForAToothOfTwoMillionVoxels) {
-  // 10 x 10 x 20 mm in voxels of 0.1 mm. The limit of 50 ms is that of a hand that waits; what is measured is far less.
-  // Sanitizers and checks of our own reasoning take their own time: there, only what is found counts.
+  // 10 x 10 x 20 mm in voxels of 0.1 mm. The limit of 50 ms is acceptable for a waiting hand; measured times are far
+  // shorter. Sanitizers and assertions are slow, so with them only the result is checked.
 #if defined(NDEBUG)
   constexpr double limit = 0.05;
 #else
@@ -248,7 +247,7 @@ TEST(IslandFinder, NeedsMillisecondsForAToothOfTwoMillionVoxels) {
     EXPECT_EQ(sizes_of(islands), Sizes{voxels});
   };
   expect_one(undercut(tooth, {{40, 40, 90}, {59, 59, 109}}), 8000);
-  // The worst: cut through in the middle, so that each part has a million voxels.
+  // The worst case: cut through in the middle, so that each part has a million voxels.
   expect_one(cut(tooth, {{0, 0, 80}, {99, 99, 80}}), 100 * 100 * 80);
 }
 

@@ -4,7 +4,7 @@ find_program(HAPTICUT_ARM_COMPILER aarch64-linux-gnu-g++)
 find_path(HAPTICUT_HWY_FOLDER hwy/highway.h)
 mark_as_advanced(HAPTICUT_ARM_COMPILER HAPTICUT_HWY_FOLDER)
 if(HAPTICUT_ARM_COMPILER AND HAPTICUT_HWY_FOLDER)
-  # A folder of its own: beside Highway lie the system's headers, which are not those of the other compiler.
+  # A separate folder, because beside Highway are the system's headers, which do not suit the cross compiler.
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/arm")
   file(MAKE_DIRECTORY "${folder}")
   file(CREATE_LINK "${HAPTICUT_HWY_FOLDER}/hwy" "${folder}/hwy" SYMBOLIC)

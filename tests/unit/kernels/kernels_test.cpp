@@ -21,16 +21,16 @@ using units::mm;
 
 constexpr double kVoxel = 0.1 * mm;
 
-/// What the vectors may differ by from the scalar reference, relative to the largest value of the block: fused
-/// multiply-add rounds once where the reference rounds twice, over some twenty operations of 6e-8 each.
+/// Tolerance of the vectors against the scalar reference, relative to the maximum of the block: fused multiply-add
+/// rounds once where the reference rounds twice, over some twenty operations of 6e-8 each.
 constexpr double kRounding = 5e-6;
 
-/// [1] of the blocks in which a voxel may lie on the surface of the head within rounding: places are rounded to 1e-7
-/// mm, and the surface passes by some fifty points a tenth of a millimetre apart, which makes 5e-5; twenty times that.
+/// [1] of the blocks with a voxel on the surface of the head within rounding: positions are rounded to 1e-7 mm, and the
+/// surface passes some fifty points a tenth of a millimetre apart, which gives 5e-5; twenty times that.
 constexpr double kAtTheRim = 1e-3;
 constexpr double kAtAJump = 2e-3;  // [1] of blocks, of which each has hundreds of parts
 
-/// One block's content, as a workpiece would hand it out.
+/// The content of a block, as a workpiece gives it.
 struct RandomBlock {
   std::array<MaterialId, kBlockVoxels> material;
   std::array<std::uint64_t, 8> solid;
@@ -65,14 +65,15 @@ ContactMaterials three_materials(float damping) {
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
   materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F, 0.0F, 0.0F, 1.2e-4F, 0.3F, 0.25F, 0.0F};
-  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // of chips only where lips have a rate
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // chips matter only with a rate of lips
                   2e-4F, 0.2F,        0.2F, 500.0F};
   materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F, ContactMaterial::kNeverCrushed, 0.6F, 0.1F, 0.0F};
   return materials;
 }
 
-/// Of lines and arcs that all_profiles() have only in heads that need their table: two lines of which the nearer
-/// counts; a hollow arc; two arcs about points off the axis; a nearly straight arc; a nearly flat one about the axis.
+/// Profiles with lines and arcs that all_profiles() have only in heads that need their table: two lines of which the
+/// nearer counts; a hollow arc; two arcs about points off the axis; a nearly straight arc; a nearly flat one about the
+/// axis.
 std::vector<Profile> plain_profiles() {
   constexpr EdgeKind kSmooth = EdgeKind::smooth;
   return {test::flat_profile(0.5 * mm, 1 * mm),
@@ -116,10 +117,10 @@ void expect_close(const ContactBlock::Array<float>& a, const ContactBlock::Array
   for (int n = 0; n < lanes; ++n) ASSERT_NEAR(a[std::size_t(n)], b[std::size_t(n)], kRounding * scale) << "lane " << n;
 }
 
-double largest(const ContactBlock::Array<float>& a, int lanes) {
-  double most = 1e-30;
-  for (int n = 0; n < lanes; ++n) most = std::max(most, std::abs(double(a[std::size_t(n)])));
-  return most;
+double max_size(const ContactBlock::Array<float>& a, int lanes) {
+  double maximum = 1e-30;
+  for (int n = 0; n < lanes; ++n) maximum = std::max(maximum, std::abs(double(a[std::size_t(n)])));
+  return maximum;
 }
 
 TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
@@ -169,17 +170,17 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
       Resultant scalar, vector_sum;
       sum_resultant(expected, scalar);
       kernels::sum_resultant(expected, vector_sum);
-      const double force = largest(expected.force_x, lanes) * lanes + largest(expected.force_z, lanes) * lanes;
+      const double force = max_size(expected.force_x, lanes) * lanes + max_size(expected.force_z, lanes) * lanes;
       EXPECT_LT((scalar.wrench_T.force - vector_sum.wrench_T.force).norm(), kRounding * force);
       EXPECT_LT((scalar.wrench_T.torque - vector_sum.wrench_T.torque).norm(), kRounding * force * mm);
       EXPECT_EQ(scalar.voxels, vector_sum.voxels);
       EXPECT_EQ(scalar.depth, vector_sum.depth);
     }
-  EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_GT(samples, 10000) << "the heads must touch the blocks, else the test proves nothing";
   EXPECT_LE(at_the_rim, kAtTheRim * blocks);
 }
 
-/// The three stages of the scalar reference on one block, in the terms of the kernel that does them in one pass.
+/// The three stages of the scalar reference on one block, in the terms of the one-pass kernel.
 struct Reference {
   Resultant resultant;
   LawTotals totals;
@@ -210,15 +211,15 @@ struct Reference {
   }
 };
 
-/// @param turns  of the level of detail: `found` stands for as many
-void expect_same(const Resultant& found, const Resultant& wanted, double turns, double scale, double couple_error) {
-  EXPECT_LT((found.wrench_T.force / turns - wanted.wrench_T.force).norm(), kRounding * scale);
-  EXPECT_LT((found.wrench_T.torque / turns - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
-  EXPECT_LT((found.push_T / turns - wanted.push_T).norm(), kRounding * scale);
-  EXPECT_LT((found.moment_T / turns - wanted.moment_T).norm(), kRounding * scale * mm);
-  EXPECT_NEAR(found.normal_force / turns, wanted.normal_force, kRounding * scale);
-  EXPECT_NEAR(found.area / turns, wanted.area, kRounding * kBlockVoxels);
-  EXPECT_NEAR(found.volume / turns, wanted.volume, kRounding * kBlockVoxels);
+/// @param phases  of the level of detail, for which `found` stands
+void expect_same(const Resultant& found, const Resultant& wanted, double phases, double scale, double couple_error) {
+  EXPECT_LT((found.wrench_T.force / phases - wanted.wrench_T.force).norm(), kRounding * scale);
+  EXPECT_LT((found.wrench_T.torque / phases - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
+  EXPECT_LT((found.push_T / phases - wanted.push_T).norm(), kRounding * scale);
+  EXPECT_LT((found.moment_T / phases - wanted.moment_T).norm(), kRounding * scale * mm);
+  EXPECT_NEAR(found.normal_force / phases, wanted.normal_force, kRounding * scale);
+  EXPECT_NEAR(found.area / phases, wanted.area, kRounding * kBlockVoxels);
+  EXPECT_NEAR(found.volume / phases, wanted.volume, kRounding * kBlockVoxels);
   EXPECT_NEAR(found.depth, wanted.depth, kRounding * mm);
 }
 
@@ -262,38 +263,38 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       ++blocks;
       // Skip the rare block with a voxel that is in contact in one only, or at a crease nearest to another surface.
       const double volume = kVoxel * kVoxel * kVoxel, weight = job.level_of_detail;
-      const kernels::Pressed pressed = kernels::pressed(job, sums, volume);
-      const double more = std::abs(pressed.resultant.volume / weight - expected.resultant.volume);
-      if (pressed.resultant.voxels != int(weight) * expected.resultant.voxels || more > kRounding * kBlockVoxels) {
+      const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, volume);
+      const double more = std::abs(outcome.resultant.volume / weight - expected.resultant.volume);
+      if (outcome.resultant.voxels != int(weight) * expected.resultant.voxels || more > kRounding * kBlockVoxels) {
         ++at_the_rim;
         continue;
       }
       samples += expected.resultant.voxels;
 
-      // The largest force that the samples could add up to.
+      // Upper bound on the sum of the samples' forces.
       const double scale = 1e-3 + 2e14 * volume * expected.resultant.depth * expected.resultant.volume;
       Resultant wanted = expected.resultant;
       const double couple = expected.totals.spin_couple;  // fades out as 1 - (rho / zone)^2: single precision cancels
       wanted.wrench_T.torque.z() += couple;
-      expect_same(pressed.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
-      const LawEnergies &energies = expected.totals.energies, &found = pressed.energies;
+      expect_same(outcome.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
+      const LawEnergies &energies = expected.totals.energies, &found = outcome.energies;
       const double energy = std::abs(energies.elastic_before) + energies.cutting + energies.released +
                             energies.rubbing + energies.crushed + std::abs(energies.damping) + 1e-30;
-      // A section is 0.3 voxels wide or more; a voxel that needs none stores up to 0.3^2/24 k l^5 less.
+      // A section is at least 0.3 voxels wide; a voxel without a section stores up to 0.3^2/24 k l^5 less.
       double elastic_error = 2 * kRounding * energy;
       for (std::size_t n = 0; n < std::size_t(expected.contact.lanes()) && motion.spin == 0; ++n)
         if (expected.contact.top[n] > 0)
           elastic_error +=
               0.3 * 0.3 / 24 * materials[expected.contact.material_of(int(n))].stiffness * std::pow(kVoxel, 5);
       EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, elastic_error);
-      if (job.level_of_detail == 1) {  // n > 1: what is stored counts for all, what was removed once
+      if (job.level_of_detail == 1) {  // n > 1: stored energy counts for all voxels, removed volume once
         EXPECT_NEAR(found.elastic, energies.elastic, elastic_error);
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
-      double whole = 0;  // as if nothing had been crushed
+      double whole = 0;  // as without crushing
       for (std::size_t id = 1; id <= 3; ++id) whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
-      // Cutting, rubbing and credited hold what fills are rounded by, up or down; the work of the drag does not.
+      // Cutting, rubbing and credited contain the rounding of fills, up or down; the work of the drag does not.
       const double cut = whole + found.cutting, rounded = 10 * kRounding * (energy + whole);
       const double drag = energies.cutting + energies.rubbing - energies.credited;
       EXPECT_NEAR(cut + found.rubbing - found.credited, drag, 0.2 * rounded);
@@ -302,7 +303,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
       crushed += found.crushed > 0 ? 1 : 0;
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
-      // It jumps, as the force does not, where a part of a voxel begins to be cut or crushed; the side is rounding.
+      // Unlike the force it jumps where a part of a voxel begins to be cut or crushed; rounding decides the side.
       const double off = (k - k_expected).norm(), size = k_expected.norm() + 1e-9;
       EXPECT_LT(off, 0.01 * size);
       at_a_jump += off < 40 * kRounding * size ? 0 : 1;
@@ -320,22 +321,23 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
       for (int n = 0; n < kBlockVoxels; ++n) {
-        const bool gone = task.change.emptied.has(n), expected_gone = expected.change.emptied.has(n);
-        differently_finished += gone != expected_gone ? 1 : 0;
-        emptied += gone ? 1 : 0;
+        const bool removed = task.change.emptied.has(n), expected_removed = expected.change.emptied.has(n);
+        differently_finished += removed != expected_removed ? 1 : 0;
+        emptied += removed ? 1 : 0;
         if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
-        const bool kept = !gone && !expected_gone;
+        const bool kept = !removed && !expected_removed;
         const double apart = std::abs(double(fill_after[std::size_t(n)]) - double(expected.fill_after[std::size_t(n)]));
-        // Where the feed grazes a surface, ChipChord::share_of_chips magnifies what speeds are rounded by.
+        // Where the feed grazes a surface, ChipChord::chip_factor magnifies the rounding of speeds.
         ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kMinFill)) << n;
         differently_finished += kept && apart > kRounding ? 1 : 0;
       }
       EXPECT_LE(differently_finished, motion.tooth_rate > 0 ? 3 : 1);
     }
-  EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_GT(samples, 10000) << "the heads must touch the blocks, else the test proves nothing";
   EXPECT_LE(at_the_rim, 2 * kAtTheRim * blocks);
   EXPECT_LE(at_a_jump, kAtAJump * blocks);
-  EXPECT_GT(std::min({stiff / 5, rubbed, crushed, emptied}), 20) << "each must be met, or the test says nothing";
+  EXPECT_GT(std::min({stiff / 5, rubbed, crushed, emptied}), 20)
+      << "each case must occur, else the test proves nothing";
 }
 
 TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
@@ -351,11 +353,11 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   kernels::PressTask task{block.view, fill_after.data(), false, {}};
   kernels::ContactSums sums;
   kernels::press_blocks(job, std::span(&task, 1), sums);
-  const kernels::Pressed pressed = kernels::pressed(job, sums, kVoxel * kVoxel * kVoxel);
-  EXPECT_GT(pressed.resultant.voxels, 100);
+  const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, kVoxel * kVoxel * kVoxel);
+  EXPECT_GT(outcome.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
   EXPECT_EQ(sums.removed, (ByMaterial<double>{}));
-  EXPECT_GT(pressed.energies.rubbing, 0);
+  EXPECT_GT(outcome.energies.rubbing, 0);
 }
 
 TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without friction and dampers
@@ -365,7 +367,7 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
   const ContactMaterials materials = three_materials(0);
   const Eigen::Vector3f none = Eigen::Vector3f::Zero();
   const HeadMotion motion{{0.02F, -0.01F, 0.03F}, none, none, none, 0, 1e-3F, float(kVoxel), RemovalLaw::none};
-  for (const double first : {-3.4, -1.1, 2.3}) {  // [voxels] where the block begins: wholly inside, and less and less
+  for (const double first : {-3.4, -1.1, 2.3}) {  // [voxels] start of the block: wholly inside, then less
     const GridInHead grid({rotation_from_vector(Vec3(0.3, 0.2, 0.1)), Vec3::Constant(first * kVoxel)}, kVoxel);
     const kernels::ContactJob job = {head, grid, motion, materials, false};
     const Reference expected(job, block.view);
@@ -373,13 +375,13 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
     kernels::PressTask task{block.view, fill_after.data(), false, {}};
     kernels::ContactSums sums;
     kernels::press_blocks(job, std::span(&task, 1), sums);
-    const kernels::Pressed found = kernels::pressed(job, sums, std::pow(kVoxel, 3));
+    const kernels::ContactOutcome found = kernels::outcome_of(job, sums, std::pow(kVoxel, 3));
     const LawEnergies &a = found.energies, &b = expected.totals.energies;
     const Resultant& wanted = expected.resultant;
-    const double scale = wanted.normal_force, way = double(motion.velocity.norm() * motion.duration);
+    const double scale = wanted.normal_force, path = double(motion.velocity.norm() * motion.duration);
     EXPECT_EQ(found.resultant.voxels, wanted.voxels);
     expect_same(found.resultant, wanted, 1, scale, 0);
-    EXPECT_NEAR(a.elastic - a.elastic_before, b.elastic - b.elastic_before, kRounding * scale * way);
+    EXPECT_NEAR(a.elastic - a.elastic_before, b.elastic - b.elastic_before, kRounding * scale * path);
   }
 }
 

@@ -7,52 +7,52 @@
 #include <variant>
 
 #include "hapticut/core/errors.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::live_commands_test {
 namespace {
 
-using namespace test::loop_rig;
+using namespace test::scripted_loop;
 
 void nothing(int /*tick*/) {}
 
 TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
   for (const bool coupled : {false, true}) {
-    Rig rig(3000, coupled);
+    ScriptedLoop scripted(3000, coupled);
     // The hand rests 1 mm over the face; a ball of 4 mm whose centre is there is 1.5 mm deep.
-    rig.run(
+    scripted.run(
         1500, [](int n) { return n < 1000 ? 1e-3 : 8e-3; },
         [&](int n) {
           if (n == 500) {
-            EXPECT_EQ(rig.device->last_arming(), ArmingState::on);
-            EXPECT_TRUE(rig.tell(rig.model.prepare_tool(ball(4e-3, 2000))));
+            EXPECT_EQ(scripted.device->last_arming(), ArmingState::on);
+            EXPECT_TRUE(scripted.tell(scripted.model.prepare_tool(ball(4e-3, 2000))));
           }
         },
         [&](int n) {
           if (n < 500) return;
-          EXPECT_EQ(radius_of(rig.simulation.tool()), 4e-3);
+          EXPECT_EQ(radius_of(scripted.simulation.tool()), 4e-3);
           if (n == 500) {
-            EXPECT_TRUE(rig.commanded.isZero(0)) << "the guard has not heard of it yet";
+            EXPECT_TRUE(scripted.commanded.isZero(0)) << "the guard has not heard of it yet";
           }
           if (n > 500 && n < 1000) {
-            EXPECT_EQ(rig.device->last_arming(), ArmingState::wait_free) << n;
-            EXPECT_TRUE(rig.device->last_output().applied.force.isZero(0)) << n;
-            EXPECT_EQ(rig.snapshot.tool.spindle_speed, 0) << n;
+            EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << n;
+            EXPECT_TRUE(scripted.device->last_output().applied.force.isZero(0)) << n;
+            EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 0) << n;
           }
         });
-    EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(rig.report.guard, ArmingState::on) << "it was free";
-    EXPECT_EQ(rig.snapshot.tool.spindle_speed, 2000) << "of the new tool";
-    EXPECT_EQ(rig.snapshot.tool.removed_volume, 0);
-    EXPECT_EQ(rig.report.fault, DeviceFault::none);
+    EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
+    EXPECT_EQ(scripted.report.guard, ArmingState::on) << "it was free";
+    EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 2000) << "of the new tool";
+    EXPECT_EQ(scripted.snapshot.tool.removed_volume, 0);
+    EXPECT_EQ(scripted.report.fault, DeviceFault::none);
   }
 }
 
 TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
   for (const bool coupled : {false, true}) {
-    Rig with(3000, coupled);
+    ScriptedLoop with(3000, coupled);
     with.run(900, press(0.5e-3), nothing, nothing);
-    Rig changed(3000, coupled);
+    ScriptedLoop changed(3000, coupled);
     EXPECT_TRUE(changed.tell(changed.model.prepare_tool(ball(0.5e-3))));
     changed.run(
         900, press(0.5e-3),
@@ -72,225 +72,225 @@ TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
 TEST(LiveCommands, SetToolStandsStillUntilItMayCutWhateverItsRamp) {
   Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 3000;  // a second to stand
-  Rig rig;
-  rig.run(
+  ScriptedLoop scripted;
+  scripted.run(
       900, press(0.2e-3),
       [&](int n) {
         if (n == 500) {
-          EXPECT_GT(rig.snapshot.tool.removed_volume, 0);
-          EXPECT_TRUE(rig.tell(rig.model.prepare_tool(Tool(SphereHead{3e-3}, RayHandle{0}, slow))));
+          EXPECT_GT(scripted.snapshot.tool.removed_volume, 0);
+          EXPECT_TRUE(scripted.tell(scripted.model.prepare_tool(Tool(SphereHead{3e-3}, RayHandle{0}, slow))));
         }
       },
       [&, at = 0.0](int n) mutable {
-        if (n == 499) at = rig.snapshot.tool.removed_volume;
+        if (n == 499) at = scripted.snapshot.tool.removed_volume;
         if (n > 500) {
-          EXPECT_EQ(rig.snapshot.tool.removed_volume, at);
+          EXPECT_EQ(scripted.snapshot.tool.removed_volume, at);
         }
       });
 }
 
 TEST(LiveCommands, SetMaterialsChangesWhatIsFeltAfterTheToolWasFree) {
-  Rig rig(0);
+  ScriptedLoop scripted(0);
   Material soft = test::plain_material();
   soft.relative_stiffness = 0.25;
   double hard_force = 0;
-  const std::uint64_t whole = rig.simulation.workpiece().hash();
-  rig.run(
+  const std::uint64_t whole = scripted.simulation.workpiece().hash();
+  scripted.run(
       1600, [](int n) { return press(1e-3, n > 800 ? 0 : 700)(n > 800 ? n - 600 : n); },
       [&](int n) {
         if (n == 600) {
-          hard_force = rig.snapshot.tool.force.z();
-          EXPECT_TRUE(rig.tell(rig.model.prepare_materials(MaterialTable({soft}))));
+          hard_force = scripted.snapshot.tool.force.z();
+          EXPECT_TRUE(scripted.tell(scripted.model.prepare_materials(MaterialTable({soft}))));
         }
         if (n == 650) {
-          EXPECT_EQ(rig.device->last_arming(), ArmingState::wait_free) << "it is still in the material";
+          EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "it is still in the material";
         }
       },
       nothing);
-  EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-  EXPECT_EQ(rig.report.guard, ArmingState::on);
-  EXPECT_EQ(rig.simulation.workpiece().materials()[1].relative_stiffness, 0.25);
-  EXPECT_EQ(rig.simulation.workpiece().hash(), whole);
+  EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
+  EXPECT_EQ(scripted.report.guard, ArmingState::on);
+  EXPECT_EQ(scripted.simulation.workpiece().materials()[1].relative_stiffness, 0.25);
+  EXPECT_EQ(scripted.simulation.workpiece().hash(), whole);
   EXPECT_GT(hard_force, 0);
 }
 
 TEST(LiveCommands, SetFrictionSetEffectsAndSetForceMaskActFromTheNextTickOn) {
-  Rig rig(0);
+  ScriptedLoop scripted(0);
   double free_weight = 0;
   Effects heavy;
   heavy.gravity = Gravity{0.1, Vec3::Zero()};
-  rig.run(
+  scripted.run(
       1200, press(1e-3),
       [&](int n) {
         if (n == 200) {
-          EXPECT_TRUE(rig.tell(commands::SetEffects{heavy}));
+          EXPECT_TRUE(scripted.tell(commands::SetEffects{heavy}));
         }
         if (n == 250) {
-          free_weight = rig.snapshot.tool.force.z();
-          EXPECT_TRUE(rig.tell(commands::SetEffects{}));
+          free_weight = scripted.snapshot.tool.force.z();
+          EXPECT_TRUE(scripted.tell(commands::SetEffects{}));
         }
         if (n == 600) {
-          EXPECT_GT(rig.snapshot.tool.force.z(), 0.5);
-          EXPECT_TRUE(rig.tell(commands::SetForceMask{{{true, true, false}, {true, true, true}}}));
+          EXPECT_GT(scripted.snapshot.tool.force.z(), 0.5);
+          EXPECT_TRUE(scripted.tell(commands::SetForceMask{{{true, true, false}, {true, true, true}}}));
         }
         if (n == 700) {
-          EXPECT_TRUE(rig.tell(commands::SetForceMask{}));
+          EXPECT_TRUE(scripted.tell(commands::SetForceMask{}));
         }
         if (n == 800) {
-          EXPECT_TRUE(rig.tell(commands::SetFriction{DryFriction{0.7, 0.6, 500}}));
+          EXPECT_TRUE(scripted.tell(commands::SetFriction{DryFriction{0.7, 0.6, 500}}));
         }
       },
       [&](int n) {
         if (n >= 600 && n < 700) {
-          EXPECT_EQ(rig.snapshot.tool.force.z(), 0) << n;
+          EXPECT_EQ(scripted.snapshot.tool.force.z(), 0) << n;
         }
         if (n >= 700) {
-          EXPECT_GT(rig.snapshot.tool.force.z(), 0.5) << n;
+          EXPECT_GT(scripted.snapshot.tool.force.z(), 0.5) << n;
         }
       });
   EXPECT_NEAR(free_weight, -0.980665, 1e-9);
-  EXPECT_EQ(rig.simulation.config().friction->static_friction, 0.7);
-  EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 0U);
+  EXPECT_EQ(scripted.simulation.config().friction->static_friction, 0.7);
+  EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 0U);
 }
 
 TEST(LiveCommands, SetRemovalSwitchesTheCuttingOffAndOn) {
-  Rig rig;
+  ScriptedLoop scripted;
   double at_off = 0, at_on = 0;
-  rig.run(
+  scripted.run(
       900, [](int n) { return 1e-3 - 5e-6 * std::max(0, n - 300); },
       [&](int n) {
         if (n == 600) {
-          at_off = rig.snapshot.tool.removed_volume;
-          EXPECT_TRUE(rig.tell(commands::SetRemoval{RemovalLaw::none}));
+          at_off = scripted.snapshot.tool.removed_volume;
+          EXPECT_TRUE(scripted.tell(commands::SetRemoval{RemovalLaw::none}));
         }
         if (n == 700) {
-          at_on = rig.snapshot.tool.removed_volume;
-          EXPECT_TRUE(rig.tell(commands::SetRemoval{RemovalLaw::constant_energy}));
+          at_on = scripted.snapshot.tool.removed_volume;
+          EXPECT_TRUE(scripted.tell(commands::SetRemoval{RemovalLaw::constant_energy}));
         }
       },
       nothing);
   EXPECT_GT(at_off, 0);
   EXPECT_EQ(at_on, at_off);
-  EXPECT_GT(rig.snapshot.tool.removed_volume, at_on);
+  EXPECT_GT(scripted.snapshot.tool.removed_volume, at_on);
 }
 
 TEST(LiveCommands, HoldForceKeepsTheForceWhereverTheHandGoesAndCutsNothing) {
   for (const bool coupled : {false, true}) {
-    Rig rig(3000, coupled);
+    ScriptedLoop scripted(3000, coupled);
     Vec3 held;
     double removed = 0;
-    rig.run(
+    scripted.run(
         1600,
         [](int n) {  // pressed, farther in while it is held, out at last
           return n < 700 ? press(0.3e-3)(n) : n < 1200 ? -0.3e-3 - 5e-6 * (n - 700) : 3e-3;
         },
         [&](int n) {
           if (n == 700) {
-            held = rig.snapshot.tool.force;
-            removed = rig.snapshot.tool.removed_volume;
-            EXPECT_TRUE(rig.tell(commands::HoldForce{}));
+            held = scripted.snapshot.tool.force;
+            removed = scripted.snapshot.tool.removed_volume;
+            EXPECT_TRUE(scripted.tell(commands::HoldForce{}));
           }
           if (n == 1000) {
-            EXPECT_TRUE(rig.tell(commands::HoldForce{false}));
+            EXPECT_TRUE(scripted.tell(commands::HoldForce{false}));
           }
         },
         [&](int n) {
-          EXPECT_EQ(rig.snapshot.tool.force_held, n >= 700 && n < 1000);
+          EXPECT_EQ(scripted.snapshot.tool.force_held, n >= 700 && n < 1000);
           if (n >= 700 && n < 1000) {
-            EXPECT_EQ(rig.commanded, held) << n;
-            EXPECT_EQ(rig.snapshot.tool.force, held) << n;
-            EXPECT_EQ(rig.snapshot.tool.spindle_speed, 0) << n;
+            EXPECT_EQ(scripted.commanded, held) << n;
+            EXPECT_EQ(scripted.snapshot.tool.force, held) << n;
+            EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 0) << n;
           }
           if (n == 1000) {
-            EXPECT_TRUE(rig.commanded.isZero(0));
+            EXPECT_TRUE(scripted.commanded.isZero(0));
           }
           if (n > 1000 && n < 1200) {
-            EXPECT_EQ(rig.device->last_arming(), ArmingState::wait_free) << "it is deeper than it was";
+            EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "it is deeper than it was";
           }
         });
     EXPECT_GT(held.norm(), 0.01);
-    EXPECT_EQ(rig.snapshot.tool.removed_volume, removed);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
-    EXPECT_EQ(rig.events(SafetyEvent::reclutched), 1U);
+    EXPECT_EQ(scripted.snapshot.tool.removed_volume, removed);
+    EXPECT_EQ(scripted.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.events(SafetyEvent::reclutched), 1U);
   }
 }
 
 TEST(LiveCommands, ExchangeWorkpieceBringsAnotherOneWithItsTool) {
   for (const bool coupled : {false, true}) {
-    Rig rig(3000, coupled);
+    ScriptedLoop scripted(3000, coupled);
     std::uint64_t cut = 0;
-    LoopCommand exchange = rig.model.prepare_workpiece(block(3e-4, 4e-3), ball(2e-3, 1000));
-    rig.run(
+    LoopCommand exchange = scripted.model.prepare_workpiece(block(3e-4, 4e-3), ball(2e-3, 1000));
+    scripted.run(
         1800, [](int n) { return press(0.4e-3, n > 900 ? 0 : 800)(n > 900 ? n - 700 : n); },
         [&](int n) {
           if (n == 700) {
-            cut = rig.simulation.workpiece().hash();
-            EXPECT_GT(rig.snapshot.tool.removed_volume, 0);
-            EXPECT_TRUE(rig.model.obey(exchange));
+            cut = scripted.simulation.workpiece().hash();
+            EXPECT_GT(scripted.snapshot.tool.removed_volume, 0);
+            EXPECT_TRUE(scripted.model.obey(exchange));
           }
         },
         [&](int n) {
-          EXPECT_EQ(rig.snapshot.tool.workpiece, n >= 700 ? 1U : 0U);
+          EXPECT_EQ(scripted.snapshot.tool.workpiece, n >= 700 ? 1U : 0U);
           if (n == 700) {
-            EXPECT_TRUE(rig.commanded.isZero(0));
+            EXPECT_TRUE(scripted.commanded.isZero(0));
           }
         });
-    EXPECT_EQ(rig.simulation.workpiece().voxel_size(), 3e-4);
-    EXPECT_EQ(rig.simulation.workpiece().undo_blocks(), 2000U);
-    EXPECT_EQ(radius_of(rig.simulation.tool()), 2e-3);
-    EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.simulation.workpiece().voxel_size(), 3e-4);
+    EXPECT_EQ(scripted.simulation.workpiece().undo_blocks(), 2000U);
+    EXPECT_EQ(radius_of(scripted.simulation.tool()), 2e-3);
+    EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
+    EXPECT_EQ(scripted.report.guard, ArmingState::on);
     EXPECT_EQ(std::get<commands::ExchangeWorkpiece>(exchange).simulation->workpiece().hash(), cut)
         << "the old one came back";
   }
 }
 
 TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
-  Rig rig;
+  ScriptedLoop scripted;
   std::uint64_t cut = 0;
-  const std::uint64_t whole = rig.simulation.workpiece().hash();
+  const std::uint64_t whole = scripted.simulation.workpiece().hash();
   const auto down = [](int n) { return press(0.3e-3, n % 1200 > 900 ? 0 : 800)(n % 1200); };
-  rig.run(
+  scripted.run(
       2400, down,
       [&](int n) {
         if (n == 100) {
-          EXPECT_FALSE(rig.tell(commands::Undo{})) << "there is no mark";
-          EXPECT_FALSE(rig.tell(commands::Redo{}));
-          EXPECT_TRUE(rig.tell(commands::SetUndoMark{}));
+          EXPECT_FALSE(scripted.tell(commands::Undo{})) << "there is no mark";
+          EXPECT_FALSE(scripted.tell(commands::Redo{}));
+          EXPECT_TRUE(scripted.tell(commands::SetUndoMark{}));
         }
         if (n == 850) {
-          cut = rig.simulation.workpiece().hash();
-          EXPECT_TRUE(rig.tell(commands::Undo{}));
-          EXPECT_FALSE(rig.tell(commands::Redo{})) << "one way after the other";
-          EXPECT_FALSE(rig.tell(commands::SetUndoMark{}));
+          cut = scripted.simulation.workpiece().hash();
+          EXPECT_TRUE(scripted.tell(commands::Undo{}));
+          EXPECT_FALSE(scripted.tell(commands::Redo{})) << "one way after the other";
+          EXPECT_FALSE(scripted.tell(commands::SetUndoMark{}));
         }
         if (n == 950) {
-          EXPECT_EQ(rig.simulation.workpiece().hash(), whole);
-          EXPECT_EQ(rig.snapshot.tool.redo_marks, 1U);
-          EXPECT_TRUE(rig.tell(commands::Redo{}));
+          EXPECT_EQ(scripted.simulation.workpiece().hash(), whole);
+          EXPECT_EQ(scripted.snapshot.tool.redo_marks, 1U);
+          EXPECT_TRUE(scripted.tell(commands::Redo{}));
         }
         if (n == 1050) {
-          EXPECT_EQ(rig.simulation.workpiece().hash(), cut);
-          EXPECT_EQ(rig.snapshot.tool.undo_marks, 1U);
-          EXPECT_EQ(rig.snapshot.tool.redo_marks, 0U);
-          EXPECT_TRUE(rig.tell(commands::Undo{}));
+          EXPECT_EQ(scripted.simulation.workpiece().hash(), cut);
+          EXPECT_EQ(scripted.snapshot.tool.undo_marks, 1U);
+          EXPECT_EQ(scripted.snapshot.tool.redo_marks, 0U);
+          EXPECT_TRUE(scripted.tell(commands::Undo{}));
         }
         if (n == 2100) {  // it has cut again
-          EXPECT_NE(rig.simulation.workpiece().hash(), whole);
-          EXPECT_FALSE(rig.tell(commands::Redo{}));
+          EXPECT_NE(scripted.simulation.workpiece().hash(), whole);
+          EXPECT_FALSE(scripted.tell(commands::Redo{}));
         }
       },
       [&](int n) {
-        if (rig.snapshot.tool.redoing || rig.snapshot.tool.undoing) {
-          EXPECT_TRUE(rig.commanded.isZero(0)) << n;
+        if (scripted.snapshot.tool.redoing || scripted.snapshot.tool.undoing) {
+          EXPECT_TRUE(scripted.commanded.isZero(0)) << n;
         }
       });
-  EXPECT_GT(rig.events(SafetyEvent::model_swapped), 2U);
+  EXPECT_GT(scripted.events(SafetyEvent::model_swapped), 2U);
 }
 
 TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
-  Rig rig(3000, true);
-  const auto refused = [&](LoopCommand command) { EXPECT_THROW(rig.model.check(command), Error); };
+  ScriptedLoop scripted(3000, true);
+  const auto refused = [&](LoopCommand command) { EXPECT_THROW(scripted.model.check(command), Error); };
   refused(commands::SetSpindleSpeed{2 * kMaxSpindleSpeed * units::rad_per_s});
   refused(commands::SetScale{0});
   refused(commands::SetFriction{DryFriction{0.1, 0.2, 1000}});
@@ -299,25 +299,25 @@ TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
   effects.vibration->frequency = 1e6;
   refused(commands::SetEffects{effects});
   refused(commands::ExchangeWorkpiece(Simulation(block(), ball(), config(false))));
-  LoopCommand tool = rig.model.prepare_tool(ball());
+  LoopCommand tool = scripted.model.prepare_tool(ball());
   const LoopCommand taken = std::move(tool);
   refused(std::move(tool));  // NOLINT(bugprone-use-after-move): that is what is refused
-  EXPECT_NO_THROW(rig.model.check(taken));
-  EXPECT_THROW((void)rig.model.prepare_tool(ball(1e-5)), Error);
-  EXPECT_THROW((void)rig.model.prepare_workpiece(block(4e-3), ball()), Error);
+  EXPECT_NO_THROW(scripted.model.check(taken));
+  EXPECT_THROW((void)scripted.model.prepare_tool(ball(1e-5)), Error);
+  EXPECT_THROW((void)scripted.model.prepare_workpiece(block(4e-3), ball()), Error);
 }
 
 TEST(LiveCommands, RefuseInTheLoopWhatDoesNotSuitWhatIsInPlace) {
-  Rig rig;
-  EXPECT_FALSE(rig.tell(commands::SetTool(ball(), 1e-4, config())));
+  ScriptedLoop scripted;
+  EXPECT_FALSE(scripted.tell(commands::SetTool(ball(), 1e-4, config())));
   Material other = test::plain_material();
   other.name = "other";
-  EXPECT_FALSE(rig.tell(rig.model.prepare_materials(MaterialTable({test::plain_material(), other}))));
-  EXPECT_EQ(radius_of(rig.simulation.tool()), kRadius);
-  EXPECT_EQ(rig.simulation.workpiece_exchanges(), 0U);
-  rig.run(
+  EXPECT_FALSE(scripted.tell(scripted.model.prepare_materials(MaterialTable({test::plain_material(), other}))));
+  EXPECT_EQ(radius_of(scripted.simulation.tool()), kRadius);
+  EXPECT_EQ(scripted.simulation.workpiece_exchanges(), 0U);
+  scripted.run(
       300, [](int) { return 1e-3; }, nothing, nothing);
-  EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 0U) << "nothing was swapped";
+  EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 0U) << "nothing was swapped";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
 #include "support/cutting.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::loop_allocation_test {
 namespace {
@@ -44,7 +44,7 @@ struct UndoingLoop {
     options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
     options.undo_blocks = 500;  // less than is cut: marks are forgotten on the way
     options.undo_blocks_per_tick = 1;
-    if (coupled) options.coupling = test::loop_rig::touch_gains();
+    if (coupled) options.coupling = test::scripted_loop::touch_gains();
     return options;
   }
   DeviceCommand tick(const DeviceState& state) {
@@ -62,7 +62,7 @@ struct UndoingLoop {
   }
 
   static constexpr double kRadius = 1.5e-3;  // [m]
-  std::unique_ptr<Device> device = test::loop_rig::stiff_mock("spiral");
+  std::unique_ptr<Device> device = test::scripted_loop::stiff_mock("spiral");
   Simulation simulation;
   SimulationModel model;
   ChangeFeed feed;

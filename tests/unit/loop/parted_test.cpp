@@ -3,66 +3,66 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::parted_test {
 namespace {
 
-using namespace test::loop_rig;
+using namespace test::scripted_loop;
 
 TEST(Parted, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
   for (const bool coupled : {false, true}) {
-    Rig rig(3000, coupled);
+    ScriptedLoop scripted(3000, coupled);
     double removed = 0;
     Vec3 place = Vec3::Zero();
     // Pressed in from 300 to 400, open from 600 to 900, meanwhile 5 mm up and down again.
     const auto hand = [](int n) { return n > 600 && n < 800 ? 5e-3 : press(1e-3)(n); };
-    rig.run(
+    scripted.run(
         1000, hand,
         [&](int n) {
           if (n == 600) {
-            removed = rig.snapshot.tool.removed_volume;
-            place = rig.snapshot.X_WT.translation;
+            removed = scripted.snapshot.tool.removed_volume;
+            place = scripted.snapshot.X_WT.translation;
             EXPECT_GT(removed, 0);
-            EXPECT_EQ(rig.snapshot.tool.spindle_speed, 3000);
-            EXPECT_TRUE(rig.tell(commands::OpenClutch{}));
+            EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 3000);
+            EXPECT_TRUE(scripted.tell(commands::OpenClutch{}));
           }
           if (n == 900) {
-            EXPECT_TRUE(rig.tell(commands::CloseClutch{}));
+            EXPECT_TRUE(scripted.tell(commands::CloseClutch{}));
           }
         },
         [&](int n) {
           if (n < 600) return;
-          EXPECT_EQ(rig.snapshot.tool.removed_volume, removed) << n;
-          EXPECT_EQ(rig.snapshot.tool.spindle_speed, 0) << n;
-          EXPECT_LT((rig.snapshot.X_WT.translation - place).norm(), n < 900 ? 1e-9 : 1e-3) << n;
+          EXPECT_EQ(scripted.snapshot.tool.removed_volume, removed) << n;
+          EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 0) << n;
+          EXPECT_LT((scripted.snapshot.X_WT.translation - place).norm(), n < 900 ? 1e-9 : 1e-3) << n;
           if (n < 900) {
-            EXPECT_TRUE(rig.commanded.isZero(0)) << n;
+            EXPECT_TRUE(scripted.commanded.isZero(0)) << n;
           }
           if (n > 900) {
-            EXPECT_TRUE(rig.device->last_output().applied.force.isZero(0)) << "it was not free yet, " << n;
+            EXPECT_TRUE(scripted.device->last_output().applied.force.isZero(0)) << "it was not free yet, " << n;
           }
         });
-    EXPECT_EQ(rig.events(SafetyEvent::reclutched), 1U);
+    EXPECT_EQ(scripted.events(SafetyEvent::reclutched), 1U);
   }
 }
 
 TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
   for (const bool coupled : {false, true}) {
-    Rig rig(3000, coupled);
-    rig.run(
+    ScriptedLoop scripted(3000, coupled);
+    scripted.run(
         900, [](int n) { return n < 300 ? -1e-3 : std::min(-1e-3 + 1e-5 * (n - 300), 1e-3); }, [](int) {},
         [&](int n) {
           if (n < 400 || n > 404) {
-            EXPECT_EQ(*rig.model.contact().touching, n < 402) << n;
+            EXPECT_EQ(*scripted.model.contact().touching, n < 402) << n;
           }
           if (n < 400) {
-            EXPECT_TRUE(rig.device->last_output().applied.force.isZero(0)) << n;
-            EXPECT_EQ(has_any(rig.snapshot.tool.status, StepStatus::tool_waits), coupled) << n;
+            EXPECT_TRUE(scripted.device->last_output().applied.force.isZero(0)) << n;
+            EXPECT_EQ(has_any(scripted.snapshot.tool.status, StepStatus::tool_waits), coupled) << n;
           }
         });
-    EXPECT_EQ(rig.snapshot.tool.removed_volume, 0);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.snapshot.tool.removed_volume, 0);
+    EXPECT_EQ(scripted.report.guard, ArmingState::on);
   }
 }
 
@@ -81,19 +81,19 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
 
   // 3 mm of the hand from 1 mm above a wall.
   for (const double scale : {0.5, 1.0, 3.0}) {
-    Rig rig(0, true);
+    ScriptedLoop scripted(0, true);
     double force = 0, height = 0;
-    rig.run(
+    scripted.run(
         800, press(2e-3),
         [&](int n) {
           if (n == 100) {
-            EXPECT_TRUE(rig.tell(commands::SetScale{scale}));
+            EXPECT_TRUE(scripted.tell(commands::SetScale{scale}));
           }
         },
         [&](int n) {
           if (n < 799) return;
-          force = rig.commanded.z();
-          height = rig.snapshot.X_WT.translation.z();
+          force = scripted.commanded.z();
+          height = scripted.snapshot.X_WT.translation.z();
         });
     const double stretch = (height - (kRadius + 1e-3 - scale * 3e-3)) / scale;  // [m] at the hand
     EXPECT_GT(force, 0.2) << scale;
@@ -102,9 +102,9 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
 }
 
 TEST(Parted, AScaleIsRefusedWithWhichADirectContactWouldBuzz) {
-  Rig rig(3000, false);
-  EXPECT_NO_THROW(rig.model.check(commands::SetScale{2}));
-  EXPECT_THROW(rig.model.check(commands::SetScale{1e6}), Error);
+  ScriptedLoop scripted(3000, false);
+  EXPECT_NO_THROW(scripted.model.check(commands::SetScale{2}));
+  EXPECT_THROW(scripted.model.check(commands::SetScale{1e6}), Error);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
-#include "support/loop_rig.hpp"
 #include "support/sanitizers.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::simulation_model_test {
 namespace {
@@ -46,7 +46,7 @@ SimulationModelOptions ball_above_the_block() {
 
 RealtimeLoopOptions options_for(const SimulationModel& model, double seconds) {
   RealtimeLoopOptions options;
-  options.run = test::loop_rig::simulated_run();
+  options.run = test::scripted_loop::simulated_run();
   options.run.seconds = seconds;
   options.run.guard.arming.ramp = options.run.guard.arming.short_ramp = 0.05;
   options.region = model.region();
@@ -108,7 +108,7 @@ TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
 // The stress test: simulated seconds of cutting at full speed, a reader that looks 60 times a second and keeps a
 // picture of the workpiece from changed blocks alone, and commands. The picture ends up as the workpiece itself.
 TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
-  const auto device = test::loop_rig::stiff_mock("spiral");
+  const auto device = test::scripted_loop::stiff_mock("spiral");
   Simulation simulation = block_under_the_ball();
   Picture picture = picture_of(simulation.workpiece());
   SimulationModel model(simulation, *device, ball_above_the_block());
@@ -157,7 +157,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
 }
 
 TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
-  const auto device = test::loop_rig::stiff_mock("press", 2);
+  const auto device = test::scripted_loop::stiff_mock("press", 2);
   Simulation simulation = block_under_the_ball(0);
   SimulationModel model(simulation, *device, ball_above_the_block());
   RealtimeLoopOptions options = options_for(model, 0);
@@ -175,14 +175,14 @@ TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
 
 TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
   // The hand goes 5 mm below the face; the material is a thousand times stiffer than the device.
-  const auto device = test::loop_rig::stiff_mock("press", 3);
+  const auto device = test::scripted_loop::stiff_mock("press", 3);
   SimulationConfig config;
   config.reference_stiffness = 1e16;
   config.contact_time = ContactTime::end;
   Simulation simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
                         Tool(SphereHead{kRadius}), config);
   SimulationModelOptions options = ball_above_the_block();
-  options.coupling = test::loop_rig::touch_gains();
+  options.coupling = test::scripted_loop::touch_gains();
   SimulationModel model(simulation, *device, options);
   RealtimeLoop loop(*device, model, options_for(model, 0));
   loop.start();
@@ -197,7 +197,7 @@ TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
   // The ball begins half inside the block, or all of it, where its springs are in balance; and stays there.
   for (const double height : {-0.5e-3, -3e-3})
     for (const bool needs_force : {true, false}) {
-      const auto device = test::loop_rig::stiff_mock("rest", 1);
+      const auto device = test::scripted_loop::stiff_mock("rest", 1);
       Simulation simulation = block_under_the_ball();
       SimulationModelOptions options;
       options.map.X_WB = Pose::from_translation(Vec3(0, 0, height));
@@ -217,7 +217,7 @@ TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
 }
 
 TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
-  const auto device = test::loop_rig::stiff_mock("spiral");
+  const auto device = test::scripted_loop::stiff_mock("spiral");
   Simulation simulation = block_under_the_ball();
   SimulationModel model(simulation, *device, ball_above_the_block());
   RealtimeLoop loop(*device, model, options_for(model, 0));
@@ -239,7 +239,7 @@ TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
 }
 
 TEST(SimulationModel, ObeysClutchAndScale) {
-  const auto device = test::loop_rig::stiff_mock("line");
+  const auto device = test::scripted_loop::stiff_mock("line");
   Simulation simulation = block_under_the_ball(0);
   SimulationModelOptions options = ball_above_the_block();
   options.map.X_WB.translation.z() += 20e-3;  // in the air
@@ -274,14 +274,14 @@ TEST(SimulationModel, ObeysClutchAndScale) {
 // only ends up with the workpiece as it was at the mark.
 TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
   for (const bool coupled : {false, true}) {
-    const auto device = test::loop_rig::stiff_mock("spiral");
+    const auto device = test::scripted_loop::stiff_mock("spiral");
     Simulation simulation = block_under_the_ball(3000, coupled ? ContactTime::end : ContactTime::middle);
     const Picture at_mark = picture_of(simulation.workpiece());
     Picture picture = at_mark;
     SimulationModelOptions options = ball_above_the_block();
     options.undo_blocks = 4096;
     options.undo_blocks_per_tick = 1;
-    if (coupled) options.coupling = test::loop_rig::touch_gains();
+    if (coupled) options.coupling = test::scripted_loop::touch_gains();
     SimulationModel model(simulation, *device, options);
     RealtimeLoop loop(*device, model, options_for(model, 0));
     const auto look = [&] {
@@ -321,7 +321,7 @@ TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
 
 TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
   // The hand stays in the hole that it has drilled, and the undo fills the hole around it.
-  const auto device = test::loop_rig::stiff_mock("rest");
+  const auto device = test::scripted_loop::stiff_mock("rest");
   Simulation simulation = block_under_the_ball();
   const double whole = simulation.workpiece().amounts()[0].volume;
   SimulationModelOptions options = ball_above_the_block();
@@ -331,7 +331,7 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
   SimulationModel model(simulation, *device, options);
   LoopSnapshot snapshot;
   int ticks = 0, without_force = 0;
-  RunOptions run = test::loop_rig::simulated_run();
+  RunOptions run = test::scripted_loop::simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.05;
   tell(model, commands::SetUndoMark{});
   (void)device->run(
@@ -373,7 +373,7 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
 }
 
 TEST(SimulationModel, IgnoresReadingsThatMeanNothing) {
-  const auto device = test::loop_rig::stiff_mock("rest");
+  const auto device = test::scripted_loop::stiff_mock("rest");
   Simulation simulation = block_under_the_ball();
   SimulationModel model(simulation, *device, ball_above_the_block());
   LoopSnapshot snapshot;

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::spindle_interlock_test {
 namespace {
 
-using namespace test::loop_rig;
+using namespace test::scripted_loop;
 
 TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
   for (const bool interlocked : {true, false}) {
@@ -86,35 +86,35 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
 }
 
 TEST(SpindleInterlock, OfAModelLetsGoOfTheSpindleWithIt) {
-  Rig rig;
+  ScriptedLoop scripted;
   {
-    SimulationModel model(rig.simulation, *rig.device);
+    SimulationModel model(scripted.simulation, *scripted.device);
     LoopSnapshot snapshot;
-    (void)rig.device->run(
+    (void)scripted.device->run(
         [&](const DeviceState& state) {
           return DeviceCommand{model.step(state, 1e-3, snapshot), true};
         },
         simulated_run());
-    EXPECT_TRUE(rig.simulation.spindle_is_held()) << "there was no force yet";
+    EXPECT_TRUE(scripted.simulation.spindle_is_held()) << "there was no force yet";
   }
-  EXPECT_FALSE(rig.simulation.spindle_is_held());
+  EXPECT_FALSE(scripted.simulation.spindle_is_held());
 }
 
 TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
-  Rig rig;
+  ScriptedLoop scripted;
   SimulationModelOptions options;
   options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
   options.pedal = 32;
-  EXPECT_THROW(SimulationModel(rig.simulation, *rig.device, options), Error);
+  EXPECT_THROW(SimulationModel(scripted.simulation, *scripted.device, options), Error);
   options.pedal = 3;
-  SimulationModel model(rig.simulation, *rig.device, options);
+  SimulationModel model(scripted.simulation, *scripted.device, options);
   RunOptions run = simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
   LoopSnapshot snapshot;
   int touched = 0;      // [voxels] before the pedal goes down, where nothing was removed
   double removed = -1;  // [m^3] when it comes up
   int n = 0;
-  (void)rig.device->run(
+  (void)scripted.device->run(
       [&](const DeviceState& reading) {
         DeviceState state = reading;
         state.X_BS.translation = {0, 0, 1e-3 - 1.5e-6 * n};  // in contact from tick 667 on

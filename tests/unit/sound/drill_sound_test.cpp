@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a drill sounds like, found again in the samples.
+// SPDX-License-Identifier: Apache-2.0 The sound of a drill, measured in the samples.
 #include "hapticut/sound/drill_sound.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +27,7 @@ Samples heard(DrillSound& sound, const SoundInput& input, double seconds, double
   return samples;
 }
 
-/// Of an input that has lasted for a while.
+/// Samples of an input that has lasted for a while.
 Samples lasting(const SoundInput& input, double before = 0.5, double seconds = 0.5) {
   DrillSound sound;
   (void)heard(sound, input, before);
@@ -46,7 +45,7 @@ double strength_at(const Samples& samples, double frequency, double rate = kRate
   return 2 * std::hypot(cosine, sine) / weight;
 }
 
-/// The frequency within 20 % of a guess that is strongest. [Hz]
+/// [Hz] The strongest frequency within 20 % of a guess.
 double strongest_near(const Samples& samples, double guess, double rate = kRate) {
   double best = 0, found = 0;
   for (double f = 0.8 * guess; f < 1.2 * guess; f += std::max(0.5, 0.001 * guess))
@@ -60,7 +59,7 @@ double rms(const Samples& samples, std::size_t first = 0) {
   return std::sqrt(sum / double(samples.size() - first));
 }
 
-/// Mean frequency, weighed by power, of bands of a third octave. [Hz]
+/// [Hz] Mean frequency, weighted by power, of bands of a third octave.
 double middle_of(const Samples& samples) {
   double sum = 0, weighed = 0;
   for (double f = 300; f < 20'000; f *= 1.01) {
@@ -73,20 +72,20 @@ double middle_of(const Samples& samples) {
 TEST(DrillSound, TonesAreThoseOfTheSpindleAndItsFlutes) {
   for (const double speed : {10'000 * rpm, -40'000 * rpm, 200'000 * rpm, 400'000 * rpm}) {
     const Samples samples = lasting({speed, 0, 0, false});
-    const double turns = std::abs(speed) / (2 * kPi);
-    EXPECT_NEAR(strongest_near(samples, turns) / turns, 1, 0.01);
-    EXPECT_GT(strength_at(samples, turns), 0.05);
-    if (6 * turns > 0.4 * kRate) continue;
-    EXPECT_NEAR(strongest_near(samples, 6 * turns) / (6 * turns), 1, 0.01);
-    EXPECT_GT(strength_at(samples, 6 * turns), 0.02);
+    const double frequency = std::abs(speed) / (2 * kPi);
+    EXPECT_NEAR(strongest_near(samples, frequency) / frequency, 1, 0.01);
+    EXPECT_GT(strength_at(samples, frequency), 0.05);
+    if (6 * frequency > 0.4 * kRate) continue;
+    EXPECT_NEAR(strongest_near(samples, 6 * frequency) / (6 * frequency), 1, 0.01);
+    EXPECT_GT(strength_at(samples, 6 * frequency), 0.02);
   }
 }
 
 TEST(DrillSound, NoToneComesBackFromBeyondTheSampleRate) {
-  const double turns = 400'000 / 60.0;  // 6.7 kHz; the flutes' 40 kHz would be heard at 8 kHz
-  const Samples samples = lasting({2 * kPi * turns, 0, 0, false});
-  EXPECT_LT(strength_at(samples, kRate - 6 * turns), 1e-4);
-  EXPECT_LT(strength_at(samples, 6 * turns - kRate / 2), 1e-4);
+  const double frequency = 400'000 / 60.0;  // 6.7 kHz; the flutes' 40 kHz would be heard at 8 kHz
+  const Samples samples = lasting({2 * kPi * frequency, 0, 0, false});
+  EXPECT_LT(strength_at(samples, kRate - 6 * frequency), 1e-4);
+  EXPECT_LT(strength_at(samples, 6 * frequency - kRate / 2), 1e-4);
 }
 
 TEST(DrillSound, PitchSagsWithTheSpindleAndRunsUpAndDown) {
@@ -117,7 +116,7 @@ TEST(DrillSound, LevelGrowsWithPower) {
     const double level = rms(lasting({0, power, power / 1e9, false}, 0.3, 1));
     EXPECT_GT(level, 1.02 * before) << power << " W";
     before = level;
-    // The band holds what the header says, whatever its middle.
+    // The band has the level of the header, whatever its centre.
     EXPECT_NEAR(level, 0.5 * 0.24 * std::sqrt(power / (power + 2)), 0.05 * level + 1e-6) << power << " W";
   }
 }
@@ -142,7 +141,7 @@ TEST(DrillSound, ClicksAtFirstTouchOnce) {
   EXPECT_GT(*std::max_element(click.begin(), click.end()), 0.1F);
   EXPECT_NEAR(strongest_near(click, 3000), 3000, 60);
   EXPECT_EQ(rms(heard(sound, touching, 0.2)), 0) << "it is over, and comes once";
-  // A contact that is lost for some milliseconds is the same touch.
+  // A contact that is lost for some milliseconds does not count as a new touch.
   (void)heard(sound, {}, 0.01);
   EXPECT_EQ(rms(heard(sound, touching, 0.1)), 0);
   (void)heard(sound, {}, 0.05);
@@ -168,7 +167,7 @@ TEST(DrillSound, HasNoStepWhereABufferEndsAndTheInputChanges) {
   DrillSound sound;
   SoundInput input;
   Samples all;
-  // Everything but the click changes at each buffer, as violently as can be.
+  // Everything except the click changes at each buffer, as much as possible.
   for (int buffer = 0; buffer < 200; ++buffer) {
     input.spindle_speed = buffer % 2 == 0 ? 60'000 * rpm : 10'000 * rpm;
     const Samples samples = heard(sound, input, 0.008);
@@ -178,7 +177,7 @@ TEST(DrillSound, HasNoStepWhereABufferEndsAndTheInputChanges) {
   // the largest. A step of a thousandth would stand out.
   const double bound = 0.5 * (0.3 + 0.1 * 4 + 0.15 * 36) * std::pow(2 * kPi * 1000 / kRate, 2);
   for (std::size_t n = 2; n < all.size(); ++n) ASSERT_LT(std::abs(all[n] - 2 * all[n - 1] + all[n - 2]), bound) << n;
-  // The noise of a cut swells in; it does not begin with a bang.
+  // The noise of a cut swells; it does not begin abruptly.
   DrillSound cut;
   (void)heard(cut, {}, 0.1);
   const Samples first = heard(cut, {0, 100, 1e-9, false}, 0.001);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "support/loop_rig.hpp"
+#include "support/scripted_loop.hpp"
 
 namespace hapticut::loop_listener_test {
 namespace {
@@ -34,27 +34,27 @@ TEST(LoopListener, HearsThePowerBetweenTwoSnapshots) {
   EXPECT_THROW(LoopListener(0), Error);
 }
 
-// The snapshot has all that the sound needs: of a real cut too.
+// The snapshot has all that the sound needs, also in a real cut.
 TEST(LoopListener, HearsTheLedgerOfACutThroughSnapshotsAlone) {
-  test::loop_rig::Rig rig;
+  test::scripted_loop::ScriptedLoop scripted;
   LoopListener listener;
   double heard = 0, removed = 0;
   int touching = 0;
-  constexpr int kTicks = 1600, kLook = 16;  // a screen looks 60 times a second
-  rig.run(
-      kTicks, test::loop_rig::press(1e-3), [](int) {},
+  constexpr int kTicks = 1600, kFrame = 16;  // a screen has 60 frames a second
+  scripted.run(
+      kTicks, test::scripted_loop::press(1e-3), [](int) {},
       [&](int n) {
-        rig.snapshot.tick = std::uint64_t(n + 1);
-        if ((n + 1) % kLook != 0) return;
-        const SoundInput& input = listener.listen(rig.snapshot);
-        heard += input.power * kLook / 1000;
-        removed += input.removal_rate * kLook / 1000;
+        scripted.snapshot.tick = std::uint64_t(n + 1);
+        if ((n + 1) % kFrame != 0) return;
+        const SoundInput& input = listener.listen(scripted.snapshot);
+        heard += input.power * kFrame / 1000;
+        removed += input.removal_rate * kFrame / 1000;
         touching += input.touching ? 1 : 0;
       });
-  const double spent = rig.simulation.last_result().energy.losses();
+  const double spent = scripted.simulation.last_result().energy.losses();
   EXPECT_GT(spent, 1e-3);
   EXPECT_NEAR(heard / spent, 1, 1e-6);
-  EXPECT_NEAR(removed / rig.snapshot.tool.removed_volume, 1, 1e-6);
+  EXPECT_NEAR(removed / scripted.snapshot.tool.removed_volume, 1, 1e-6);
   EXPECT_GT(touching, 20);
 }
 

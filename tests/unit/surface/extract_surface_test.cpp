@@ -24,7 +24,7 @@ TEST(Surface, OfABallConvergesToItsVolumeAndRadius) {
     ASSERT_TRUE(is_closed(mesh));
     const double exact = 4.0 / 3 * units::kPi * std::pow(2 * mm, 3);
     const double error = std::abs(signed_volume(mesh) / exact - 1);
-    EXPECT_LT(error, previous_error / 2.5);  // second order, with room for the noise of subsampling
+    EXPECT_LT(error, previous_error / 2.5);  // second order, with a margin for the noise of subsampling
     previous_error = error;
     for (const Vec3& v : mesh.vertices) EXPECT_NEAR((v - Vec3(1, 2, 3) * mm).norm(), 2 * mm, 0.15 * voxel_size);
   }
@@ -32,7 +32,7 @@ TEST(Surface, OfABallConvergesToItsVolumeAndRadius) {
 }
 
 TEST(Surface, OfABlockOfTilesIsClosedAndHasItsVolume) {
-  // 128^3 voxels: one tile, cut by nothing; the surface lies on the faces of the voxels.
+  // 128^3 voxels: one tile without a cut; the surface lies on the faces of the voxels.
   const Workpiece block = build_block({Vec3::Zero(), Vec3(12.8, 12.8, 12.8) * mm}, 0.1 * mm, named("clay"));
   const TriangleMesh mesh = extract_surface(block).mesh;
   ASSERT_TRUE(is_closed(mesh));

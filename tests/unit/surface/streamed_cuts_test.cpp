@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The pages of a workpiece that was cut, undone and restored in any order are those of one that came to be at once.
+// SPDX-License-Identifier: Apache-2.0 The pages of a workpiece after cuts, undos and restores in any order equal those
+// of a new stream of its final state.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -27,7 +27,7 @@ using units::ms;
 
 constexpr double kVoxel = 0.1 * mm;
 
-/// A block that is cut at random, undone, redone, and put back to snapshots, and the stream that follows it.
+/// A block with random cuts, undos, redos and restored snapshots, and the stream that follows it.
 class FollowedBlock {
  public:
   explicit FollowedBlock(double edge)
@@ -54,21 +54,21 @@ class FollowedBlock {
     block_.restore(kept_);
     block_.reserve_undo(1000);
     block_.reserve_blocks(1500);
-    // Nobody knows what has changed: all blocks are sent again, as ChangeFeed does.
+    // It is unknown what has changed, so all blocks are sent again, as ChangeFeed does.
     std::vector<VoxelIndex> all;
     const int last = int(voxels_) + kBlockEdge;
     for_each_block_origin({{-1, -1, -1}, {last, last, last}}, [&](const VoxelIndex& at) { all.push_back(at); });
     (void)stream_.update(block_, all);
   }
-  void take() { take_pages(stream_, pages_); }
+  void receive() { take_pages(stream_, pages_); }
 
   [[nodiscard]] const Workpiece& workpiece() const { return block_; }
   [[nodiscard]] const Pages& pages() const { return pages_; }
   [[nodiscard]] std::uint64_t blocks_meshed() const { return stream_.blocks_meshed(); }
 
-  /// What a stream has of the workpiece as it is; its bounds may be smaller, so its empty pages are fewer.
+  /// Pages of a new stream of the present workpiece; its bounds may be smaller, so it has fewer empty pages.
   [[nodiscard]] bool is_as_rebuilt() {
-    take();
+    receive();
     return are_equal(pages_, pages_of(block_));
   }
 
@@ -103,7 +103,7 @@ RC_GTEST_PROP(StreamedCuts, AnySequenceOfCutsUndoAndRestoreGivesThePagesOfARebui
         block.restore();
         break;
       case 5:
-        block.take();  // at any time, so that some pages are older than others
+        block.receive();  // at any time, so that some pages are older than others
         break;
       default:
         block.cut(
@@ -123,11 +123,11 @@ TEST(StreamedCuts, TenThousandCutsGiveThePagesOfARebuild) {
   int restored = 0;
   for (int n = 1; n <= 10'000; ++n) {
     block.cut({place(random), place(random), place(random)}, radius(random));
-    if (n % 16 == 0) block.take();
+    if (n % 16 == 0) block.receive();
     if (n % 100 == 0) block.set_mark();
     if (n % 230 == 0) block.undo();
     if (n % 460 == 0) block.redo();
-    if (n % 1000 == 0 && n != 10'000) block.restore(), ++restored;  // or nothing would be left to cut
+    if (n % 1000 == 0 && n != 10'000) block.restore(), ++restored;  // else nothing would be left to cut
     if (n % 999 == 0) {
       EXPECT_TRUE(block.is_as_rebuilt()) << n;
     }
@@ -179,7 +179,7 @@ TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
   EXPECT_TRUE(are_equal(pages, pages_of(simulation.workpiece())));
   while (!simulation.undo(100)) {
   }
-  cut(-0.8 * mm, 0.6 * mm);  // the feed sends what the undo has brought back while the next hole is cut
+  cut(-0.8 * mm, 0.6 * mm);  // the feed sends the undone blocks while the next hole is cut
   EXPECT_TRUE(are_equal(pages, pages_of(simulation.workpiece())));
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What pages of a surface are: closed, of the right volume, with true normals, however they are cut into pages.
+// SPDX-License-Identifier: Apache-2.0 Properties of the pages of a surface: closed, with the right volume and normals,
+// however the surface is divided.
 #include "hapticut/surface/surface_stream.hpp"
 
 #include <gtest/gtest.h>
@@ -49,16 +49,16 @@ TEST(SurfaceStream, PagesPutTogetherAreClosedAndHoldTheVolumeOfTheWorkpiece) {
     const TriangleMesh mesh = welded(pages, workpiece->frame());
     const test::EdgeCount edges = count_edges(mesh);
     EXPECT_TRUE(edges.balanced);
-    // Four triangles meet where two pieces touch along an edge: nowhere on a ball, in the ruins of a block here and
-    // there.
+    // Four triangles meet where two pieces touch along an edge: nowhere on a ball, but at some places of a broken
+    // block.
     EXPECT_LE(double(edges.more_often), workpiece == &ball ? 0.0 : 1e-3 * double(edges.twice));
     EXPECT_NEAR(test::signed_volume(mesh) / test::solid_volume(*workpiece), 1, 0.01);
   }
 }
 
-/// Largest and mean angle between the normals of all vertices and the true ones. [deg]
+/// [deg] Maximum and mean angle between the normals of all vertices and the exact normals.
 struct NormalError {
-  double largest = 0, mean = 0;
+  double maximum = 0, mean = 0;
 };
 template <class TrueNormal>
 NormalError normal_error(const Workpiece& workpiece, const TrueNormal& true_normal) {
@@ -67,25 +67,25 @@ NormalError normal_error(const Workpiece& workpiece, const TrueNormal& true_norm
   for (const auto& [origin, page] : pages_of(workpiece))
     for (const SurfaceVertex& vertex : page.vertices) {
       const Vec3 exact = true_normal(vertex_position(workpiece.frame(), page, vertex));
-      if (exact.isZero()) continue;  // near an edge, where there is none
+      if (exact.isZero()) continue;  // near an edge, where there is no normal
       const double cosine = std::clamp(exact.dot(vertex_normal(workpiece.frame(), vertex)), -1.0, 1.0);
       const double angle = std::acos(cosine) / units::deg;
-      error.largest = std::max(error.largest, angle);
+      error.maximum = std::max(error.maximum, angle);
       error.mean += angle, count += 1;
     }
   error.mean /= count;
   return error;
 }
 
-// Three degrees are what the eye takes for smooth beside a light; the rounding to 1/127 alone is a third of a degree.
+// Below three degrees a lit surface looks smooth; the rounding to 1/127 alone is a third of a degree.
 TEST(SurfaceStream, NormalsOfBallsAreWithinThreeDegrees) {
   for (const double radius : {0.8, 1.5, 4.0}) {
     const Vec3 center = Vec3(0.31, -0.17, 0.23) * mm;
     const Workpiece ball = build_sphere(center, radius * mm, kVoxel, named("clay"));
     const NormalError error = normal_error(ball, [&](const Vec3& p) { return (p - center).normalized(); });
-    EXPECT_LT(error.largest, 3) << radius;
+    EXPECT_LT(error.maximum, 3) << radius;
     EXPECT_LT(error.mean, 1.5) << radius;
-    RecordProperty("ball " + std::to_string(radius), std::to_string(error.mean) + " " + std::to_string(error.largest));
+    RecordProperty("ball " + std::to_string(radius), std::to_string(error.mean) + " " + std::to_string(error.maximum));
   }
 }
 
@@ -99,7 +99,7 @@ TEST(SurfaceStream, NormalsOfPlanesAreWithinThreeDegrees) {
                                       kVoxel, MaterialTable({named("clay")}));
     const NormalError error = normal_error(
         half, [&](const Vec3& p) { return p.cwiseAbs().maxCoeff() > 1.7 * mm ? Vec3(Vec3::Zero()) : normal; });
-    EXPECT_LT(error.largest, 3) << normal.transpose();
+    EXPECT_LT(error.maximum, 3) << normal.transpose();
     EXPECT_LT(error.mean, 1.5) << normal.transpose();
   }
 }
@@ -231,7 +231,7 @@ TEST(SurfaceStream, AVoxelInTheMiddleOfABlockDirtiesItAloneAndOneInACornerItsEig
   };
   EXPECT_EQ(meshed_by({28, 28, 28}), 1U);
   EXPECT_EQ(meshed_by({24, 24, 24}), 8U);
-  EXPECT_EQ(meshed_by({24, 24, 24}), 0U) << "the same once more";
+  EXPECT_EQ(meshed_by({24, 24, 24}), 0U) << "the same block again";
 }
 
 TEST(SurfaceStream, TheLargestPageHasRoomInSixteenBits) {
@@ -247,14 +247,14 @@ TEST(SurfaceStream, TheLargestPageHasRoomInSixteenBits) {
                                                    return BlockKind::mixed();
                                                  });
   const Pages pages = pages_of(board);
-  std::size_t most = 0;
+  std::size_t max_vertices = 0;
   for (const auto& [origin, page] : pages) {
-    most = std::max(most, page.vertices.size());
+    max_vertices = std::max(max_vertices, page.vertices.size());
     EXPECT_LE(page.vertices.size(), SurfacePage::kMaxVertices);
     EXPECT_LE(page.indices.size(), SurfacePage::kMaxIndices);
     for (const std::uint16_t index : page.indices) ASSERT_LT(index, page.vertices.size());
   }
-  EXPECT_GT(most, 40'000U);
+  EXPECT_GT(max_vertices, 40'000U);
   EXPECT_TRUE(count_edges(welded(pages, board.frame())).balanced);
 }
 

@@ -11,8 +11,9 @@ namespace hapticut {
 ///
 ///     |F_previous - F_calculated| > delta:  F = F_previous + epsilon along the difference;  otherwise F = F_calculated
 ///
-/// The table adds the number epsilon to a vector; read as a step along the difference vector it keeps its direction and
-/// does not run away when the force is released. It still lags: epsilon a step whatever the rate, 3 N in half a second.
+/// The table adds the number epsilon to a vector. As a step along the difference vector it keeps its direction and does
+/// not run away when the force is released. It still lags: it changes by epsilon a step whatever the rate, 3 N in half
+/// a second.
 struct DeltaFilter {
   double delta = 0.5;
   double epsilon = 0.005;
@@ -20,7 +21,7 @@ struct DeltaFilter {
 
 constexpr auto fields_of(Of<DeltaFilter>) {
   return std::tuple{
-      field("delta", &DeltaFilter::delta, "N", Range::positive(), "largest change that passes unfiltered"),
+      field("delta", &DeltaFilter::delta, "N", Range::positive(), "maximum change that passes unfiltered"),
       field("epsilon", &DeltaFilter::epsilon, "N", Range::positive(), "change per step otherwise; not more than delta"),
   };
 }

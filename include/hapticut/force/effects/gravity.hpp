@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-/// The weight of the virtual tool (thesis 5.9). The device's own stylus has a weight already: give the difference.
+/// The weight of the virtual tool (thesis 5.9). The device's own stylus already has a weight, so give the difference.
 ///
 ///     F = m g,   T = (p_com - Ho) x F   about the handle's origin
 struct Gravity {
@@ -19,7 +19,7 @@ constexpr auto fields_of(Of<Gravity>) {
   return std::tuple{
       field("mass", &Gravity::mass, "kg", Range::not_negative(), "of the tool, less that of the device's stylus"),
       field("center_of_mass", &Gravity::center_of_mass, "m", "from Ho, in the handle's frame H"),
-      field("acceleration", &Gravity::acceleration, "m/s^2", "in W: which way is down"),
+      field("acceleration", &Gravity::acceleration, "m/s^2", "in W: direction and size of gravity"),
   };
 }
 

@@ -15,8 +15,8 @@ namespace hapticut {
 ///     F = A sin(phase),  phase advances by 2 pi f dt a step
 ///     A = min(amplitude + amplitude_per_watt P, max_amplitude),   P: power of the spindle
 ///
-/// The thesis's sin(f t) shakes at f/2pi, and at 500 Hz sampled with 1 kHz sin(2 pi f t) is zero at every sample:
-/// hence the phase that is accumulated, and the bound on the frequency (D9).
+/// The thesis's sin(f t) oscillates at f/2pi, and sin(2 pi f t) with 500 Hz, sampled at 1 kHz, is zero at every sample.
+/// Hence the accumulated phase, and the bound on the frequency (D9).
 struct Vibration {
   double frequency = 150;
   double amplitude = 0.3;
@@ -30,7 +30,7 @@ constexpr auto fields_of(Of<Vibration>) {
       field("frequency", &V::frequency, "Hz", Range::positive(), "below 0.45 of the update rate"),
       field("amplitude", &V::amplitude, "N", Range::not_negative(), "without a load"),
       field("amplitude_per_watt", &V::amplitude_per_watt, "N/W", Range::not_negative(),
-            "what it grows by with the power of the spindle"),
+            "growth of the amplitude with the power of the spindle"),
       field("max_amplitude", &V::max_amplitude, "N", Range::not_negative(), "not below amplitude"),
   };
 }

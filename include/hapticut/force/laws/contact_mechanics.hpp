@@ -15,10 +15,10 @@ namespace hapticut {
 ///     sphere  F = 4/3 E* sqrt(R) d^1.5            U = 8/15 E* sqrt(R) d^2.5
 ///     cone    F = 2/pi E* tan(alpha) d^2          U = 2/(3 pi) E* tan(alpha) d^3      alpha: half-apex angle
 ///
-/// E* = E/(1 - nu^2). All pressed at a right angle onto a flat surface: the limit of this law, and the reason that the
-/// thesis gives for not using it. d is the depth at which a half space would fill the same volume of the head, along
-/// the mean direction into the material, so that any contact gives a force, and a perpendicular one exactly that of the
-/// table. A spinning head rubs under F with the materials' cutting ratio and cuts by the power of that.
+/// E* = E/(1 - nu^2). All formulas are for a punch at a right angle to a flat surface; this limits the law, and is the
+/// thesis's reason not to use it. d is the depth at which a half space would fill the same volume of the head, along
+/// the mean direction into the material. So any contact gives a force, and a perpendicular one gives exactly that of
+/// the table. A spinning head rubs under F with the materials' cutting ratio, and the power of the rubbing cuts.
 class ContactMechanicsLaw final : public LumpedLaw {
  public:
   /// @param effective_modulus  [Pa] > 0, E* = E/(1 - nu^2)
@@ -40,7 +40,7 @@ class ContactMechanicsLaw final : public LumpedLaw {
     // The force acts at the centroid; about its own axis a head of revolution has no torque of normal forces.
     const Vec3 centroid = moments.first_moment / moments.volume;
     const Vec3 tilting(double(m.angular_velocity.x()), double(m.angular_velocity.y()), 0);
-    // Half of what it advances along n in this sub-step, so that the energies are those of its two ends.
+    // Half of its advance along n in this sub-step, for the energies at both ends.
     const double half = 0.5 * (m.velocity.cast<double>() + tilting.cross(centroid)).dot(n) * double(m.duration);
     LumpedForce lumped;
     lumped.elastic_before = energy(head, std::max(0.0, d - half));
@@ -79,8 +79,8 @@ class ContactMechanicsLaw final : public LumpedLaw {
       return std::min(std::cbrt(3 * volume / (kPi * std::pow(std::tan(cone->half_angle), 2))), cone->height);
     // pi d^2 (R - d/3) = V is, with z = 1 - d/R and s = V over the ball's volume, z^3 - 3 z + 2 - 4 s = 0; z = 2 cos t.
     const double R = std::get_if<SphereHead>(&head.shape())->radius;
-    const double share = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
-    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * share - 1)) / 3));
+    const double fraction = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
+    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * fraction - 1)) / 3));
   }
 
  private:

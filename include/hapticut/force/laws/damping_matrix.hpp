@@ -8,15 +8,15 @@
 
 namespace hapticut {
 
-/// Resistance to the motion of a spinning head (thesis 5.1, 5.2, after its [15]): a viscous force and a part of it
-/// turned across by the spin.
+/// Resistance to the motion of a spinning head (thesis 5.1, 5.2, after its [15]): a viscous force, and a part of it
+/// that the spin rotates sideways.
 ///
 ///     F = -M V,   M = m (I + mu [omega_hat]x),   m = K_alpha K_beta K_omega K_eps F(H, L)
 ///
-/// The K are the factors that the source tabulates for the head, the material, the speed and the layer; they enter as
-/// one product, `resistance`, and F(H, L), its "function for the contact area", is that area: the filled volume in the
-/// head over its greatest depth. The force needs motion: at rest there is none, and a surface does not push back. It
-/// does no work but -m |V|^2, which cuts while the spindle turns. Any head.
+/// The source tabulates the factors K for the head, the material, the speed and the layer; here they are one product,
+/// `resistance`. F(H, L), its "function for the contact area", is that area: the filled volume in the head over its
+/// maximum depth. The force needs motion: at rest it is zero, and a surface does not push back. Its only work is -m
+/// |V|^2, which cuts while the spindle turns. For any head.
 class DampingMatrixLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.

@@ -14,39 +14,38 @@ namespace hapticut {
 
 /// The default law: a volumetric elastic foundation that the spinning head cuts by the power it delivers.
 ///
-/// Material at depth w pushes back with the pressure gradient k_v w along the normal n, Hunt-Crossley damped by
-/// g_d(chi w_dot), g_d(x) = 1 + x where the contact closes and 1/(1 - x) where it opens, and where the head turns it
-/// drags along the slip v_t tangential to the cutting surface:
+/// Material at depth w pushes back along the normal n with the pressure gradient k_v w. Hunt-Crossley damping
+/// multiplies it by g_d(chi w_dot), with g_d(x) = 1 + x while the contact closes and 1/(1 - x) while it opens. Where
+/// the head turns, the material also drags along the slip v_t, tangential to the cutting surface:
 ///
 ///     g = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
 ///
-/// Each voxel is integrated over its filled part (VoxelSection): with the depth t of its top, and means <w> and <w>_c
-/// over that part of the depth and of the depth beyond w0, below which nothing is cut,
+/// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> and <w>_c are the means
+/// over that part of the depth and of the depth beyond w0. Material shallower than w0 is not cut:
 ///
 ///     f = k_v g_d phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
 ///
-/// where k_d = kappa k_v g_d s/(2 u) and g is how far the layer recedes within the sub-step, over what it would at the
-/// speed of where the contact is evaluated (LayerRecession). Cutting takes what is deepest, so that what only rubs
-/// stays. The force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so that the tangential work of what is
-/// cut is u l^3 times the fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u).
-/// Along the path w_dot = (V
-/// + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
+/// where k_d = kappa k_v g_d s/(2 u), and g is the recession of the layer within the sub-step over the recession at the
+/// speed at the evaluation (LayerRecession). Cutting removes the deepest material, so material that only rubs stays.
+/// The force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so the tangential work of the cut is exactly u
+/// l^3 times the lost fill, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V +
+/// Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
-/// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
-/// than the crushing depth sqrt(2 sigma/(k_v max(1, g_d))), where a column's pressure k_v g_d w^2/2 is sigma. What had
-/// gone into it and is no longer stored is what crushing took, with what was damped: sigma times the volume, within the
-/// error of the step.
+/// Before that, material that would be pressed harder than it can bear is removed: no part reaches deeper than the
+/// crushing depth sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. The energy that
+/// went into it and is no longer stored, together with the damping, is what crushing took: sigma times the volume,
+/// within the error of the step.
 ///
-/// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w stands for the distance,
-/// and k_v for s^2 k_v, chi for s chi, every depth for an s-th of it; kappa is mu_d, and nothing is cut but within the
-/// material's land of a cutting edge (`at_surface`).
+/// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w is the distance, k_v is
+/// multiplied by s^2, chi by s, and every depth by 1/s. kappa is mu_d, and nothing is cut except within the material's
+/// land of a cutting edge (`at_surface`).
 ///
-/// After the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
-/// repaired; see docs/decisions/0003-removal-and-ledger.md and 0009-cut-voxels.md.
+/// From the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
+/// removed; see docs/decisions/0003-removal-and-ledger.md and 0009-cut-voxels.md.
 class FoundationLaw final : public ForceLaw {
  public:
-  /// The place to read the formulas, and the reference for the vector instructions that a simulation runs instead
-  /// (`press_parts_of` in src/kernels/cut_voxels-inl.hpp). The block must be sampled by Quadrature::sub_voxel.
+  /// The readable form of the formulas, and the reference for the vector instructions that a simulation runs instead
+  /// (`press_parts_of` in src/kernels/cut_voxels-inl.hpp). The block must be sampled with Quadrature::sub_voxel.
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                      ContactBlock& block) const noexcept override {
     HAPTICUT_ASSERT(block.sub_voxel);
@@ -59,29 +58,29 @@ class FoundationLaw final : public ForceLaw {
   [[nodiscard]] bool integrates_parts() const noexcept override { return true; }
 
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
-  static constexpr float kMaxExponent = 1e30F;         ///< keeps the arithmetic finite; e^-80 is already nothing left
-  static constexpr float kMinEnergyShare = 1e-6F;      ///< [1] of u that law G always has to pay
+  static constexpr float kMaxExponent = 1e30F;         ///< keeps the arithmetic finite; e^-80 is practically zero
+  static constexpr float kMinEnergyShare = 1e-6F;      ///< [1] fraction of u that law G always pays
   static constexpr float kMinPart = 1e-6F;             ///< [1] fill below which a cut voxel is empty
-  static constexpr float kMinLoss = 1e-5F;             ///< [1] of a part, in a sub-step, of which no release is booked
+  static constexpr float kMinLoss = 1e-5F;  ///< [1] relative loss in a sub-step below which no release is booked
 
-  /// [1] g_d of Hunt and Crossley's chi w_dot: smooth, and never less than nothing.
+  /// [1] g_d of Hunt and Crossley's chi w_dot: smooth and never negative.
   [[nodiscard]] static float damping_factor(float x) { return x < 0 ? 1 / (1 - x) : 1 + x; }
 
-  /// [1] g_d, and by how much it changes with x = chi w_dot.
+  /// [1] g_d and its slope with x = chi w_dot.
   struct Damping {
     float factor, slope;
     static Damping of(float x) {
       const float factor = damping_factor(x);
       return {factor, factor < 1 ? factor * factor : 1.0F};
     }
-    /// [m] Below which nothing stays, where a column's pressure k_v g_d w^2/2 is the strength.
+    /// [m] Depth at which a column's pressure k_v g_d w^2/2 is the strength; deeper material is crushed.
     /// @param at_rest  [m] ContactMaterial::crushing_depth
     [[nodiscard]] float crushing_depth(float at_rest) const { return at_rest / std::sqrt(std::max(1.0F, factor)); }
   };
 
-  /// The constants that hold for a sample, whose depth is a distance: of a smooth surface others than of one that cuts.
+  /// The constants at a sample, whose depth is a distance: they differ between smooth and cutting surfaces.
   /// @param smooth  [m^2] MeridianSpring::smooth
-  /// @param scale   [1] and its scale
+  /// @param scale   [1] scale of the sample
   static ContactMaterial at_surface(const ContactMaterial& material, const HeadMotion& m, float smooth, float scale) {
     if (!(smooth > 0)) return material;
     ContactMaterial there = material;
@@ -94,33 +93,34 @@ class FoundationLaw final : public ForceLaw {
     return there;
   }
 
-  static constexpr float kAxisZone = 2.0F;  ///< [voxel edges] about the spindle's axis: voxels cut by their mean slip
+  static constexpr float kAxisZone =
+      2.0F;  ///< [voxel edges] about the spindle's axis, where voxels are cut with their mean slip
   static constexpr float kAxisSlip = 0.2837F;  ///< 1/mean(1/rho) over a unit square about the axis = 1/(4 asinh 1)
 
-  /// What voxels near the axis cut by. The slip omega rho varies over a voxel there, and its centre's is not that of
-  /// the whole: thrust goes with 1/slip, so what counts is the harmonic mean over the section, 1/mean(1/rho). Its
-  /// square is that of the centre and an excess E(q), q = rho^2 in voxel edges squared: kAxisSlip^2 on the axis,
-  /// negative from 0.46 edges on, -1/12 far away. Fitted to the mean over the directions of a unit square, whose 1/rho
-  /// it gives within 1.2 %.
+  /// The slip with which voxels near the axis are cut. The slip omega rho varies over such a voxel, and its centre does
+  /// not represent the whole. Thrust is proportional to 1/slip, so the harmonic mean over the section, 1/mean(1/rho),
+  /// counts. Its square is that of the centre plus an excess E(q), q = rho^2 in voxel edges squared: kAxisSlip^2 on the
+  /// axis, negative from 0.46 edges on, -1/12 far away. The fit to the mean over the directions of a unit square gives
+  /// 1/rho within 1.2 %.
   struct AxisSlip {
     static constexpr float kFar = -1.0F / 12, kPeak = kAxisSlip * kAxisSlip - kFar;
     static constexpr float kZero = 4.75F, kFlat = 1.3F, kSteep = 46.0F;
 
-    float per_edge;  ///< [1/m^2] 1/l^2
-    float per_slip;  ///< [m^2/s^2] (l omega)^2
-    float least;     ///< [m^2/s^2] square of the slip of a voxel centred on the axis, which none is below
+    float per_edge;     ///< [1/m^2] 1/l^2
+    float per_slip;     ///< [m^2/s^2] (l omega)^2
+    float min_squared;  ///< [m^2/s^2] square of the slip of a voxel centred on the axis: the minimum
 
     explicit AxisSlip(const HeadMotion& m)
         : per_edge(1 / (m.voxel_size * m.voxel_size)),
           per_slip(m.voxel_size * m.voxel_size * m.turning() * m.turning()),
-          least(kAxisSlip * kAxisSlip * per_slip) {}
+          min_squared(kAxisSlip * kAxisSlip * per_slip) {}
 
-    /// [m^2/s^2] square of the slip that a voxel cuts by, from that of its centre at a distance rho [m]
+    /// [m^2/s^2] Square of the slip with which a voxel is cut, from that of its centre at a distance rho [m].
     [[nodiscard]] float squared(float of_center, float rho_squared) const {
       const float q = rho_squared * per_edge;
       if (!(q < kAxisZone * kAxisZone)) return of_center;
       const float excess = kPeak * (1 - kZero * q) / (1 + q * q * (kFlat + kSteep * q)) + kFar;
-      return std::max(of_center + per_slip * excess, least);
+      return std::max(of_center + per_slip * excess, min_squared);
     }
   };
 
@@ -130,7 +130,7 @@ class FoundationLaw final : public ForceLaw {
   struct Sums {
     float of[kTerms][kLanes];
 
-    /// @param turning  [rad/s] of the head's surface, against which the couple does its work; 0: the spindle stands
+    /// @param turning  [rad/s] of the head's surface, against which the couple does work; 0: the spindle stands
     [[nodiscard]] LawTotals totals(float voxel_volume, float turning, bool may_remove) const {
       const auto total = [&](Term term) {
         double sum = 0;
@@ -148,11 +148,11 @@ class FoundationLaw final : public ForceLaw {
   /// How the head's surface moves at a sample.
   struct SurfaceMotion {
     float w_dot;       ///< [m/s] of the handpiece along n, which changes the depth
-    float tx, ty, tz;  ///< [m/s] the slip: the rest of it plus the spin, which is tangential to any head of revolution
-    float extra;       ///< [m^2/s^2] by how much the square of the slip is beyond that of the voxel's centre (AxisSlip)
+    float tx, ty, tz;  ///< [m/s] the slip: the tangential velocity with the spin
+    float extra;       ///< [m^2/s^2] square of the slip less that of the voxel's centre (AxisSlip)
     float inverse_slip, slip;
-    float felt_w_dot;  ///< [m/s] as the damping feels it
-    float mean_w_dot;  ///< [m/s] as chips see it
+    float felt_w_dot;  ///< [m/s] for the damping
+    float mean_w_dot;  ///< [m/s] for chips
   };
   static SurfaceMotion surface_motion(const HeadMotion& m, const ContactBlock& b, int n, const AxisSlip& axis_slip) {
     const Eigen::Vector3f &v = m.velocity, &o = m.angular_velocity, &h = m.felt_velocity, &a = m.felt_angular_velocity;
@@ -215,11 +215,12 @@ class FoundationLaw final : public ForceLaw {
       if (crushed) b.immersed[n] = part.volume;
 
       float rubbing = k * l * part.depth, cut = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
-      float refused = 0;  // [1] fill whose work was done, but which single precision cannot take away; or the reverse
+      float refused = 0;  // [1] fill whose work was done, but which rounding did not remove; or the reverse
       if (cutting && cut_depth.excess > 0 && phi > 0) {
         float rate = power / price,
               share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
-        if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
+        if (m.removal ==
+            RemovalLaw::elastic_release) {  // helped by the energy stored at the mean depth of the layer's top
           const float w0 = cut_depth.least, squared = w0 * w0 + share * cut_depth.excess;
           price = std::max(u - 0.5F * k * squared, kMinEnergyShare * u);
           rate = power / price,
@@ -243,24 +244,24 @@ class FoundationLaw final : public ForceLaw {
       b.force_y[n] = -voxel_volume * (normal * b.normal_y[n] + tangential * s.ty);
       b.force_z[n] = -voxel_volume * (normal * b.normal_z[n] + tangential * s.tz);
 
-      // [J/m^3] stored in a part of this height when the far corner has moved on
+      // [J/m^3] stored in a part of this height when the far corner has moved
       const auto stored = [&](float part_height, float moved) {
         const float depth = part_height + far_plane + moved / l;
         return depth > 0 ? k * l * l * section.integrals(part_height, depth).energy : 0.0F;
       };
       const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
-      const float taken = phi - left, gone = b.fill[n] - left;
-      const bool releases = gone > kMinLoss * b.fill[n];
-      // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered. What a
-      // contact evaluated at the end pushes harder than on average was not stored before.
+      const float cut_fill = phi - left, removed = b.fill[n] - left;
+      const bool releases = removed > kMinLoss * b.fill[n];
+      // Released energy is zero where nothing is cut, and never negative: the error of the midpoint rule is `entered`.
+      // The excess force of a contact that is evaluated at the end was not stored before.
       const float stays = after - spring * advance, harder = k * part.volume * m.lead * advance * advance;
       const float released =
           releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays - harder) : 0.0F;
       const float before = stays + released;
       sums.of[kElasticBefore][lane] += before;
       sums.of[kElastic][lane] += after;
-      sums.of[kCutting][lane] += u * taken;
-      if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * taken;
+      sums.of[kCutting][lane] += u * cut_fill;
+      if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * cut_fill;
       sums.of[kDamping][lane] += (normal - spring) * advance;
       sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time + price * std::max(0.0F, refused);
       sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -refused));

@@ -12,16 +12,16 @@ namespace hapticut {
 /// A round burr whose contact is Hertz's (Agus, Giachetti, Gobbetti, Zanetti, Zorcolo: Mastoidectomy simulation with
 /// combined visual and haptic feedback, 2002; [1], [2] of the thesis).
 ///
-/// The burr of radius R knows the bone by two sums over the voxels inside it, of which the depth h and the direction n
-/// of an equivalent flat surface follow:
+/// The burr of radius R describes the bone by two sums over the voxels inside it. They give the depth h and the
+/// direction n of an equivalent flat surface:
 ///
 ///     M0 = Sum rho_i = pi R^3 (h/R)^2 (1 - h/3R),   M1 = Sum rho_i r_i = |M1| n
 ///     F_e = -C1 R^2 (h/R)^1.5 n                       elastic force on the burr
 ///     F_mu: Coulomb friction of F_e along the slip of the surface, ratio kappa of the materials
 ///     mass flux = alpha mu P omega r                  power of the friction over the cost of a volume: 1/alpha = u
 ///
-/// The original spreads the flux like Hertz's pressure over the contact; here it is spread like depth times slip, the
-/// removal that all laws of the library share. Its total is the same.
+/// The original distributes the flux over the contact like Hertz's pressure. Here it is distributed like depth times
+/// slip, the removal of all laws of the library, with the same total.
 class HertzianBurrLaw final : public LumpedLaw {
  public:
   /// @param stiffness  [Pa] > 0, C1
@@ -56,7 +56,7 @@ class HertzianBurrLaw final : public LumpedLaw {
   /// [N] at depth h [m] of a burr of radius R [m].
   [[nodiscard]] double force(double R, double h) const { return stiffness_ * R * R * std::pow(h / R, 1.5); }
 
-  /// [J] the same integrated over h.
+  /// [J] Integral of the force over h.
   [[nodiscard]] double energy(double R, double h) const { return force(R, h) * h / 2.5; }
 
  private:

@@ -28,27 +28,27 @@ inline void add_moments(const ContactBlock& b, const HeadMotion& m, const Contac
     const Vec3 t = slip / std::sqrt(slip.squaredNorm() + std::pow(double(FoundationLaw::kSlipRegularization), 2));
     moments.volume += dV;
     moments.first_moment += dV * r;
-    moments.pressed += dV * w;
-    moments.pressed_normal += dV * w * direction;
+    moments.depth_integral += dV * w;
+    moments.normal_integral += dV * w * direction;
     moments.rubbing.force += dV * w * kappa * t;
     moments.rubbing.torque += dV * w * kappa * r.cross(t);
     moments.rubbing_speed += dV * w * kappa * t.dot(slip);
     moments.depth = std::max(moments.depth, w);
-    // Of the sample, not of its voxel's rim: with half an edge more a drill of whole voxels would be too wide.
+    // Of the sample, not of its voxel's rim: half an edge more would make a drill of whole voxels too wide.
     moments.radius = std::max(moments.radius, r.head<2>().norm());
   }
 }
 
-/// What the laws of a whole contact have in common: a normal force by `lump`, rubbing of the spinning head under it,
-/// and one removal that spends the power of the rubbing.
+/// Base of the laws of a whole contact: a normal force by `lump`, rubbing of the spinning head under it, and a removal
+/// that spends the power of the rubbing.
 ///
-/// The cut: a sample of depth w, cutting ratio kappa and slip s gets the share q = w kappa s phi / Sum w kappa s phi of
-/// the contact's cutting power P and loses
+/// The cut: a sample of depth w, cutting ratio kappa and slip s gets the fraction q = w kappa s phi / Sum w kappa s phi
+/// of the contact's cutting power P and loses
 ///
 ///     phi <- phi exp(-x),   x = q P dt / (u phi l^3)     while the spindle turns
 ///
-/// so every removed volume costs its u, and what the decay does not use is rubbing. The same removal, and the same
-/// ledger, as the default law's.
+/// so every removed volume costs its u, and the power that the decay does not use is rubbing. Removal and ledger are
+/// the same as those of the default law.
 class LumpedLaw : public ForceLaw {
  public:
   [[nodiscard]] bool needs_moments() const noexcept final { return true; }
@@ -91,15 +91,15 @@ class LumpedLaw : public ForceLaw {
   }
 
  protected:
-  /// Adds the friction of a spinning head under a normal force, along the slip of each sample as the materials' cutting
-  /// ratios say, and makes its power available to the cut.
+  /// Adds the friction of a spinning head under a normal force, along the slip of each sample with the materials'
+  /// cutting ratios, and makes its power available to the cut.
   static void add_rubbing(const HeadMotion& m, const ContactMoments& moments, double normal_force,
                           LumpedForce& lumped) {
-    if (m.spin == 0 || !(moments.pressed > 0)) return;
-    const double share = normal_force / moments.pressed;
-    lumped.wrench_T.force -= share * moments.rubbing.force;
-    lumped.wrench_T.torque -= share * moments.rubbing.torque;
-    lumped.cutting_power += share * moments.rubbing_speed;
+    if (m.spin == 0 || !(moments.depth_integral > 0)) return;
+    const double scale = normal_force / moments.depth_integral;
+    lumped.wrench_T.force -= scale * moments.rubbing.force;
+    lumped.wrench_T.torque -= scale * moments.rubbing.torque;
+    lumped.cutting_power += scale * moments.rubbing_speed;
   }
 };
 

@@ -21,17 +21,17 @@ namespace hapticut {
 ///     P_i   = lambda (|omega|/omega_0)^m R k_i l w_i |omega|              power generated at the voxel
 ///     voxel i is removed, whole and in this step, iff  P_i >= c k_i       power required
 ///
-/// What is a reading: the repulsive sign (as printed the springs pull the tool in); the arm X_i - To (along the spring,
-/// as printed, the torque is zero, D3); everything about the second lines of 5.6-5.8, of which only a constant lambda,
-/// a power of the spindle's speed and a cross product survived; the required power, "related to the stiffness", as
-/// proportional to it. V is the velocity of the head as the device gives it, R the largest radius of the head.
+/// Interpretations of the text: the repulsive sign (as printed, the springs pull the tool in); the arm X_i - To (along
+/// the spring, as printed, the torque is zero, D3); the second lines of 5.6-5.8, of which only a constant lambda, a
+/// power of the spindle's speed and a cross product are legible; and the required power, "related to the stiffness", as
+/// proportional to it. V is the velocity of the head as the device gives it, R the maximum radius of the head.
 ///
-/// k_i = k_v l0^2 of the material's k_v = relative stiffness times SimulationConfig::reference_stiffness, so that
-/// thesis and default model agree at the voxel size l0; at any other they do not: the sums grow as l^-2 and, for the
-/// damper, l^-3 under refinement (D1, D2). Removal costs no energy (D7): the ledger books the springs' energy of
-/// removed voxels as released, the spin torque's work as rubbing, the damper's as damping. The damper follows the
-/// hand's velocity, not the slip of the surface (D10), so where the head turns, with the handpiece or the spindle, it
-/// may give energy: that term is a loss only for a head that does not turn.
+/// k_i = k_v l0^2, with k_v = relative stiffness times SimulationConfig::reference_stiffness, so thesis and default
+/// model agree at the voxel size l0. At other sizes they differ: the sums grow as l^-2 and, for the damper, l^-3 under
+/// refinement (D1, D2). Removal costs no energy (D7): the ledger books the springs' energy of removed voxels as
+/// released, the spin torque's work as rubbing, the damper's as damping. The damper follows the hand's velocity, not
+/// the slip of the surface (D10). So when the head rotates, with the handpiece or the spindle, the damper may give
+/// energy; it is only dissipative for a head that does not rotate.
 class ThesisLaw final : public ForceLaw {
  public:
   /// The numbers of the law.
@@ -40,8 +40,8 @@ class ThesisLaw final : public ForceLaw {
     double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b
     double spin_torque = 0.3;            ///< [1] >= 0, lambda
     double spin_exponent = 0;            ///< [1] m
-    /// [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness. The thesis gives no number; where it is empty a
-    /// voxel goes at the depth at which a ball of the head's radius presses with kFelt, or at half that radius.
+    /// [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness. The thesis gives no number. Empty: a voxel is
+    /// removed at the depth at which a ball of the head's radius presses with kFelt, or at half that radius.
     std::optional<double> required_power = {};
   };
 
@@ -61,7 +61,7 @@ class ThesisLaw final : public ForceLaw {
   LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
     const double l = double(m.voxel_size), dt = double(m.duration), spin = double(m.spin);
     const double l0_squared = c_.reference_voxel_size * c_.reference_voxel_size;
-    const double spin_share = spin == 0 ? 0 : c_.spin_torque * std::pow(std::abs(spin), c_.spin_exponent);
+    const double spin_ratio = spin == 0 ? 0 : c_.spin_torque * std::pow(std::abs(spin), c_.spin_exponent);
     const bool removes = spin != 0 && m.removal != RemovalLaw::none;
     const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>(),
                turning = Omega + Vec3(0, 0, spin);
@@ -91,22 +91,22 @@ class ThesisLaw final : public ForceLaw {
       const double before = std::max(0.0, w - advance / 2), after = std::max(0.0, w + advance / 2);
       totals.energies.elastic_before += 0.5 * k * l * before * before;
       totals.energies.damping += damper.dot(V + turning.cross(r)) * dt;
-      const double generated = spin_share * double(m.head_radius) * normal * std::abs(spin);
-      const bool goes = c_.required_power ? generated >= *c_.required_power * k : w >= felt_depth(m, k);
-      if (removes && goes) {
+      const double generated = spin_ratio * double(m.head_radius) * normal * std::abs(spin);
+      const bool is_removed = c_.required_power ? generated >= *c_.required_power * k : w >= felt_depth(m, k);
+      if (removes && is_removed) {
         b.fill_after[n] = 0;
         totals.energies.released += 0.5 * k * l * after * after;
       } else {
         totals.energies.elastic += 0.5 * k * l * after * after;
       }
     }
-    totals.spin_couple = -std::copysign(spin_share * double(m.head_radius) * normal_sum, spin);
+    totals.spin_couple = -std::copysign(spin_ratio * double(m.head_radius) * normal_sum, spin);
     totals.energies.rubbing = -totals.spin_couple * spin * dt;
     return totals;
   }
 
  private:
-  /// [m] at which a ball of the head's radius presses with kFelt; not deeper than half the radius.
+  /// [m] Depth at which a ball of the head's radius presses with kFelt; at most half the radius.
   /// @param k  [N/m^2] of a voxel
   static double felt_depth(const HeadMotion& m, double k) {
     const double l = double(m.voxel_size), R = double(m.head_radius);

@@ -14,21 +14,21 @@ namespace hapticut {
 ///
 ///     F = K_s a (D/2) sin(beta/2),   M = K_s a D^2/8,   a = 2 pi v_f/|omega|
 ///
-/// D is the diameter of the drill where it is in material, beta its point angle, v_f the speed at which it is fed
-/// towards its tip. M turns against the spin, F pushes back along the axis; retreating, or standing, there is neither.
-/// M omega = K_s pi D^2/4 v_f: exactly what removing the fed volume costs, if K_s is the material's u. F v_f is lost to
-/// friction. Material of cutting ratio 0 is not cut, whatever the power. This is the steady state of the default law
-/// with kappa = 1/sin(beta/2) and p_e = 0 (C31).
+/// D is the diameter of the drill in the material, beta its point angle, v_f its feed speed towards the tip. M acts
+/// against the spin, F pushes back along the axis; when the drill retreats or stands, both are zero. M omega = K_s pi
+/// D^2/4 v_f is exactly the cost of the fed volume, if K_s is the material's u. F v_f is lost to friction. Material
+/// with cutting ratio 0 is not cut, whatever the power. This is the steady state of the default law with kappa =
+/// 1/sin(beta/2) and p_e = 0 (C31).
 ///
-/// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees; a profile is one where only
-/// a straight edge at its tip cuts, as that of `twist_drill_head`. A hollow tip, whose rim leads, has a point angle
-/// above 180 degrees.
+/// A cone is a drill with a point angle of twice its half angle, a flat head one of 180 degrees. A profile is a drill
+/// if only a straight edge at its tip cuts, as that of `twist_drill_head`. A hollow tip, whose rim leads, has a point
+/// angle above 180 degrees.
 class TwistDrillLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.
   struct Constants {
     double specific_energy = 1e8;           ///< [J/m^3] > 0, K_s
-    double max_feed_per_revolution = 1e-3;  ///< [m] > 0; a is cut off there, where the spindle turns too slowly to chip
+    double max_feed_per_revolution = 1e-3;  ///< [m] > 0, maximum of a, for a spindle that turns too slowly to chip
   };
 
   /// @throws Error naming the constant, its value and the allowed range
@@ -65,11 +65,11 @@ class TwistDrillLaw final : public LumpedLaw {
     return lumped;
   }
 
-  /// [N] of a drill of diameter D [m] and point angle [rad] at feed per turn a [m].
+  /// [N] of a drill of diameter D [m] and point angle [rad] at feed per revolution a [m].
   [[nodiscard]] double thrust(double diameter, double a, double point_angle) const {
     return c_.specific_energy * a * diameter / 2 * std::sin(point_angle / 2);
   }
-  /// [N·m]
+  /// [N·m] of a drill of diameter D [m] at feed per revolution a [m].
   [[nodiscard]] double torque(double diameter, double a) const {
     return c_.specific_energy * a * diameter * diameter / 8;
   }

@@ -14,12 +14,12 @@
 #include "support/touch_gains.hpp"
 
 /// @file
-/// A simulation in the loop of a device, tick by tick in the hands of a test.
-namespace hapticut::test::loop_rig {
+/// A simulation in the loop of a device, driven tick by tick by a test.
+namespace hapticut::test::scripted_loop {
 
 inline constexpr double kRadius = 1.5e-3;  // [m] of the ball
 
-/// A mock that is said to render the contacts of these tests, so that it may be driven directly.
+/// A mock that states a stiffness for the contacts of these tests, so that it may be driven directly.
 inline std::unique_ptr<Device> stiff_mock(const std::string& path, double seconds = 0) {
   MockOptions options;
   options.path = scripted_path(path);
@@ -47,7 +47,7 @@ inline SimulationConfig config(bool coupled = false) {
   return config;
 }
 
-/// A run as fast as it goes, whose process is not its own.
+/// Options of a run at full speed that changes nothing in the process.
 inline RunOptions simulated_run() {
   RunOptions run;
   run.simulated_time = true;
@@ -55,14 +55,14 @@ inline RunOptions simulated_run() {
   return run;
 }
 
-/// Ticks of a hand that a test moves along z, and tells the model between them.
-class Rig {
+/// A loop whose hand a test moves along z, with commands between the ticks.
+class ScriptedLoop {
  public:
-  explicit Rig(double speed = 3000, bool coupled = false)
+  explicit ScriptedLoop(double speed = 3000, bool coupled = false)
       : simulation(block(), ball(kRadius, speed), config(coupled)), model(simulation, *device, options(coupled)) {}
 
-  /// @param height  [m] of the ball's lowest point over the face, tick by tick
-  /// @param at      what happens before which tick, and what is to be seen after it
+  /// @param height  [m] of the ball's lowest point over the face, for each tick
+  /// @param at      actions before ticks, and expectations after them
   void run(int ticks, const std::function<double(int)>& height, const std::function<void(int)>& before,
            const std::function<void(int)>& after) {
     RunOptions run = simulated_run();
@@ -104,7 +104,8 @@ class Rig {
   }
 };
 
-/// In the air, down to a depth from tick 300 on in 0.1 s, where it stays; up again from tick `up` on.
+/// Height of a hand that is in the air, goes down to a depth from tick 300 on within 0.1 s, stays there, and goes up
+/// from tick `up` on.
 inline std::function<double(int)> press(double depth, int up = 1 << 30) {
   return [=](int n) {
     if (n >= up) return 3e-3;
@@ -112,4 +113,4 @@ inline std::function<double(int)> press(double depth, int up = 1 << 30) {
   };
 }
 
-}  // namespace hapticut::test::loop_rig
+}  // namespace hapticut::test::scripted_loop
