@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What structs and enumerations say of themselves is complete: a member without a line, and a value without a name, are
-// found here.
+// Descriptions of structs and enumerations are complete: these tests find a member without a line and a value without a
+// name.
 #include "hapticut/core/description.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@
 
 namespace hapticut::description_test {
 
-/// Becomes whatever a member needs.
+/// Converts to the type of any member.
 struct Anything {
   template <class T>
   operator T() const;  // NOLINT(google-explicit-constructor): that is what it is for
@@ -43,7 +43,7 @@ constexpr bool takes(std::index_sequence<kIndices...>) {
   return requires { S{((void)kIndices, Anything{})...}; };
 }
 
-/// The number of members of a plain struct: the most that its braces take.
+/// The number of members of a plain struct: the largest number of initialisers in braces.
 template <class S, std::size_t kCount = 40>
 constexpr std::size_t members_of() {
   if constexpr (kCount == 0 || takes<S>(std::make_index_sequence<kCount>()))
@@ -64,7 +64,7 @@ struct DescribedStruct : testing::Test {};
 template <class... Structs, class... Commands>
 auto together(testing::Types<Structs...>, std::tuple<Commands...>) -> testing::Types<Structs..., Commands...>;
 
-/// Those that have a list of fields.
+/// The structs that have a list of fields.
 template <class... Commands>
 auto described(std::variant<Commands...>) -> decltype(std::tuple_cat(
     std::declval<std::conditional_t<Described<Commands>, std::tuple<Commands>, std::tuple<>>>()...));
@@ -117,7 +117,7 @@ TEST(EnergyLedger, CountsEachTermOnceInItsRole) {
 
 // --- which values an enumeration has --------------------------------------------------------------------------------
 
-/// How the compiler calls a value: by its name where it has one.
+/// The compiler's text for a value: its name, if it has one.
 template <auto kValue>
 std::string name_by_compiler() {
   const std::string all = __PRETTY_FUNCTION__;
@@ -147,7 +147,7 @@ TYPED_TEST_SUITE(NamedEnumeration, Enumerations);
 TYPED_TEST(NamedEnumeration, NamesEachOfItsValuesAsCppDoes) {
   constexpr bool kBits = std::is_same_v<TypeParam, StepStatus> || std::is_same_v<TypeParam, OutputChange>;
   std::set<std::string> expected = values_of<TypeParam, kBits>(std::make_index_sequence < kBits ? 32 : 64 > ());
-  expected.erase("count");  // how many there are
+  expected.erase("count");  // the number of values
   std::set<std::string> found;
   for (const auto& one : names_of(Of<TypeParam>{})) {
     found.insert(one.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sentence of an error can be shown anywhere: on a terminal, in a page, as a string of Python.
+// The sentence of an error is safe to show on a terminal, in a page, or as a Python string.
 #include "hapticut/core/errors.hpp"
 
 #include <gtest/gtest.h>

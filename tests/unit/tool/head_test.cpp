@@ -39,8 +39,8 @@ TEST_P(Heads, BoxVolumeReachAndRadiusAreExact) {
   EXPECT_DOUBLE_EQ(e.head.max_radius(), e.max.x());
 }
 
-// The volume is the share of random points of the box that have a spring; 4e5 points know it to 0.1 %, four standard
-// deviations are 0.4 %. Where they are, the box is touched to 2 %.
+// The volume is the fraction of random points of the box that have a spring. 4e5 points give it to 0.1 %; four standard
+// deviations are 0.4 %. The points with a spring reach the sides of the box to within 2 %.
 TEST_P(Heads, SpringsFillTheVolumeAndTouchTheBox) {
   const Expected& e = GetParam();
   test::RandomPoses random(3);

@@ -30,7 +30,7 @@ TriangleMesh moved(TriangleMesh mesh, const Pose& X) {
   return mesh;
 }
 
-/// Every triangle with vertices of its own, as in an STL file, rounded to single precision.
+/// A mesh in which every triangle has separate vertices, as in an STL file, rounded to single precision.
 TriangleMesh soup(const TriangleMesh& mesh) {
   TriangleMesh out;
   for (const auto& triangle : mesh.triangles) {
@@ -102,7 +102,7 @@ double difference_of_forces(const ToolHead& a, const ToolHead& b, double tip_of_
 TEST_P(Recognized, FeelsTheForcesOfItsProfileWithinOnePercent) {
   const TriangleMesh mesh = mesh_of_revolution(GetParam().profile, 96);
   const RecognizedProfile found = profile_from_mesh(mesh);
-  // The mesh does not know which edges cut; a flat end on the shank's side is taken to be smooth.
+  // The mesh does not tell which edges cut; a flat end on the shank's side counts as smooth.
   Profile original = GetParam().profile;
   const ProfileEdge& last = found.profile.edges.back();
   for (ProfileEdge& e : original.edges) e.kind = EdgeKind::cutting;
@@ -181,11 +181,10 @@ TEST(RecognizedProfile, RefusesADirectionOrToleranceOutOfRange) {
   EXPECT_THROW((void)mesh_of_revolution(test::ball_profile(1 * mm), 2), Error);
 }
 
-// --- a bur that somebody else made -----------------------------------------------------------------------------------
+// --- a bur from another program -- -----------------------------------------------------------------------------------
 
 #ifdef HAPTICUT_HAS_IO
-/// The rings of the bur as a profile, taken from its vertices and nothing else: they are monotone in z, but for the
-/// disk at the top.
+/// The rings of the bur as a profile, from its vertices alone. They are monotone in z, except for the disk at the top.
 Profile rings_of(const TriangleMesh& mesh, const Vec3& center) {
   std::vector<Eigen::Vector2d> rings;
   for (const Vec3& v : mesh.vertices) {

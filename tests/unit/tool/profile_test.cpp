@@ -157,7 +157,7 @@ TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
 INSTANTIATE_TEST_SUITE_P(Profiles, AnyProfile, testing::ValuesIn(test::all_profiles()),
                          [](const auto& p) { return p.param.name; });
 
-/// Points along a meridian, by its definition and nothing else: edges are straight, or arcs of a radius to the left.
+/// Points along a meridian, directly from its definition: edges are straight, or arcs of a radius to the left.
 std::vector<Eigen::Vector2d> points_of(const Profile& profile, double spacing) {
   std::vector<Eigen::Vector2d> points;
   Eigen::Vector2d from(0, profile.tip);
@@ -211,7 +211,7 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
   const Profile& profile = GetParam().profile;
   const ToolHead head = ProfileHead(profile, 0.002);
   const double spacing = 0.002 * mm;
-  // The points of each edge are those of a profile that has it alone.
+  // The points of each edge come from a profile that contains only this edge.
   std::vector<Eigen::Vector2d> cutting, smooth;
   for (std::size_t i = 0; i < profile.edges.size(); ++i) {
     const Profile begun = {profile.tip, {profile.edges.begin(), profile.edges.begin() + int(i) + 1}};
@@ -232,7 +232,7 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
     const double expected = std::min(distance(cutting, rho, z), kSmoothScale * distance(smooth, rho, z));
     ++inside;
     on_smooth += s.on_smooth();
-    // The line of a straight cutting edge goes on, and is a little nearer than its end.
+    // The line of a straight cutting edge is extended, and is slightly nearer than its end.
     const double nearer = GetParam().name == "SafeTip" ? 0.1 * mm : 0;
     ASSERT_LT(s.depth, expected + kSmoothScale * spacing + 0.003 * mm) << rho << " " << z;
     ASSERT_GT(s.depth, expected - nearer - kSmoothScale * spacing - 0.003 * mm) << rho << " " << z;
@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, SmoothProfile, testing::ValuesIn(test::profil
                          [](const auto& p) { return p.param.name; });
 
 TEST(ProfileHead, ASmoothPointCutsTheSideOffExactly) {
-  // Its slope passes through points that the table is made from.
+  // The slope passes through sample points of the table.
   const ProfileHead head({0, {{1 * mm, 0.6 * mm, 0, kSmooth}, {1 * mm, 5 * mm}, {0, 5 * mm, 0, kSmooth}}});
   EXPECT_NE(head.table().everywhere, 0U);
   for_points(head, 20000, [&](double rho, double z) {
@@ -298,7 +298,7 @@ TEST(ProfileHead, TheRuleForEverywhereIsRightEverywhere) {
       if (!(rho < table.radius && z > table.bottom && z < table.top)) return;
       if (std::abs(springs.margin(rho, z)) < kRounding * mm) return;
       const MeridianSpring<double> got = springs.decide(table.everywhere, rho, z), want = head.exact_spring(rho, z);
-      // The table has a circle in the place of a corner.
+      // The table represents a corner by a circle.
       ASSERT_NEAR(std::max(0.0, got.depth), std::max(0.0, want.depth), 2e-7 * head.reach()) << rho << " " << z;
     });
   }
@@ -320,7 +320,7 @@ TEST(ProfileHead, WhichHeadsNeedNoTable) {
   expect_rule(CellRule::first, two_arcs_of_a_ball);
   expect_rule(CellRule::nearer, test::flat_profile(1 * mm, 2 * mm));
   expect_rule(CellRule::sides, pear_head(1.4 * mm, 2.6 * mm, 0.8 * mm).profile());
-  // Chamfered at the rim, by less than the samples of a cell see.
+  // Chamfered at the rim, by less than the samples of a cell resolve.
   EXPECT_EQ(rule_of({0, {{0.992 * mm, 0}, {1 * mm, 0.008 * mm}, {1 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}}), 0U);
 }
 
