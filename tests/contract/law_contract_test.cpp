@@ -102,8 +102,8 @@ ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_siz
     const bool empty = i % 5 == 0;
     block.depth[n] = empty ? 0.0F : float(random.between(0, 0.3) * mm);
     block.fill[n] = empty ? 0.0F : float(random.between(0.01, 1));
-    block.largest[n] = float(normal.cwiseAbs().maxCoeff());
-    const VoxelSection<float> section(block.largest[n]);
+    block.max_component[n] = float(normal.cwiseAbs().maxCoeff());
+    const VoxelSection<float> section(block.max_component[n]);
     const float above_middle = section.height_of(block.fill[n]) - section.span() / 2;
     block.top[n] = empty ? 0.0F : block.depth[n] + voxel_size * above_middle;
     block.force_x[n] = block.force_y[n] = block.force_z[n] = block.fill_after[n] = 99;  // must be overwritten

@@ -152,7 +152,7 @@ class ForceLaw {
 
   /// Whether `evaluate` takes blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
   /// of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of makes them w), and
-  /// `largest` for VoxelSection, which integrates over the part.
+  /// `max_component` for VoxelSection, which integrates over the part.
   /// Where it does not, SimulationConfig::quadrature must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 

@@ -81,7 +81,7 @@ TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
     }
 }
 
-/// [m^3/s] that a ball takes, plunged deeper than its radius under a load (C38).
+/// [m^3/s] Volume rate of a ball that is plunged deeper than its radius under a load (C38).
 double rate_of(CutterKind kind, const Material& m, double load, double radius = 1 * units::mm) {
   constexpr double kSpin = 8000;  // [rad/s]
   closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, kSpin, 0};
@@ -117,12 +117,12 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
   using enum CutterKind;
   struct Pair {
     CutterKind blades, grains;
-    double largest;  // [m] radius
+    double max_radius;  // [m]
   };
   for (const Pair& pair :
        {Pair{mastoid_cutting_bur, mastoid_diamond_bur, 3.5 * units::mm},
         Pair{carbide_bur, fine_diamond, 1.2 * units::mm}, Pair{carbide_bur, coarse_diamond, 1.2 * units::mm}})
-    for (const double radius : {0.5 * units::mm, pair.largest})
+    for (const double radius : {0.5 * units::mm, pair.max_radius})
       for (const char* bone : {"cortical_bone", "trabecular_bone"})
         for (const double load : {1.5, 3.0, 10.0})
           EXPECT_GT(rate_of(pair.blades, find_preset(bone, pair.blades), load, radius),
@@ -145,7 +145,7 @@ TEST(MaterialPresets, RefuseAnUnknownNameAndListTheKnownOnes) {
   EXPECT_THROW((void)preset_color("granite"), Error);
 }
 
-// What people take from a page whose units are J/mm^3, mm and MPa.
+// Values copied from a page in J/mm^3, mm and MPa.
 TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   const auto expect = [](double Material::*member, double value, const char* words) {
     Material bone = presets::cortical_bone();

@@ -32,7 +32,7 @@ FloatGrid::Ptr ball_of_level_set() {
   return openvdb::tools::createLevelSetSphere<FloatGrid>(float(kBallRadius_mm), openvdb::Vec3f(0.013F, 0, 0), 0.05F);
 }
 
-/// Ids of a slab below and one above the plane k = 0, everywhere around the ball; the upper one is a tile.
+/// Ids of two slabs, below and above the plane k = 0, around the whole ball; the upper slab is a tile.
 Int32Grid::Ptr two_layers(const FloatGrid& ball) {
   auto ids = Int32Grid::create(0);
   ids->setTransform(ball.transform().copy());
@@ -142,7 +142,7 @@ TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
 
   FloatGrid other_unit(*ball);
   other_unit.setTransform(openvdb::math::Transform::createLinearTransform(1.0));
-  refused(other_unit, "knows distances up to 0.15, but its voxels are 1 wide. Save it with distances in the unit");
+  refused(other_unit, "stores distances up to 0.15, but its voxels are 1 wide. Save it with distances in the unit");
 
   FloatGrid smoke(0.0F);
   smoke.setGridClass(openvdb::GRID_FOG_VOLUME);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks and the way back to them, without an allocation, while a simulation goes on.
+// Marks, undo and redo, without an allocation, while a simulation runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ Simulation slab(std::size_t undo_blocks) {
   return simulation;
 }
 
-/// Steps of a ball that wanders about in the slab, from a place of its own.
+/// Steps of a ball on a random path in the slab, from its own start.
 class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
   void cut(Simulation& simulation, int steps) {
-    if (simulation.starts_afresh()) begin_anew();  // or it would wait where it is
+    if (simulation.starts_afresh()) begin_anew();  // or the tool would wait where it is
     for (int n = 0; n < steps; ++n) {
       position_ += 2e-5 * direction_;
       if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
@@ -188,7 +188,7 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   undo_by(simulation, 10);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 
-  // A workpiece that brings its own memory keeps it where the simulation had none.
+  // A workpiece with reserved memory keeps it if the simulation had none.
   Simulation without = slab(0);
   Workpiece own = fresh.clone();
   own.reserve_undo(7);
@@ -207,9 +207,9 @@ TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
-// The states between marks, in a row; cuts, marks, steps back and forth at random. What is reached is bit by bit what
-// it was, and what the pool had then it has again.
-TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
+// Cuts, marks, undo and redo at random. Each state that is reached equals the saved state bit by bit, and the pool has
+// as many blocks as then.
+TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
   struct State {
     std::uint64_t hash;
     std::size_t free_blocks;
@@ -222,7 +222,7 @@ TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
     const auto state = [&] { return State{workpiece.hash(), workpiece.reserved_blocks(), workpiece.solid_voxels()}; };
     Wandering tool(seed);
     std::mt19937 random(100 + seed);
-    std::vector<State> states;  // at each mark, and where we are, and undone ones after it
+    std::vector<State> states;  // at each mark, at present, and after each undone mark
     std::size_t here = 0;
     int back = 0, forth = 0;
     states.push_back(state());
@@ -271,7 +271,7 @@ TEST(Redo, IsGoneAfterACutAndOnlyThen) {
   EXPECT_TRUE(simulation.redo(16));
 }
 
-TEST(Redo, TurnsAroundHalfWay) {
+TEST(Redo, ReversesHalfWay) {
   Simulation simulation = slab(4000);
   const std::uint64_t whole = simulation.workpiece().hash();
   simulation.set_undo_mark();
