@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grey values at the border of a body, where a scanner has mixed what is on both sides.
+// Grey values at the border of a body, where a scanner has mixed both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ double blurred_ball(double r, double radius, double sigma) {
          sigma / (r * std::sqrt(2 * kPi)) * (std::exp(-near * near) - std::exp(-far * far));
 }
 
-/// A ball of layers from the outside inwards, as a scanner sees it.
+/// A ball of layers, from the outside to the inside, as scanned.
 struct Ball {
   struct Layer {
     double radius, grey;
@@ -64,7 +64,7 @@ constexpr MaterialId kTrabecularId = 1, kCorticalId = 2;
 
 double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
 
-/// How many voxels with a centre between two distances from the middle are of a material.
+/// Number of voxels of a material with a centre between two distances from the middle.
 int voxels_between(const Workpiece& workpiece, double from, double to, MaterialId material) {
   int count = 0;
   for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
@@ -84,7 +84,7 @@ TEST_P(PartialVolumeOfAShell, IsThatOfTheShell) {
   const auto amounts = build_from_grey(volume, kRanges).amounts();
   const auto by_threshold = build_from_grey(volume, kRanges, {.partial_volume = false}).amounts();
   const double core = ball_volume(inner), shell = ball_volume(outer) - core;
-  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel names one material of a blurred edge
+  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel has one material of a blurred edge
   EXPECT_NEAR(amounts[0].volume / core, 1, kCore);
   EXPECT_NEAR(amounts[1].volume / shell, 1, kShell);
   EXPECT_LT(by_threshold[1].volume / shell, 0.9);

@@ -156,7 +156,7 @@ TEST(KeepLargestComponent, OfGreyValuesLeavesWhatIsBelowTheThreshold) {
   EXPECT_THROW((void)keep_largest_component(volume, 301), Error);
 }
 
-/// The samples from which a path over faces and samples of 0 leads to sample `from`, by walking it.
+/// The samples from which a path over faces and samples of 0 leads to sample `from`, found step by step.
 std::vector<bool> reached(const LabelVolume& volume, const std::vector<VoxelIndex>& from, bool empty) {
   std::vector<bool> seen(volume.size(), false);
   std::vector<VoxelIndex> stack = from;
@@ -181,8 +181,8 @@ TEST(Components, AreThoseThatAWalkFromSampleToSampleFinds) {
   for (int round = 0; round < 60; ++round) {
     auto volume = volume_of<std::uint16_t>({1 + int(random() % 12), 1 + int(random() % 12), 1 + int(random() % 12)},
                                            Vec3::Constant(0.1 * mm));
-    const unsigned share = 2 + unsigned(random() % 9);  // of samples that are empty, in tenths or so
-    for (std::uint16_t& value : volume.values) value = random() % 11 < share ? 0 : 1;
+    const unsigned tenths = 2 + unsigned(random() % 9);  // approximate fraction of empty samples
+    for (std::uint16_t& value : volume.values) value = random() % 11 < tenths ? 0 : 1;
     if (count(volume, 1) == 0) continue;
     std::vector<VoxelIndex> border;
     std::vector<bool> largest;

@@ -230,7 +230,7 @@ TEST(Vdb, ALevelSetOfAnotherProgramGivesItsBall) {
   VdbImport import{named("clay"), "", 1, VdbImport::Kind::from_class};
   const Workpiece ball = load_vdb(test::data_path("vdb/sphere.vdb"), import);
   EXPECT_NEAR(ball.voxel_size(), 0.05 * mm, 1e-12);
-  // The grid is a ball of radius 3 mm; its half-float distances are good to 1e-3 of the volume.
+  // The grid is a ball of radius 3 mm; its half-float distances give the volume to 1e-3.
   EXPECT_NEAR(ball.amounts()[0].volume / mm3, 4.0 / 3 * units::kPi * 27, 1e-3 * 113.1);
   EXPECT_EQ(ball.fill_at({0, 0, 0}), 1.0);
   EXPECT_EQ(ball.fill_at({61, 0, 0}), 0.0);
@@ -254,7 +254,7 @@ TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
       "but values of a fog volume are filled fractions, 0 to 1. Scale them");
 }
 
-TEST(Vdb, GridsThatCannotBeTakenAreRefusedWithWhatHelps) {
+TEST(Vdb, UnsuitableGridsAreRefusedWithTheCure) {
   openvdb::initialize();
   const TemporaryFolder folder;
   const auto refused = [&](const openvdb::GridPtrVec& grids, const std::string& grid, const std::string& part) {
