@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every force law must keep, whatever its formula: the step relies on it.
+// Contract of every force law, on which the step relies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ struct Outcome {
   std::vector<Wrench> wrenches;  // about To
   double removed = 0;
   EnergyLedger energy;
-  double turnover = 0;  // [J] of both works, to and fro
-  double min_loss = 0;  // [J] the most negative change of a dissipation in a step
+  double turnover = 0;  // [J] sum of the absolute changes of both works
+  double min_loss = 0;  // [J] the smallest change of a dissipation in a step; negative if a dissipation decreased
 };
 
 Vec3 head_at(const Cut& cut, int tick) {
@@ -87,7 +87,7 @@ class LawContract : public testing::TestWithParam<NamedLaw> {
 };
 
 /// One block full of random samples.
-/// @param parts  of voxels, along the axes of the grid; otherwise points
+/// @param parts  whether the samples are parts of voxels, along the axes of the grid; otherwise they are points
 ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_size) {
   ContactBlock block;
   block.sub_voxel = parts;
@@ -185,7 +185,7 @@ TEST_P(LawContract, CutsWhileItSpinsAndOnlyThen) {
   EXPECT_EQ(run(named(), cut).removed, 0);
 }
 
-// 0.5 %: what the issue of the whole model asks of every combination.
+// The limit for every combination of the model is 0.5 %.
 // Proves: contract of every law.
 TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::none})

@@ -13,33 +13,34 @@
 #include "support/refusal.hpp"
 
 /// @file
-/// A device as the contract suite sees it: opened, moved by a hand, run, and watched at its motors.
+/// Interface of a device under the contract suite: it is opened, moved by a hand, run, and watched at its motors.
 namespace hapticut::test {
 
-/// What a hand does with a device, and what befalls it, in one tick.
-struct Happening {
+/// Motion of the hand and failures of the device in one tick.
+struct ScriptedReading {
   Pose X_BS = {};
   Twist velocity = {};
   std::uint32_t buttons = 0;
-  bool not_a_number = false;  ///< its sensors give a position that is no number
+  bool not_a_number = false;  ///< the sensors give a position that is not a number
   bool unplugged = false;
 };
 
-using Story = std::function<Happening(long tick)>;
+using DeviceScript = std::function<ScriptedReading(long tick)>;
 
-/// What a kind of device has. The contract asks nothing else of it.
+/// Properties of a kind of device, as far as the contract needs them.
 struct DeviceTraits {
-  bool follows = true;      ///< it reads the poses and velocities of the story
-  bool is_live = true;      ///< ... as they are told, so that they may depend on its force
-  bool has_buttons = true;  ///< those of the story
+  bool follows = true;      ///< its readings have the poses and velocities of the script
+  bool is_live = true;      ///< the script may depend on the force of the device
+  bool has_buttons = true;  ///< its readings have the buttons of the script
   bool has_cable = true;    ///< it can be unplugged
   bool has_motors = true;   ///< it renders forces
-  bool is_makers = false;   ///< it stands behind its maker's library: opened only once, in real time only
+  bool is_makers = false;   ///< it uses its maker's library: opened only once, in real time only
   bool own_thread = false;  ///< its driver's thread runs the loop
-  const char* name = "";    ///< by which `open_device` finds it; empty: not by name
+  const char* name = "";    ///< name for `open_device`; empty: not found by name
 };
 
-/// One device, and how a test gets at both of its sides. One at a time: makers' stand-ins are one for the process.
+/// One device with access to its readings and motors. Use one at a time: the replacement of a maker's library exists
+/// once per process.
 class DeviceUnderTest {
  public:
   DeviceUnderTest() { commanded.reserve(kLongest); }
@@ -47,13 +48,13 @@ class DeviceUnderTest {
   DeviceUnderTest(const DeviceUnderTest&) = delete;
   DeviceUnderTest& operator=(const DeviceUnderTest&) = delete;
 
-  /// Opens the device, in a clock that the test drives. `story` must be there.
+  /// Opens the device, with a clock that the test drives. `script` must be set.
   virtual std::unique_ptr<Device> open() = 0;
 
-  /// Opens it as an application does, for a run by the wall clock in which nothing happens to it.
+  /// Opens the device like an application, for a run by the wall clock without script.
   virtual std::unique_ptr<Device> open_for_wall_clock() { return open(); }
 
-  /// Runs it as fast as the callback allows, while the story happens to it.  @throws what `Device::run` throws
+  /// Runs the device as fast as the callback allows, with the script.  @throws as `Device::run`
   virtual RunReport run(Device& device, const DeviceCallback& callback, RunOptions options = quick()) {
     options.simulated_time = true;
     return device.run(callback, options);
@@ -66,17 +67,17 @@ class DeviceUnderTest {
   /// What the motors hold now.
   [[nodiscard]] virtual Wrench held() const { return commands() > 0 ? command(commands() - 1) : Wrench{}; }
 
-  /// Expects of the maker's library that a run has left it in order.
+  /// Expects that a run has left the maker's library in order.
   virtual void expect_left_in_order() const {}
 
-  Story story = [](long) { return Happening{}; };
+  DeviceScript script = [](long) { return ScriptedReading{}; };
 
  protected:
-  static constexpr std::size_t kLongest = 100000;  // ticks before watching would allocate
+  static constexpr std::size_t kLongest = 100000;  // ticks that can be watched without allocation
   std::vector<Wrench> commanded;                   // of devices whose motors are watched from here
 };
 
-/// A simulated device that tells what its motors got.
+/// A simulated device that records the wrenches of its motors.
 template <class Simulated>
 class Watched : public Simulated {
  public:

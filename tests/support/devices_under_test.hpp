@@ -13,12 +13,12 @@
 #include "support/written_device.hpp"
 
 /// @file
-/// The devices that the contract suite runs over, one factory each, and their list at the end. A device of your own is
-/// put into the contract by a factory like these and one line of the list.
+/// The devices of the contract suite, one factory each, and their list at the end. To put a custom device into the
+/// contract, add such a factory and one line to the list.
 namespace hapticut::test {
 
-/// A happening as a reading that says it all.
-inline void read_happening(const Happening& now, DeviceState& state) {
+/// Writes a scripted reading into a device state.
+inline void read_scripted(const ScriptedReading& now, DeviceState& state) {
   state.X_BS = now.X_BS;
   state.velocity = now.velocity;
   state.buttons = now.buttons;
@@ -27,7 +27,7 @@ inline void read_happening(const Happening& now, DeviceState& state) {
   state.fault = now.unplugged ? DeviceFault::disconnected : DeviceFault::none;
 }
 
-/// A mock that is where its script says, whatever the force.
+/// A mock device that follows its script, independent of the force.
 struct RigidMock : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.has_buttons = false, .has_cable = false};
   explicit RigidMock(const char* model = "touch") { options.device = device_model(model); }
@@ -35,7 +35,7 @@ struct RigidMock : DeviceUnderTest {
   std::unique_ptr<Device> open() override {
     options.path = [this](double time) {
       DeviceState state;
-      read_happening(story(std::lround(time / GuardOptions{}.period)), state);
+      read_scripted(script(std::lround(time / GuardOptions{}.period)), state);
       return state.X_BS;
     };
     return std::make_unique<Watched<MockDevice>>(commanded, options);
@@ -44,7 +44,7 @@ struct RigidMock : DeviceUnderTest {
   MockOptions options;
 };
 
-/// A mock that is opened by its name, and moved by hand and force.
+/// A mock device that is opened by name, and moved by hand and force.
 struct HeldMock : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.follows = false,
                                         .has_buttons = false,
@@ -61,7 +61,7 @@ struct HeldMock : DeviceUnderTest {
   }
 };
 
-/// A mouse whose pointer is moved a little in every tick.
+/// A mouse whose pointer moves slightly in every tick.
 struct Mouse : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.follows = false, .has_cable = false, .name = "mouse"};
   struct Moved : Watched<MouseDevice> {
@@ -72,7 +72,7 @@ struct Mouse : DeviceUnderTest {
     }
     bool read(DeviceState& state) noexcept override {
       pointer_moved(tick_ % 1000 < 500 ? 1 : -1, 0.5);
-      const std::uint32_t buttons = hand_.story(tick_++).buttons;
+      const std::uint32_t buttons = hand_.script(tick_++).buttons;
       for (int n = 0; n < 32; ++n) button(n, ((buttons >> unsigned(n)) & 1U) != 0);
       return Watched::read(state);
     }
@@ -83,7 +83,7 @@ struct Mouse : DeviceUnderTest {
   std::unique_ptr<Device> open() override { return std::make_unique<Moved>(commanded, *this); }
 };
 
-/// A playback of the story, told in advance.
+/// A playback of the script, recorded in advance.
 struct Playback : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.is_live = false};
   static constexpr long kReadings = 10000;
@@ -92,7 +92,7 @@ struct Playback : DeviceUnderTest {
     std::vector<DeviceState> readings(kReadings);
     for (long n = 0; n < kReadings; ++n) {
       DeviceState& state = readings[std::size_t(n)];
-      read_happening(story(n), state);
+      read_scripted(script(n), state);
       state.time = 1e-3 * double(n);
       state.sequence = std::uint64_t(n) + 1;
     }
@@ -101,7 +101,7 @@ struct Playback : DeviceUnderTest {
   [[nodiscard]] virtual DeviceCapabilities capabilities_of_it() const { return capabilities(device_model("touch")); }
 };
 
-/// A playback of what had no motors: the poses of a tool.
+/// A playback of a recording without motors: the poses of a tool.
 struct PlaybackOfPoses : Playback {
   static constexpr DeviceTraits kTraits{.is_live = false, .has_motors = false};
   [[nodiscard]] DeviceCapabilities capabilities_of_it() const override {
@@ -111,7 +111,7 @@ struct PlaybackOfPoses : Playback {
   }
 };
 
-/// A device of a user's own, in three functions.
+/// A custom device, made of three functions.
 struct OwnDevice : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.name = "written"};
   OwnDevice() {
@@ -124,7 +124,7 @@ struct OwnDevice : DeviceUnderTest {
     device->forces.reserve(kLongest);
     device->next = [this](DeviceState& state) {
       state.time -= 1e-3;  // from zero
-      read_happening(story(long(state.sequence) - 1), state);
+      read_scripted(script(long(state.sequence) - 1), state);
       return true;
     };
     device->on_write = [this](const Vec3& force) { commanded.push_back({force, Vec3::Zero()}); };
@@ -132,7 +132,7 @@ struct OwnDevice : DeviceUnderTest {
   }
 };
 
-/// A device of 3D Systems before the stand-in of OpenHaptics.
+/// A device of 3D Systems with a replacement of OpenHaptics.
 struct OpenHapticsStandIn : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.is_makers = true, .own_thread = true, .name = "openhaptics"};
   explicit OpenHapticsStandIn(hdsim_device (*kind)(const char*)) {
@@ -152,7 +152,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   }
   RunReport run(Device& device, const DeviceCallback& callback, RunOptions options) override {
     const OpenHapticsOutcome outcome = run_in_ticks(device, callback, options, [this](long tick) {
-      const Happening now = story(tick);
+      const ScriptedReading now = script(tick);
       place(0, now.X_BS, now.velocity.linear);
       hdsim_set_buttons(0, int(now.buttons));
       hdsim_set_nan(0, now.not_a_number ? 1 : 0);
@@ -180,7 +180,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   }
 };
 
-/// A device of Force Dimension before the stand-in of its library.
+/// A device of Force Dimension with a replacement of its library.
 struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   static constexpr DeviceTraits kTraits{.is_makers = true, .name = "forcedimension"};
   explicit ForceDimensionStandIn(int type) {
@@ -199,7 +199,7 @@ struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   }
   RunReport run(Device& device, const DeviceCallback& callback, RunOptions options) override {
     return ForceDimensionRuns::run(device, callback, options, [this](long tick) {
-      const Happening now = story(tick);
+      const ScriptedReading now = script(tick);
       place_omega(0, now.X_BS, now.velocity);
       dhdsim_set_buttons(0, now.buttons);
       dhdsim_set_nan(0, now.not_a_number ? 1 : 0);
@@ -223,7 +223,7 @@ struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   bool has_brakes_ = true, unplugged_ = false;
 };
 
-/// Every device there is.
+/// All devices of the contract.
 inline std::vector<NamedDevice> devices_under_test() {
   return {named_device<RigidMock>("Mock"),
           named_device<RigidMock>("MockOfSixDegrees", "premium6dof"),
@@ -239,7 +239,7 @@ inline std::vector<NamedDevice> devices_under_test() {
           named_device<ForceDimensionStandIn>("Falcon", kFalcon)};
 }
 
-/// Those of them that have all of this, or that have not.
+/// The devices that have all of these traits, or that do not.
 inline std::vector<NamedDevice> devices_that(const std::vector<bool DeviceTraits::*>& have, bool wanted = true) {
   std::vector<NamedDevice> all = devices_under_test();
   for (const auto has : have) std::erase_if(all, [&](const NamedDevice& named) { return named.traits.*has != wanted; });
