@@ -9,7 +9,7 @@
 namespace hapticut::bench {
 namespace {
 
-/// Indices of the voxels whose centres may lie inside a ball, cut to the block.
+/// Indices of the voxels with centres that may lie inside a ball, limited to the block.
 struct Range {
   int lo[3], hi[3];
 };
@@ -37,7 +37,7 @@ Range reachable(const Workload& w) {
   return all;
 }
 
-/// Common to both OpenVDB contestants: a boolean grid whose leaves exist wherever the ball comes.
+/// Base of both OpenVDB contestants: a boolean grid with leaves along the whole path of the ball.
 class VdbContestant : public Contestant {
  public:
   explicit VdbContestant(const Workload& w)
@@ -119,7 +119,7 @@ class VdbLeaf final : public VdbContestant {
   }
 };
 
-/// Common to both dense contestants: 1.0 where solid, rows along x.
+/// Base of both dense contestants: 1.0 in solid voxels, rows along x.
 class DenseContestant : public Contestant {
  public:
   explicit DenseContestant(const Workload& w) : w_(w), region_(reachable(w)) {
