@@ -206,9 +206,9 @@ class DenseSimd final : public DenseContestant {
         if (touches_inner) {
           for (int i = first; i <= last; ++i) {
             const float x = float(i) * h + x0;
-            const bool gone = x * x + y * y + z * z < inner;
-            removed += gone ? solid[i] : 0.0F;
-            solid[i] = gone ? 0.0F : solid[i];
+            const bool removes = x * x + y * y + z * z < inner;
+            removed += removes ? solid[i] : 0.0F;
+            solid[i] = removes ? 0.0F : solid[i];
           }
         }
         force_x -= double(fx);

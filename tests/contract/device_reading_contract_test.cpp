@@ -69,7 +69,7 @@ TEST_P(FollowingDeviceContract, IsWhereTheHandIs) {
   });
 }
 
-TEST_P(FollowingDeviceContract, KnowsHowFastTheHandGoesAndTurns) {
+TEST_P(FollowingDeviceContract, MeasuresLinearAndAngularVelocity) {
   const Twist velocity{Vec3(0.02, -0.01, 0.03), Vec3(0.5, -1, 2)};
   tested.script = [=](long tick) {
     const double time = 1e-3 * double(tick);

@@ -142,7 +142,7 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     const bool drills = std::dynamic_pointer_cast<const TwistDrillLaw>(scene.law) != nullptr;
     RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill at rest has no force
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
-    RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
+    RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", min loss "
              << outcome.min_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index() << ", removal "
              << int(scene.removal);
     RC_ASSERT(std::abs(outcome.energy.imbalance() + outcome.energy.entered) <=

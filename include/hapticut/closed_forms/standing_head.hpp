@@ -259,7 +259,7 @@ template <class DepthAt>
 /// @return [s]
 [[nodiscard]] inline double growth_time(double difference, double rate) { return difference / rate; }
 
-/// C19: power of a wrench on a body, `F . V + T . Omega`: the same number at every point of the body.
+/// C19: power of a wrench on a body, `F . V + T . Omega`, equal at every point of the body.
 /// @param wrench  about a point
 /// @param twist   of the same point, in the same axes
 /// @return [W]

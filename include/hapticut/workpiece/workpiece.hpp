@@ -57,7 +57,7 @@ class Workpiece {
 
   [[nodiscard]] Workpiece clone() const;  ///< a deep copy with an empty pool
 
-  // --- what it is ---------------------------------------------------------------------------------------------------
+  // --- properties ---------------------------------------------------------------------------------------------------
   [[nodiscard]] const GridFrame& frame() const;
   [[nodiscard]] double voxel_size() const { return frame().voxel_size; }  ///< [m]
   [[nodiscard]] const MaterialTable& materials() const;

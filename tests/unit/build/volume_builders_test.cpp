@@ -220,7 +220,7 @@ TEST(Grade, IsNowhereFurtherFromLinearThanHalfAStep) {
   const GreyVolume volume =
       grey_field({4, 4, 200}, Vec3::Constant(0.1 * mm), [](const Vec3& p) { return 100 * p.z() / mm; });
   const Workpiece workpiece = build_from_grey(volume, grade, {.antialias = false});
-  const double largest = 1.2 / (2 * 50) * (1 + 1e-6);
+  const double max_error = 1.2 / (2 * 50) * (1 + 1e-6);
   int solid = 0;
   for (int k = 0; k < 200; ++k) {
     const MaterialId id = workpiece.material_at({1, 2, k});
@@ -229,7 +229,7 @@ TEST(Grade, IsNowhereFurtherFromLinearThanHalfAStep) {
     if (id == kEmpty) continue;
     ++solid;
     const double exact = 0.1 + 1.2 * std::min((grey - 200) / 1600, 1.0);
-    ASSERT_NEAR(workpiece.materials()[id].relative_stiffness, exact, largest) << grey;
+    ASSERT_NEAR(workpiece.materials()[id].relative_stiffness, exact, max_error) << grey;
   }
   EXPECT_EQ(solid, 180);
   EXPECT_EQ(workpiece.materials().size(), 50);

@@ -78,7 +78,7 @@ TEST(CropToABox, KeepsWhatAWorkpieceInTheBoxNeeds) {
       {"lies outside the volume, which reaches from (2.95, "});
 }
 
-TEST(CropToABox, TurnsTheBoxIntoTheGridOfTheVolume) {
+TEST(CropToABox, RotatesTheBoxIntoTheGridOfTheVolume) {
   auto volume = volume_of<std::uint16_t>({40, 40, 40}, Vec3::Constant(0.1 * mm));
   add_ball(volume, {2, 2, 2}, 0.5, 1);
   const Vec3 center = volume.position(20, 20, 20), half = Vec3::Constant(0.5 * mm);
@@ -89,11 +89,11 @@ TEST(CropToABox, TurnsTheBoxIntoTheGridOfTheVolume) {
 
 TEST(BoxOfVolume, ReachesHalfASpacingBeyondTheSamples) {
   auto volume = volume_of<float>({4, 5, 6}, Vec3(0.1, 0.2, 0.3) * mm);
-  const Box turned = box_of_volume(volume);
+  const Box rotated = box_of_volume(volume);
   for (const int i : {0, 3})
     for (const int k : {0, 5}) {
       const Vec3 p = volume.position(i, 4, k);
-      EXPECT_TRUE((p.array() > turned.min.array()).all() && (p.array() < turned.max.array()).all());
+      EXPECT_TRUE((p.array() > rotated.min.array()).all() && (p.array() < rotated.max.array()).all());
     }
   volume.X_WG = Pose::from_translation(Vec3(1, 2, 3) * mm);
   const Box box = box_of_volume(volume);

@@ -89,7 +89,7 @@ TEST(CuttingForms, C20C22OfAFlatHeadAreTheIntegralOfItsPressure) {
   }
 }
 
-/// [Pa, m] pressure and filled depth at one distance from the axis: a point that goes up through the springs at the
+/// [Pa, m] pressure and filled depth at one distance from the axis: a point that moves up through the springs at the
 /// feed speed is cut by their power, dphi/dw = -kappa k_v w s phi/(price v_f).
 struct Layer {
   double pressure = 0, filled = 0, one_over_e = 0;

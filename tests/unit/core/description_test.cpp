@@ -31,7 +31,7 @@ namespace hapticut::description_test {
 /// Converts to the type of any member.
 struct Anything {
   template <class T>
-  operator T() const;  // NOLINT(google-explicit-constructor): that is what it is for
+  operator T() const;  // NOLINT(google-explicit-constructor): intended
 };
 
 namespace {
@@ -39,14 +39,14 @@ namespace {
 // --- how many members a struct has ----------------------------------------------------------------------------------
 
 template <class S, std::size_t... kIndices>
-constexpr bool takes(std::index_sequence<kIndices...>) {
+constexpr bool accepts(std::index_sequence<kIndices...>) {
   return requires { S{((void)kIndices, Anything{})...}; };
 }
 
 /// The number of members of a plain struct: the largest number of initialisers in braces.
 template <class S, std::size_t kCount = 40>
 constexpr std::size_t members_of() {
-  if constexpr (kCount == 0 || takes<S>(std::make_index_sequence<kCount>()))
+  if constexpr (kCount == 0 || accepts<S>(std::make_index_sequence<kCount>()))
     return kCount;
   else
     return members_of<S, kCount - 1>();
@@ -92,7 +92,7 @@ TYPED_TEST(DescribedStruct, SaysEachThingOnceInTheOrderOfItsMembers) {
   std::set<std::string> names;
   for_each_field<TypeParam>([&](const auto& field) {
     const char* at = reinterpret_cast<const char*>(&(object.*field.member));
-    EXPECT_TRUE(last == nullptr || at > last) << field.name << " is out of order, or stands for another member";
+    EXPECT_TRUE(last == nullptr || at > last) << field.name << " is out of order, or has the wrong member";
     last = at;
     EXPECT_TRUE(names.insert(field.name).second) << field.name;
     EXPECT_GT(std::string(field.text).size(), 1U) << field.name;

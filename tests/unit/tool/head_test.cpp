@@ -59,9 +59,9 @@ TEST_P(Heads, SpringsFillTheVolumeAndTouchTheBox) {
     high = high.cwiseMax(p);
     farthest = std::max(farthest, p.norm());
   }
-  const double share = double(inside) / kPoints;
-  const double deviation = std::sqrt((1 - share) / (share * kPoints));
-  EXPECT_NEAR(share * edges.prod() / e.volume, 1, 4 * deviation);
+  const double fraction = double(inside) / kPoints;
+  const double deviation = std::sqrt((1 - fraction) / (fraction * kPoints));
+  EXPECT_NEAR(fraction * edges.prod() / e.volume, 1, 4 * deviation);
   EXPECT_TRUE((low.array() >= e.min.array()).all() && (high.array() <= e.max.array()).all());
   EXPECT_LT((low - e.min).maxCoeff(), 0.05 * e.reach);
   EXPECT_LT((e.max - high).maxCoeff(), 0.05 * e.reach);

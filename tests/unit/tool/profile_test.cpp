@@ -122,7 +122,7 @@ TEST_P(AnyProfile, TableIsWithinItsBoundAndItsBoundWithinTheTolerance) {
     const ProfileTable& table = head.table();
     ASSERT_LE(table.error, tolerance * std::min(table.radius, table.top - table.bottom));
     const ProfileSprings<double> springs(table);
-    const double rounding = 1e-6 * mm;  // of the circle that stands for a hollow corner
+    const double rounding = 1e-6 * mm;  // of the circle that represents a hollow corner
     double sum = 0;
     constexpr int kPoints = 200000;
     for_points(head, kPoints, [&](double rho, double z) {
@@ -165,14 +165,14 @@ std::vector<Eigen::Vector2d> points_of(const Profile& profile, double spacing) {
     const Eigen::Vector2d to(e.rho, e.z), chord = to - from;
     const int count = 2 + int(2 * chord.norm() / spacing);
     for (int n = 0; n <= count; ++n) {
-      const double share = double(n) / count;
-      Eigen::Vector2d p = from + share * chord;
+      const double part = double(n) / count;
+      Eigen::Vector2d p = from + part * chord;
       if (e.radius != 0) {
         const Eigen::Vector2d left = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
         const double half = chord.norm() / 2, R = std::abs(e.radius);
         const double bend = std::sqrt(std::max(0.0, R * R - half * half));
         const Eigen::Vector2d center = (from + to) / 2 + (e.radius > 0 ? bend : -bend) * left;
-        const double angle = 2 * std::asin(std::min(1.0, half / R)) * share * (e.radius > 0 ? 1 : -1);
+        const double angle = 2 * std::asin(std::min(1.0, half / R)) * part * (e.radius > 0 ? 1 : -1);
         p = center + Eigen::Rotation2Dd(angle) * (from - center);
       }
       points.push_back(p);
@@ -272,15 +272,15 @@ TEST_P(AnyProfile, SlabsHoldTheHeadAndLittleMore) {
   const ProfileTable& t = head.table();
   const ProfileSprings<double> springs(t);
   const double height = (t.top - t.bottom) / ProfileTable::kSlabs;
-  std::array<double, ProfileTable::kSlabs> most = {};
+  std::array<double, ProfileTable::kSlabs> max_rho = {};
   for_points(head, 200000, [&](double rho, double z) {
     if (springs.margin(rho, z) <= 0) return;
     const std::size_t slab = std::min<std::size_t>(std::size_t((z - t.bottom) / height), ProfileTable::kSlabs - 1);
-    most[slab] = std::max(most[slab], rho);
+    max_rho[slab] = std::max(max_rho[slab], rho);
     ASSERT_LT(rho * rho, t.slab_radius_squared[slab]);
   });
   for (std::size_t slab = 0; slab < ProfileTable::kSlabs; ++slab)
-    EXPECT_NEAR(std::sqrt(double(t.slab_radius_squared[slab])), most[slab], t.error + 0.03 * t.radius) << slab;
+    EXPECT_NEAR(std::sqrt(double(t.slab_radius_squared[slab])), max_rho[slab], t.error + 0.03 * t.radius) << slab;
 }
 
 TEST(ProfileHead, TheRuleForEverywhereIsRightEverywhere) {

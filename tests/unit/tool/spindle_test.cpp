@@ -101,7 +101,7 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
       EXPECT_NEAR(motor.stall_torque(), kStall, 1e-15);
       const double rise = 2;  // [s] slow compared to a run-up of 15 ms
       double stalled_at = 0, ran_at = 0, before = motor.speed();
-      int turns = 0;
+      int reversals = 0;
       for (double time = 0; time < 2 * rise; time += dt) {
         const double load = 1.5 * kStall * (time < rise ? time : 2 * rise - time) / rise;
         motor.drive(sign * load, dt);
@@ -109,16 +109,16 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
         if (stalled_at == 0 && motor.stalled()) stalled_at = load;
         if (stalled_at > 0 && ran_at == 0 && !motor.stalled()) ran_at = load;
         const bool falls = sign * (motor.speed() - before) < 0;
-        turns += (falls && time >= rise) || (sign * (motor.speed() - before) > 1e-9 * kFree && time < rise);
+        reversals += (falls && time >= rise) || (sign * (motor.speed() - before) > 1e-9 * kFree && time < rise);
         before = motor.speed();
         const double line = kStall * (1 - sign * motor.speed() / kFree);
         if (inertia == 0 && !motor.stalled()) {
           ASSERT_LE(load, line * (1 + 1e-9));
         }
       }
-      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor goes on a little";
+      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor continues a little";
       EXPECT_NEAR(ran_at / kStall, 1, 2e-3);
-      EXPECT_EQ(turns, 0);
+      EXPECT_EQ(reversals, 0);
     }
 }
 
@@ -151,7 +151,7 @@ TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
     EXPECT_TRUE(motor.loaded());
     EXPECT_EQ(motor.speed(), 0);
     for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
-    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again by itself";
+    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again";
   }
 }
 

@@ -105,9 +105,9 @@ TEST(BuildBody, PutsFacesAlongTheGridWhereTheyAre) {
 }
 
 TEST(BuildBody, KeepsEdgesCornersAndThinSheets) {
-  const Mat3 turned = rotation_from_vector({0.3, 0.5, -0.2});
-  const auto box = [turned](const Vec3& p, const Vec3& half) {
-    const Vec3 q = (turned * p).cwiseAbs() - half;
+  const Mat3 rotation = rotation_from_vector({0.3, 0.5, -0.2});
+  const auto box = [rotation](const Vec3& p, const Vec3& half) {
+    const Vec3 q = (rotation * p).cwiseAbs() - half;
     return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
   };
   const Box around = {Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)};

@@ -62,21 +62,21 @@ TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
 }
 
 TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
-  const auto cutters = documented_under("By cutter"), shares = documented_under("By material");
+  const auto cutters = documented_under("By cutter"), relative_energies = documented_under("By material");
   EXPECT_EQ(cutters.size(), names_of(Of<CutterKind>{}).size());
   for (const auto& kind : names_of(Of<CutterKind>{}))
     for (const std::string_view name : preset_names()) {
       const Material m = find_preset(name, kind.value);
       EXPECT_EQ(m.name, name);
       EXPECT_NO_THROW(validate(m));
-      if (!shares.contains(m.name)) {
-        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": the same for each cutter";
+      if (!relative_energies.contains(m.name)) {
+        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": equal for each cutter";
         continue;
       }
       const std::vector<double>& of = cutters.at(kind.name);
-      const double share = shares.at(m.name).at(0);
+      const double relative_energy = relative_energies.at(m.name).at(0);
       const double found[] = {m.cutting_ratio, m.specific_cutting_energy, m.edge_length, m.size_length};
-      const double expected[] = {of.at(0), of.at(1) * share, of.at(2), of.at(3) / share};
+      const double expected[] = {of.at(0), of.at(1) * relative_energy, of.at(2), of.at(3) / relative_energy};
       for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(found[n], expected[n], 0.006 * found[n]) << name << kind.name;
     }
 }

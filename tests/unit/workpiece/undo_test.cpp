@@ -55,14 +55,14 @@ class Wandering {
   Vec3 position_, direction_;
 };
 
-void undo_by(Simulation& simulation, std::size_t most) {
-  while (!simulation.undo(most)) {
-    EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+void undo_by(Simulation& simulation, std::size_t max_blocks) {
+  while (!simulation.undo(max_blocks)) {
+    EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
     EXPECT_TRUE(simulation.changed_blocks().complete);
   }
 }
-void redo_by(Simulation& simulation, std::size_t most) {
-  while (!simulation.redo(most)) EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+void redo_by(Simulation& simulation, std::size_t max_blocks) {
+  while (!simulation.redo(max_blocks)) EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
 }
 
 TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
@@ -154,7 +154,7 @@ TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
 }
 
 TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
-  for (const std::size_t most : {std::size_t(0), ~std::size_t(0)}) {
+  for (const std::size_t max_blocks : {std::size_t(0), ~std::size_t(0)}) {
     Simulation simulation = slab(4000);
     const std::uint64_t hash = simulation.workpiece().hash();
     simulation.set_undo_mark();
@@ -162,9 +162,9 @@ TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
     tool.cut(simulation, 2000);
     EXPECT_NE(simulation.workpiece().hash(), hash);
     int calls = 1;
-    while (!simulation.undo(most) && calls < 10000) ++calls;
-    EXPECT_EQ(simulation.workpiece().hash(), hash) << most;
-    if (most == 0) {
+    while (!simulation.undo(max_blocks) && calls < 10000) ++calls;
+    EXPECT_EQ(simulation.workpiece().hash(), hash) << max_blocks;
+    if (max_blocks == 0) {
       EXPECT_GT(calls, 100) << "one block a call";
     } else {
       EXPECT_EQ(calls, 1);
@@ -252,7 +252,7 @@ TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
   }
 }
 
-TEST(Redo, IsGoneAfterACutAndOnlyThen) {
+TEST(Redo, EndsWithACutAndOnlyThen) {
   Simulation simulation = slab(4000);
   simulation.set_undo_mark();
   Wandering(11).cut(simulation, 300);
@@ -278,7 +278,7 @@ TEST(Redo, ReversesHalfWay) {
   Wandering(13).cut(simulation, 600);
   const std::uint64_t cut = simulation.workpiece().hash();
   EXPECT_FALSE(simulation.undo(5));
-  EXPECT_EQ(simulation.redo_marks(), 1U) << "what is half undone can be redone";
+  EXPECT_EQ(simulation.redo_marks(), 1U) << "a mark that is half undone can be redone";
   redo_by(simulation, 3);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
   undo_by(simulation, 100);
