@@ -29,7 +29,7 @@ static_assert(!std::is_move_constructible_v<MockDevice> && !std::is_move_constru
 static_assert(std::has_virtual_destructor_v<Device>);
 
 // --- its properties --------------------------------------------------------------------------------------------------
-TEST_P(DeviceContract, SaysWhatItIsAndWhatItCanInSiUnits) {
+TEST_P(DeviceContract, DescribesItselfAndItsCapabilitiesInSiUnits) {
   const auto device = tested.open();
   const DeviceCapabilities& c = device->capabilities();
   EXPECT_FALSE(device->name().empty());
@@ -139,7 +139,7 @@ TEST_P(DeviceContract, CallsTheFunctionOnceATickInOneThreadAndNeverTwiceAtOnce) 
   EXPECT_EQ(report.end, "the callback ended it");
 }
 
-TEST_P(DeviceContract, RunsForTheSecondsOfItsOwnTimeThatItIsGiven) {
+TEST_P(DeviceContract, RunsForTheGivenSecondsOfItsOwnTime) {
   const auto device = tested.open();
   RunOptions options = quick();
   options.seconds = 0.2495;
@@ -192,7 +192,7 @@ TEST_P(DeviceContract, IsSeenAndStoppedFromOtherThreads) {
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::engaged)], 1U);
 }
 
-TEST_P(DeviceContract, ObeysAStopThatComesAsSoonAsItRunsAndForgetsOneFromBefore) {
+TEST_P(DeviceContract, ObeysAStopAtTheStartOfARunAndIgnoresAnEarlierOne) {
   const auto device = tested.open();
   device->stop();
   (void)rest(*device);
@@ -234,7 +234,7 @@ TEST_P(DeviceContract, IsRunInAnyThreadAndAgain) {
   }
 }
 
-TEST_P(DeviceContract, RunsByTheWallClockInTheThreadThatIsPromised) {
+TEST_P(DeviceContract, RunsByTheWallClockInTheDocumentedThread) {
   const auto device = tested.open_for_wall_clock();
   RunOptions options = quick();
   options.realtime = {0, false, true, -1, 0};
@@ -255,7 +255,7 @@ TEST_P(DeviceContract, RunsByTheWallClockInTheThreadThatIsPromised) {
 }
 
 // --- invalid use -----------------------------------------------------------------------------------------------------
-TEST_P(DeviceContract, RefusesWhatCannotBeRunInWordsAndRunsAfterwards) {
+TEST_P(DeviceContract, RefusesInvalidRunsWithAMessageAndRunsAfterwards) {
   const auto device = tested.open();
   const DeviceCallback rests = [](const DeviceState&) { return DeviceCommand{{}, true}; };
   EXPECT_TRUE(contains(refusal([&] { device->run(nullptr); }), "pass a function"));
@@ -294,7 +294,7 @@ TEST_P(DeviceContract, RefusesToRunTwiceAtOnce) {
   EXPECT_EQ(report.ticks, 20U) << "the first run continues";
 }
 
-TEST_P(MakersDeviceContract, RefusesSimulatedTimeThatItDoesNotKnowAndRunsAfterwards) {
+TEST_P(MakersDeviceContract, RefusesSimulatedTimeIfUnsupportedAndRunsAfterwards) {
   const auto device = tested.open_for_wall_clock();
   RunOptions options = quick();
   options.realtime = {0, false, true, -1, 0};

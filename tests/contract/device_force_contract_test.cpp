@@ -62,7 +62,7 @@ class CableContract : public DeviceForceContract {};
 class ClosedLoopContract : public DeviceForceContract {};
 
 // --- its values ------------------------------------------------------------------------------------------------------
-TEST_P(FixedDeviceForceContract, IsThatOfTheTickThatAskedForIt) {
+TEST_P(FixedDeviceForceContract, IsRenderedInTheTickOfItsCommand) {
   const auto device = tested.open();
   const bool has_torque = device->capabilities().output_degrees_of_freedom == 6;
   const Wrench asked{Vec3(0.5, -0.25, 0.125), has_torque ? Vec3(0.010, 0.005, -0.020) : Vec3::Zero()};
@@ -76,7 +76,7 @@ TEST_P(FixedDeviceForceContract, IsThatOfTheTickThatAskedForIt) {
   EXPECT_EQ(device->output().changes, OutputChange::none) << describe(device->output().changes);
 }
 
-TEST_P(DeviceForceContract, IsNeverMoreThanItSaysItCan) {
+TEST_P(DeviceForceContract, IsNeverAboveItsCapabilities) {
   const auto device = tested.open();
   const double peak = device->capabilities().peak_force, torque = device->capabilities().peak_torque;
   double max_force = 0;
@@ -100,7 +100,7 @@ TEST_P(DeviceForceContract, IsNeverMoreThanItSaysItCan) {
   if (!traits().has_motors) expect_no_force_since(0);
 }
 
-TEST_P(DeviceForceContract, IsNoneForAWrenchThatIsNoNumberAndComesBack) {
+TEST_P(DeviceForceContract, IsZeroForAWrenchThatIsNotFiniteAndReturns) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(400, [&](long n, DeviceCommand& command) {
     if (n == 200) command.wrench.force.y() = kNan;
@@ -117,7 +117,7 @@ TEST_P(DeviceForceContract, IsNoneForAWrenchThatIsNoNumberAndComesBack) {
   EXPECT_EQ(force(300).norm() > 0.1, traits().has_motors);
 }
 
-TEST_P(DeviceForceContract, IsNoneForGoodAfterThreeWrenchesInARowThatAreNoNumbers) {
+TEST_P(DeviceForceContract, StaysZeroAfterThreeWrenchesInARowThatAreNotFinite) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(400, [&](long n, DeviceCommand& command) {
     if (n >= 200 && n < 203) command.wrench.force = Vec3::Constant(kNan);
@@ -128,7 +128,7 @@ TEST_P(DeviceForceContract, IsNoneForGoodAfterThreeWrenchesInARowThatAreNoNumber
 }
 
 // --- when it is on ---------------------------------------------------------------------------------------------------
-TEST_P(DeviceForceContract, IsNoneWhileTheToolWasNeverFree) {
+TEST_P(DeviceForceContract, IsZeroWhileTheToolWasNeverFree) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(300, [](long, DeviceCommand& command) { command.wrench = kPush; }));
   EXPECT_EQ(report.guard, ArmingState::wait_free);
@@ -136,7 +136,7 @@ TEST_P(DeviceForceContract, IsNoneWhileTheToolWasNeverFree) {
   expect_no_force_since(0);
 }
 
-TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
+TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
   const auto device = tested.open();
   for (const char* end : {"the callback", "stop()", "the time"}) {
     SCOPED_TRACE(end);
@@ -176,7 +176,7 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
   }
 }
 
-TEST_P(DeviceForceContract, IsGoneInTheTickThatThrowsAndTheExceptionComesOut) {
+TEST_P(DeviceForceContract, IsZeroInTheTickThatThrowsAndTheExceptionIsPassedOn) {
   const auto device = tested.open();
   const DeviceCallback throws = pressing(1000, [](long n, DeviceCommand&) {
     if (n == 150) throw std::runtime_error("the tool broke");
@@ -203,7 +203,7 @@ TEST_P(DeviceForceContract, IsGoneInTheTickThatThrowsAndTheExceptionComesOut) {
   EXPECT_EQ(force(140).norm() > 0.1, traits().has_motors);
 }
 
-TEST_P(DeviceForceContract, IsGoneInAnEmergencyUntilItIsResetAndTheToolIsFree) {
+TEST_P(DeviceForceContract, IsZeroInAnEmergencyUntilItIsResetAndTheToolIsFree) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(700, [&](long n, DeviceCommand& command) {
     if (n == 200) device->emergency_stop();
@@ -217,7 +217,7 @@ TEST_P(DeviceForceContract, IsGoneInAnEmergencyUntilItIsResetAndTheToolIsFree) {
   EXPECT_EQ(report.guard, ArmingState::on);
 }
 
-TEST_P(DeviceForceContract, IsGoneAtOnceWhenAnEmergencyEndsTheRun) {
+TEST_P(DeviceForceContract, IsZeroAtOnceWhenAnEmergencyEndsTheRun) {
   const auto device = tested.open();
   long before = 0;
   run(*device, pressing(200, [&](long n, DeviceCommand& command) {
@@ -228,7 +228,7 @@ TEST_P(DeviceForceContract, IsGoneAtOnceWhenAnEmergencyEndsTheRun) {
   expect_no_force_since(before);
 }
 
-TEST_P(DeviceForceContract, IsNoneInARunAfterAnEmergencyThatNobodyReset) {
+TEST_P(DeviceForceContract, IsZeroInARunAfterAnEmergencyWithoutReset) {
   const auto device = tested.open();
   device->emergency_stop();
   for (int n = 0; n < 2; ++n) EXPECT_EQ(run(*device, pressing(200)).guard, ArmingState::fault);
@@ -251,7 +251,7 @@ TEST_P(DeviceForceContract, WaitsForAFreeToolAfterAnInterruption) {
 }
 
 // --- when the device fails ------------------------------------------------------------------------------------------
-TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
+TEST_P(FollowingDeviceForceContract, StaysZeroWhenThePoseStaysNotFinite) {
   tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, tick >= 200, false}; };
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(500));

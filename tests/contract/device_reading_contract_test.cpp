@@ -107,7 +107,7 @@ TEST_P(ButtonContract, TellsWhichButtonsArePressed) {
   });
 }
 
-TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNoNumbers) {
+TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNotFinite) {
   tested.script = [](long tick) {
     ScriptedReading now = round_and_round(tick);
     now.not_a_number = tick >= 100 && tick < 105;

@@ -98,7 +98,7 @@ TEST_P(HeadContract, DirectionIsAUnitVectorWhereThereIsASpring) {
   });
 }
 
-TEST_P(HeadContract, DepthIsNothingAllOverItsSurfaceSoThatForcesMakeNoEnergy) {
+TEST_P(HeadContract, DepthIsZeroAllOverItsSurfaceSoThatForcesMakeNoEnergy) {
   const auto* flat = std::get_if<FlatHead>(&head().shape());
   if (flat != nullptr && flat->rule != FlatRule::nearest) GTEST_SKIP() << "these rules are not conservative";
   for_points([&](double rho, double z) {

@@ -116,7 +116,7 @@ ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_siz
 }
 
 // Proves: contract of every law.
-TEST_P(LawContract, LeavesNoMoreThanThereWasAndNothingWhereThereWasNothing) {
+TEST_P(LawContract, NeverAddsMaterial) {
   test::RandomPoses random(3);
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
@@ -187,7 +187,7 @@ TEST_P(LawContract, CutsWhileItSpinsAndOnlyThen) {
 
 // The limit for every combination of the model is 0.5 %.
 // Proves: contract of every law.
-TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
+TEST_P(LawContract, ClosesItsEnergyLedgerAndHasNoNegativeLoss) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::none})
     for (const double spin : {kSpin, -kSpin, 0.0}) {
       Cut cut;
@@ -206,7 +206,7 @@ TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
 }
 
 // Proves: contract of every law.
-TEST_P(LawContract, GivesTheSameBitsTwiceAndNothingInTheAir) {
+TEST_P(LawContract, RepeatsBitByBitAndHasNoForceInTheAir) {
   const Outcome a = run(named(), {}), b = run(named(), {});
   ASSERT_EQ(a.wrenches.size(), b.wrenches.size());
   for (std::size_t n = 0; n < a.wrenches.size(); ++n) {

@@ -132,7 +132,7 @@ TEST_P(LawProperty, DoesNotKnowWhereTheGridBegins) {
 }
 
 // Proves: symmetries.
-TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
+TEST_P(LawProperty, ClosesItsLedgerAndHasNoNegativeLossInAnyMotion) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
     scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);

@@ -97,7 +97,7 @@ TEST(MeshBuilder, TheResultDoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(build_from_mesh(ball, named("clay"), {0.1 * mm, 4}).hash(), first.hash());
 }
 
-TEST(MeshBuilder, WhatEnclosesNothingIsRefused) {
+TEST(MeshBuilder, ASurfaceThatEnclosesNothingIsRefused) {
   const auto build = [](const TriangleMesh& mesh) { return build_from_mesh(mesh, named("clay"), {0.1 * mm, 4}); };
   EXPECT_THROW((void)build({}), Error);
   TriangleMesh plate = cube_mesh(Vec3::Zero(), 5 * mm, 4);

@@ -273,7 +273,7 @@ TEST(Grade, IsForTheCutterOfItsEnds) {
   EXPECT_THROW((void)materials_of({.low = 0, .high = 1, .at_low = other, .at_high = bone}), Error);
 }
 
-TEST(Grade, RefusesWhatIsNoGrade) {
+TEST(Grade, RefusesInvalidGrades) {
   const Material a = named("a");
   EXPECT_THROW((void)materials_of({.low = 5, .high = 5, .at_low = a, .at_high = a}), Error);
   EXPECT_THROW((void)materials_of({.low = 0, .high = 5, .at_low = a, .at_high = a, .steps = 201}), Error);

@@ -101,7 +101,7 @@ TEST(BoxOfVolume, ReachesHalfASpacingBeyondTheSamples) {
   EXPECT_LT((box.max - Vec3(1.35, 2.9, 4.65) * mm).norm(), 1e-15);
 }
 
-TEST(GreyRange, IsThatOfTheSamplesThatAreNumbers) {
+TEST(GreyRange, IgnoresSamplesThatAreNotNumbers) {
   auto volume = volume_of<float>({3, 1, 2}, Vec3::Constant(1 * mm));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   volume.values = {nan, 0, nan, 5, -2, nan};
@@ -112,7 +112,7 @@ TEST(GreyRange, IsThatOfTheSamplesThatAreNumbers) {
   EXPECT_THROW((void)grey_range(volume), Error);
 }
 
-TEST(CountLabels, CountsWhatMayBeLabels) {
+TEST(CountLabels, CountsValuesThatMayBeLabels) {
   auto grey = volume_of<float>({3, 1, 2}, Vec3::Constant(1 * mm));
   grey.values = {0, 3, 3, 65535, 0, 0};
   const std::map<int, std::size_t> expected = {{0, 3}, {3, 2}, {65535, 1}};
@@ -130,7 +130,7 @@ TEST(CountLabels, CountsWhatMayBeLabels) {
   EXPECT_EQ(unused_label(labels), 65535);
 }
 
-TEST(KeepLargestComponent, DropsSpecksAndWhatTouchesByAnEdgeOnly) {
+TEST(KeepLargestComponent, DropsSpecksAndBodiesThatShareOnlyAnEdge) {
   auto volume = volume_of<std::uint16_t>({30, 30, 30}, Vec3::Constant(0.1 * mm));
   add_ball(volume, {1, 1, 1}, 0.601, 1);
   add_ball(volume, {1, 1, 1}, 0.3, 2);  // another label of the same body
@@ -143,7 +143,7 @@ TEST(KeepLargestComponent, DropsSpecksAndWhatTouchesByAnEdgeOnly) {
   EXPECT_THROW((void)keep_largest_component(volume_of<std::uint16_t>({3, 3, 3}, Vec3::Constant(1 * mm))), Error);
 }
 
-TEST(KeepLargestComponent, OfGreyValuesLeavesWhatIsBelowTheThreshold) {
+TEST(KeepLargestComponent, OfGreyValuesLeavesSamplesBelowTheThreshold) {
   auto volume = volume_of<float>({9, 3, 3}, Vec3::Constant(1 * mm));
   volume.values.assign(volume.size(), -5);
   for (const int i : {0, 1, 2, 5, 8}) volume.at(i, 1, 1) = 300;
@@ -176,7 +176,7 @@ std::vector<bool> reached(const LabelVolume& volume, const std::vector<VoxelInde
   return seen;
 }
 
-TEST(Components, AreThoseThatAWalkFromSampleToSampleFinds) {
+TEST(Components, EqualThoseOfASearchSampleBySample) {
   std::mt19937 random(3);
   for (int round = 0; round < 60; ++round) {
     auto volume = volume_of<std::uint16_t>({1 + int(random() % 12), 1 + int(random() % 12), 1 + int(random() % 12)},

@@ -208,7 +208,7 @@ TEST(CuttingForms, C29OfAConeIsTheIntegralOfItsPressure) {
   expect_force(integrate(kCut, points, -Vec3::UnitZ()), forms::cone_plunge_wrench(kCut, angle, depth));
 }
 
-TEST(CuttingForms, C30EveryTorquePaysForTheVolumeThatGoes) {
+TEST(CuttingForms, C30EveryTorquePaysForTheRemovedVolume) {
   const double h = 0.5 * mm, v = kCut.feed_speed;
   const auto expect_paid = [&](double torque, double section) {
     EXPECT_NEAR(-torque * kCut.spin / forms::cutting_power(kCut, section * v), 1, kRounding);

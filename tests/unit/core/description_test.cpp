@@ -86,7 +86,7 @@ TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {
   EXPECT_EQ(kFieldsOf<TypeParam>, members_of<TypeParam>()) << "a member without a line in fields_of, or the reverse";
 }
 
-TYPED_TEST(DescribedStruct, SaysEachThingOnceInTheOrderOfItsMembers) {
+TYPED_TEST(DescribedStruct, ListsEachMemberOnceInOrder) {
   const TypeParam object{};
   const char* last = nullptr;
   std::set<std::string> names;
@@ -165,7 +165,7 @@ std::string refusal(double value, const Range& range) {
   return test::refusal([&] { require_within(value, range, "x [m]"); });
 }
 
-TEST(RangeOfAField, HoldsItsEndsAsItSays) {
+TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(1e-300, Range::positive()), "");
   EXPECT_EQ(refusal(0, Range::positive()), "x [m] = 0; must be a finite number > 0.");

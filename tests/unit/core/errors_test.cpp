@@ -18,7 +18,7 @@ TEST(Errors, KeepTheirSentenceOnOneLine) {
   EXPECT_EQ(shown(""), "");
 }
 
-TEST(Errors, KeepWhatIsUtf8) {
+TEST(Errors, KeepValidUtf8) {
   for (const char* text :
        {"Zähne/Backenzahn.vdb", "奥歯", "\xf0\x9f\xa6\xb7", "\xc2\xa0", "\xf4\x8f\xbf\xbf", "\xed\x9f\xbf"})
     EXPECT_EQ(shown(text), text);

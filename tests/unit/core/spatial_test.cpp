@@ -107,7 +107,7 @@ TEST(Transport, MovesAForceWithItsLever) {
   EXPECT_EQ(transport(at_p, Vec3(3, 0, 0)).torque, Vec3(0, -6, 0));
 }
 
-TEST(Orthonormalized, FindsTheRotationThatADeviceMeant) {
+TEST(Orthonormalized, FindsTheRotationOfANoisyMatrix) {
   RandomPoses random(7);
   for (int n = 0; n < 100; ++n) {
     const Mat3 meant = random.rotation();

@@ -62,7 +62,7 @@ TEST(Catalogue, RoundEndsTouchTheirWallsWithoutAnEdge) {
   EXPECT_NEAR(pear.max_radius(), 0.7 * mm, kRounding * mm);
 }
 
-TEST(Catalogue, TheFlameIsWidestWhereItIsSaidToBe) {
+TEST(Catalogue, TheFlameIsWidestAtItsWidestHeight) {
   const ToolHead flame = flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2.2 * mm);
   EXPECT_NEAR(flame.max_radius(), 0.7 * mm, kRounding * mm);
   EXPECT_GT(margin_at(flame, 0.6999 * mm, 2.2 * mm), 0);

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Twins{"BluntCone", ConeHead{70 * deg, 1 * mm}, test::cone_profile(70 * deg, 1 * mm)}),
     [](const auto& twins) { return std::string(twins.param.name); });
 
-TEST(ProfileHead, WithSmoothSidesOrASmoothBottomHasTheDepthBelowWhatCutsUntilWhatIsSmoothIsNearer) {
+TEST(ProfileHead, WithSmoothSidesOrASmoothBottomHasTheDepthOfTheCuttingSurfaceUntilTheSmoothOneIsNearer) {
   constexpr double kR = 0.8 * mm, kTop = 2 * mm;
   for (const bool bottom_cuts : {true, false}) {
     const EdgeKind bottom = bottom_cuts ? EdgeKind::cutting : kSmooth, side = bottom_cuts ? kSmooth : EdgeKind::cutting;

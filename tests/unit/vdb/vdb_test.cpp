@@ -172,7 +172,7 @@ TEST(Vdb, AFileThatIsCutOffAnywhereIsRefused) {
   EXPECT_THROW((void)load_vdb(folder / "cut.vdb"), Error);
 }
 
-TEST(Vdb, AFileOfAnotherFormatIsRefusedAndSaysWhatReadsIt) {
+TEST(Vdb, AFileOfAnotherFormatIsRefusedNamingItsReader) {
   const TemporaryFolder folder;
   save_vdb(build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay")), folder / "a.vdb");
   for (const int format : {1, 3}) {
@@ -213,7 +213,7 @@ TEST(Vdb, AFullDiskIsReportedAndTheOldFileStays) {
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
-TEST(Vdb, WhatCannotBeWrittenIsReported) {
+TEST(Vdb, AFailureToWriteIsReported) {
   const TemporaryFolder folder;
   const Workpiece ball = build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay"));
   EXPECT_THROW(save_vdb(ball, folder / "no" / "such" / "folder.vdb"), Error);

@@ -51,7 +51,7 @@ TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
   }
 }
 
-TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
+TEST(MaterialPresets, HaveATableOfAllTheFieldsOfAMaterial) {
   std::string expected = "| name |";
   for_each_number<Material>(
       [&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
@@ -61,7 +61,7 @@ TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
   EXPECT_EQ(line, expected);
 }
 
-TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
+TEST(MaterialPresets, AreThoseOfTheTablesForEachCutter) {
   const auto cutters = documented_under("By cutter"), relative_energies = documented_under("By material");
   EXPECT_EQ(cutters.size(), names_of(Of<CutterKind>{}).size());
   for (const auto& kind : names_of(Of<CutterKind>{}))
@@ -131,7 +131,7 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
 }
 
 // docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
-TEST(MaterialPresets, AreCrushedFromTheDepthOnThatThePageSays) {
+TEST(MaterialPresets, AreCrushedFromTheDepthOfThePage) {
   const double k_v = stiffness_for_head(SphereHead{1 * units::mm});
   const auto depth = [&](const Material& m) {
     return std::sqrt(2 * m.compressive_strength / (k_v * m.relative_stiffness));
@@ -160,7 +160,7 @@ TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   expect(&Material::edge_pressure, 2, "in Pa");
 }
 
-TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
+TEST(MaterialPresets, HaveDistinctColors) {
   for (const std::string_view a : preset_names())
     for (const std::string_view b : preset_names()) {
       if (a >= b) continue;

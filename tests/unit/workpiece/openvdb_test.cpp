@@ -76,7 +76,7 @@ TEST(WorkpieceFromGrids, TakesFractionsFromAFogVolume) {
   EXPECT_EQ(workpiece.voxel_size(), 1.0);
 }
 
-TEST(WorkpieceFromGrids, TakesBackWhatAWorkpieceGaveAway) {
+TEST(WorkpieceFromGrids, RestoresAWorkpieceFromItsGrids) {
   const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 1 * mm, 0.1 * mm, named("clay"));
   const auto density = density_grid(ball, mm);
   const auto ids = material_grid(ball, mm);
@@ -103,7 +103,7 @@ TEST(WorkpieceFromGrids, RefusesGridsOfDifferentPlaces) {
                  {"different transforms"});
 }
 
-TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
+TEST(WorkpieceFromGrid, RefusesGridsWithoutASolid) {
   const auto refused = [](const FloatGrid& grid, const char* reason, GridImport import = {}) {
     expect_refused([&] { (void)workpiece_from_grid(grid, named("clay"), import); }, {reason});
   };

@@ -83,7 +83,7 @@ TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   EXPECT_TRUE(simulation.undo(1)) << "there is no mark left";
 }
 
-TEST(Undo, NamesEveryBlockThatItPutsBack) {
+TEST(Undo, ReportsEveryBlockThatItRestores) {
   Simulation simulation = slab(4000);
   std::set<VoxelIndex> cut, named;
   simulation.set_undo_mark();
@@ -102,7 +102,7 @@ TEST(Undo, NamesEveryBlockThatItPutsBack) {
   EXPECT_TRUE(std::includes(named.begin(), named.end(), cut.begin(), cut.end()));
 }
 
-TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFullAndRedoNeedsNoneOfItsOwn) {
+TEST(Undo, DeletesTheOldestMarkWhenTheMemoryIsFullAndRedoNeedsNoMemory) {
   Simulation simulation = slab(100);
   Wandering tool(6);
   std::vector<std::uint64_t> hashes;
@@ -130,7 +130,7 @@ TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFullAndRedoNeedsNoneOfItsOwn) {
   EXPECT_TRUE(tiny.undo(1));
 }
 
-TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
+TEST(Undo, DoesNothingWithoutMemoryAndBeginsAfreshAfterARestore) {
   Simulation without = slab(0);
   EXPECT_FALSE(without.set_undo_mark()) << "or `undo` would seem to go back to it";
   EXPECT_EQ(without.undo_marks(), 0U);
@@ -196,7 +196,7 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   EXPECT_EQ(without.workpiece().undo_blocks(), 7U);
 }
 
-TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
+TEST(Undo, RefusesImpossibleMemoryAndChangesNothingThen) {
   Simulation simulation = slab(100);
   simulation.set_undo_mark();
   for (const std::size_t blocks : {~std::size_t(0), std::size_t(1) << 40, (std::size_t(1) << 22) + 1}) {
