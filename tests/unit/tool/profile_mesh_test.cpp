@@ -141,7 +141,7 @@ TEST(RecognizedProfile, SaysHowFarAMeshIsOff) {
   // A square prism: its corners are at sqrt(2) of the distance of its faces, 29 % of the largest radius.
   const TriangleMesh prism = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 4);
   expect_no_body_of_revolution(
-      prism, {"not a body of revolution", "mm off", "% of its radius", "at max_force 2 %", "more facets"});
+      prism, {"not a body of revolution", "mm off", "% of its radius", "at most 2 %", "more facets"});
 
   TriangleMesh oval = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 90);
   for (Vec3& v : oval.vertices) v.x() *= 1.2;

@@ -251,7 +251,7 @@ TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
       [] {
         return load_vdb(test::data_path("vdb/smoke.vdb"), {named("smoke"), "density"});
       },
-      "but values of a fog volume are filled fractions, 0 to 1. Scale them");
+      "but values of a fog volume are filled fractions, 0 to 1. Scale the values");
 }
 
 TEST(Vdb, UnsuitableGridsAreRefusedWithTheCure) {

@@ -157,7 +157,7 @@ TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   expect(&Material::edge_length, 0.018, "must be between");
   expect(&Material::size_length, 0.18, "must be between");
   expect(&Material::compressive_strength, 150, "150 MPa are 150e6");
-  expect(&Material::edge_pressure, 2, "in Pa");
+  expect(&Material::edge_pressure, 2, "The unit is Pa");
 }
 
 TEST(MaterialPresets, HaveDistinctColors) {

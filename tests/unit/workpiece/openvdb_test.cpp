@@ -147,7 +147,7 @@ TEST(WorkpieceFromGrid, RefusesGridsWithoutASolid) {
   FloatGrid smoke(0.0F);
   smoke.setGridClass(openvdb::GRID_FOG_VOLUME);
   smoke.fill({{0, 0, 0}, {15, 15, 15}}, 10.0F);
-  refused(smoke, "has the value 10, but values of a fog volume are filled fractions, 0 to 1. Scale them");
+  refused(smoke, "has the value 10, but values of a fog volume are filled fractions, 0 to 1. Scale the values");
   smoke.fill({{0, 0, 0}, {15, 15, 15}}, 1.0F);
   smoke.tree().setValue({3, 4, 5}, 1.01F);
   refused(smoke, "has the value 1.01");
