@@ -22,8 +22,7 @@ struct RecognizedProfile {
 ///                       the axis
 /// @param tolerance      [1] allowed deviation of the mesh over its largest radius, 1e-4 ... 0.1
 /// @throws Error if the mesh is empty or open, if its axis does not pass through it exactly once, or if it is not a
-/// body
-///         of revolution; the message contains the deviation
+///         body of revolution; the message contains the deviation
 [[nodiscard]] RecognizedProfile profile_from_mesh(const TriangleMesh& mesh, const Vec3& towards_shank = Vec3::UnitZ(),
                                                   double tolerance = 0.02);
 

@@ -36,8 +36,7 @@ class Tool {
   /// @param spindle  by default at rest: the head presses and rubs, but cuts nothing (StepStatus::spindle_stands)
   /// @param cutter   by default that of `usual_cutter`
   /// @throws Error if a dimension of the head or handle, a value of the spindle or the number of lips is out of range,
-  /// or
-  ///         if a size must have been meant in millimetres
+  ///         or if a size must have been meant in millimetres
   explicit Tool(ToolHead head, Handle handle = RayHandle{0}, Spindle spindle = {}, std::optional<Cutter> cutter = {})
       : head_(std::move(head)),
         handle_(handle),

@@ -45,8 +45,7 @@ struct Layer {
 };
 /// A slab of horizontal layers, from the top down.
 /// @param box     horizontal extent and upper face. Layers go down from `box.max.z` and end at `box.min.z`; below the
-/// last
-///                layer the slab is empty
+///                last layer the slab is empty
 /// @param layers  from the top down
 [[nodiscard]] Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vector<Layer>& layers);
 

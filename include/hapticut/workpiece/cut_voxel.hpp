@@ -153,8 +153,7 @@ struct LayerRecession {
   /// @param speed    [m/s] v >= 0
   /// @param duration [s]
   /// @param at_end   whether the contact is evaluated at the end of the sub-step instead of its middle. The time after
-  /// the
-  ///                 evaluation is then as long as the time before it with t > w0, so that a touch begins with no
+  ///                 the evaluation is then as long as the time before it with t > w0, so that a touch begins with no
   ///                 removal
   static LayerRecession of(Real top, const CutDepth<Real>& cut, Real rate, Real speed, Real duration, bool at_end) {
     const Real threshold = cut.threshold, half = duration / 2;
