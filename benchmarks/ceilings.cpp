@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one core of this machine can do at most: single-precision operations a second, and bytes a second from memories
-// of several sizes. The measure for docs/performance.md. Compiled for the machine it runs on.
+// The maximum of one core of this machine: single-precision operations per second, and bytes per second from arrays of
+// several sizes. docs/performance.md compares with it. Compiled for the machine that it runs on.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 constexpr int kLanes = 16;
 using Lanes = std::array<float, kLanes>;
 
-/// Sixteen chains of fused multiply-adds, enough to keep every unit busy.
+/// Sixteen chains of fused multiply-adds, enough to use all units.
 void multiply_add(benchmark::State& state) {
   constexpr int kChains = 16;
   alignas(64) std::array<Lanes, kChains> chains{};
@@ -27,7 +27,7 @@ void multiply_add(benchmark::State& state) {
       benchmark::Counter(double(state.iterations()) * 64 * kChains * kLanes * 2 / 1e9, benchmark::Counter::kIsRate);
 }
 
-/// Square root and division, the two slow operations of a sample.
+/// Square root and division, the two slow operations per sample.
 void root_and_divide(benchmark::State& state) {
   constexpr int kVectors = 64;
   alignas(64) std::array<Lanes, kVectors> data;
@@ -42,7 +42,7 @@ void root_and_divide(benchmark::State& state) {
       benchmark::Counter(double(state.iterations()) * kVectors * kLanes / 1e9, benchmark::Counter::kIsRate);
 }
 
-/// Reads and writes back an array of so many kilobytes.
+/// Reads and writes an array; the argument is its size in kilobytes.
 void stream(benchmark::State& state) {
   std::vector<float> data(std::size_t(state.range(0)) * 256, 1.0F);
   for (auto _ : state) {

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Counts the instructions of Simulation::step under callgrind and compares them with those kept in the repository: the
-# one measure of speed that a busy machine does not change.
+# Counts the instructions of Simulation::step under callgrind and compares them with the counts in the repository. This
+# measure of speed does not depend on the load of the machine.
 #   cmake -DPROGRAM=... -DWORKLOAD=... -DKERNELS=... -DVALGRIND=... -DCOUNTS=instruction_counts.json -DOUT=...
 #     -P check_instructions.cmake
-# With -DUPDATE=ON the count is printed and not compared.
+# With -DUPDATE=ON it prints the count without comparison.
 cmake_minimum_required(VERSION 3.25)
-set(tolerance 3)  # percent: what another minor version of the compiler or of the C++ library changes
+set(tolerance 3)  # percent: effect of another minor version of the compiler or of the C++ library
 
 execute_process(
   COMMAND ${VALGRIND} --tool=callgrind --collect-atstart=no --callgrind-out-file=${OUT}
@@ -34,10 +34,10 @@ math(EXPR difference "(${count} - ${expected}) * 1000 / ${expected}")  # per mil
 message("${KERNELS} ${WORKLOAD}: ${count} instructions, kept: ${expected}, difference ${difference} per mille")
 math(EXPR limit "${tolerance} * 10")
 if(difference GREATER limit)
-  message(FATAL_ERROR "the step takes more instructions than before. If that is meant, say why in the commit and put "
+  message(FATAL_ERROR "the step needs more instructions than before. If that is intended, give the reason in the commit and put "
     "${count} into ${COUNTS}.")
 endif()
 math(EXPR negative "-${limit}")
 if(difference LESS negative)
-  message(FATAL_ERROR "the step takes fewer instructions than before: put ${count} into ${COUNTS}, so that the gain is kept.")
+  message(FATAL_ERROR "the step needs fewer instructions than before: put ${count} into ${COUNTS} to keep the gain.")
 endif()

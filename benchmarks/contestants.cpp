@@ -9,7 +9,7 @@
 namespace hapticut::bench {
 namespace {
 
-/// Indices of the voxels whose centres may lie inside a ball, cut to the block.
+/// Indices of the voxels with centres that may lie inside a ball, limited to the block.
 struct Range {
   int lo[3], hi[3];
 };
@@ -37,7 +37,7 @@ Range reachable(const Workload& w) {
   return all;
 }
 
-/// Common to both OpenVDB contestants: a boolean grid whose leaves exist wherever the ball comes.
+/// Base of both OpenVDB contestants: a boolean grid with leaves along the whole path of the ball.
 class VdbContestant : public Contestant {
  public:
   explicit VdbContestant(const Workload& w)
@@ -119,7 +119,7 @@ class VdbLeaf final : public VdbContestant {
   }
 };
 
-/// Common to both dense contestants: 1.0 where solid, rows along x.
+/// Base of both dense contestants: 1.0 in solid voxels, rows along x.
 class DenseContestant : public Contestant {
  public:
   explicit DenseContestant(const Workload& w) : w_(w), region_(reachable(w)) {
@@ -206,9 +206,9 @@ class DenseSimd final : public DenseContestant {
         if (touches_inner) {
           for (int i = first; i <= last; ++i) {
             const float x = float(i) * h + x0;
-            const bool gone = x * x + y * y + z * z < inner;
-            removed += gone ? solid[i] : 0.0F;
-            solid[i] = gone ? 0.0F : solid[i];
+            const bool removes = x * x + y * y + z * z < inner;
+            removed += removes ? solid[i] : 0.0F;
+            solid[i] = removes ? 0.0F : solid[i];
           }
         }
         force_x -= double(fx);

@@ -8,9 +8,8 @@
 #include "workloads.hpp"
 
 /// @file
-/// What a competent user would write instead of this library. All compute the same: the sum over solid voxels with
-/// r < R of (R - r) r_hat, in millimetres, on the ball; and, where the workload removes, they empty voxels with r <
-/// R/2.
+/// Alternatives to this library that a competent user would write. All compute the sum of (R - r) r_hat over solid
+/// voxels with r < R, in millimetres, on the ball. If the workload removes material, they empty voxels with r < R/2.
 namespace hapticut::bench {
 
 struct TickResult {
@@ -26,7 +25,7 @@ class Contestant {
   virtual TickResult tick(const Vec3& center) = 0;
 };
 
-/// By name: vdb_accessor, vdb_leaf, dense, dense_simd.
+/// Makes a contestant by its name: vdb_accessor, vdb_leaf, dense, dense_simd.
 [[nodiscard]] std::unique_ptr<Contestant> make_contestant(const std::string& name, const Workload& workload);
 [[nodiscard]] const std::vector<std::string>& contestant_names();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fixed number of steps of one workload, to have their instructions counted: `bench_instructions WORKLOAD KERNELS`.
-// KERNELS: baseline, what every processor has, so that the count is the same on all, or avx2.
+// A fixed number of steps of one workload, whose instructions are counted: `bench_instructions WORKLOAD KERNELS`.
+// KERNELS: baseline, which every processor supports, so that the count is equal on all; or avx2.
 #include <hwy/targets.h>
 
 #include <cstdio>
@@ -17,7 +17,7 @@ using namespace hapticut;
 
 constexpr int kSteps = 200;
 
-/// A ball wholly inside a block, nothing removed.
+/// A ball completely inside a block. Returns the sum of the forces along x [N].
 double buried_ball(RemovalLaw removal, double spin) {
   Material material;
   material.name = "bone";

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What Python costs: Simulation.run against the same loop in C++, one call of step, and the import.
+"""The cost of Python: Simulation.run compared with a loop in C++, one call of step, and the import.
 
     python benchmarks/python_cost.py [--json FILE]
 
-Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions.
+Needs an installed hapticut. Times are processor times of the thread, the minimum of several repetitions.
 """
 import argparse
 import json
@@ -23,7 +23,7 @@ STEPS = 1000
 
 
 def plunge(above=0.0):
-    """The first second of the README, or the same above the bone."""
+    """The first second of the README example, or a second of the same motion above the bone."""
     box = hapticut.Box([-3 * mm, -3 * mm, -4 * mm], [3 * mm, 3 * mm, 0])
     bone = hapticut.build_block(box, 0.1 * mm, hapticut.presets.cortical_bone())
     tool = hapticut.Tool(hapticut.SphereHead(1.5 * mm), hapticut.RayHandle(20 * mm), hapticut.Spindle(40000 * rpm))
@@ -34,7 +34,7 @@ def plunge(above=0.0):
 
 
 def cost_of(function, above=0.0):
-    """[s] a step, least of several plunges."""
+    """[s] per step, minimum of several plunges."""
     times = []
     for _ in range(REPETITIONS):
         simulation, poses, velocities = plunge(above)
@@ -64,7 +64,7 @@ def python_alone(simulation, poses, velocities):
 
 
 def seconds_to_import():
-    """[s] of processor time that `import hapticut` takes where numpy is there already."""
+    """[s] of processor time for `import hapticut` after numpy was imported."""
     code = "import numpy, time; begin = time.process_time(); import hapticut; print(time.process_time() - begin)"
     return min(float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True).stdout)
                for _ in range(5))
@@ -72,7 +72,7 @@ def seconds_to_import():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--json", type=Path, help="write the numbers to a file, too")
+    parser.add_argument("--json", type=Path, help="also write the numbers to a file")
     arguments = parser.parse_args()
 
     cpp, python = cost_of(in_cpp), cost_of(run)

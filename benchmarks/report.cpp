@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the JSON of the benchmarks to a Markdown table: `bench_report step.json scenarios.json [--loop loop.json]`, the
-// last one from `hapticut loop ... --json loop.json`.
-// Ratios are those of one repetition of one run, and their median is what counts.
+// Writes a Markdown table from the JSON of the benchmarks: `bench_report step.json scenarios.json [--loop loop.json]`.
+// The last file comes from `hapticut loop ... --json loop.json`. Each ratio is that of one repetition of one run; the
+// table has the median.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -23,7 +23,7 @@ double median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-/// Every counter of every benchmark, one value a repetition.
+/// All counters of all benchmarks, one value per repetition.
 class Results {
  public:
   void read(const std::string& file) {
@@ -31,7 +31,7 @@ class Results {
     if (!stream) throw std::runtime_error(file + " cannot be read; run scripts/bench.sh, which writes it.");
     std::stringstream text;
     text << stream.rdbuf();
-    // Google Benchmark writes the variation of counters that are all zero as NaN, which is no JSON.
+    // Google Benchmark writes the variation of counters that are all zero as NaN, which is not valid JSON.
     const json all = json::parse(std::regex_replace(text.str(), std::regex(": -?[nN]a[nN]"), ": null"));
     context_ = all.at("context");
     for (const json& run : all.at("benchmarks")) {
@@ -140,7 +140,7 @@ void print_all(const Results& r) {
   }
 }
 
-/// How late the ticks of the loop began, how long they computed, and what that did.
+/// Prints the delays and compute times of the ticks of the loop, and the missed ticks.
 void print_loop(const std::string& file) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(file + " cannot be read; `hapticut loop` writes it.");

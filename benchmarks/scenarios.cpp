@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the cost of a step depends on: the head, the size of the workpiece, its materials, the number of simulations;
-// and a minute of cutting against the deadline. Names: heads/..., sizes/..., materials/..., batch/..., deadline/...,
-// load/...; surface/... stand in surfaces.cpp.
+// Influences on the cost of a step: the head, the size of the workpiece, its materials, the number of simulations; and
+// a minute of cutting with its deadline misses. Names: heads/..., sizes/..., materials/..., batch/..., deadline/...,
+// load/...; surfaces.cpp has surface/...
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -47,7 +47,7 @@ SimulationConfig config(bool cutting) {
 
 Tool spinning(const ToolHead& head) { return Tool(head, RayHandle{0}, Spindle{3000 * units::rad_per_s}); }
 
-/// Feeds a simulation along +x from a start, straight on.
+/// Feeds a simulation from a start in a straight line along +x.
 class Feed {
  public:
   Feed(Simulation simulation, const Vec3& start) : simulation_(std::move(simulation)), position_(start) {}
@@ -82,7 +82,7 @@ void add(const std::string& name, int ticks, const std::function<Feed()>& make, 
       ->Unit(benchmark::kMillisecond);
 }
 
-/// Buried to its full height in a block; the head's tip is at (10, 10, 7) mm.
+/// Heads buried to their full height in a block; the tip of the head is at (10, 10, 7) mm.
 void add_heads() {
   const auto ball_profile = [](double radius) {
     return Profile{-radius, {{radius, 0, radius, EdgeKind::cutting}, {0, radius, radius, EdgeKind::cutting}}};
@@ -104,7 +104,7 @@ void add_heads() {
       });
 }
 
-/// The same groove in a workpiece and in one of ten times its volume.
+/// A groove in a workpiece, and in a workpiece of ten times its volume.
 void add_sizes() {
   for (const double scale : {1.0, 10.0})
     add("sizes/x" + std::to_string(int(scale)), 1000, [scale] {
@@ -116,7 +116,7 @@ void add_sizes() {
     });
 }
 
-/// Labels of one material, of layers of three, or of three at random voxel by voxel.
+/// Labels of one material, of layers of three materials, or of three materials chosen at random per voxel.
 LabelVolume labels_of(const std::string& kind, const std::array<int, 3>& dims, double spacing) {
   LabelVolume labels;
   labels.dims = dims;
@@ -135,8 +135,8 @@ LabelVolume labels_of(const std::string& kind, const std::array<int, 3>& dims, d
 
 std::vector<LabelMaterial> materials_of(const LabelVolume& labels) {
   std::vector<LabelMaterial> materials;
-  const int most = *std::max_element(labels.values.begin(), labels.values.end());
-  for (int label = 1; label <= most; ++label) {
+  const int max_label = *std::max_element(labels.values.begin(), labels.values.end());
+  for (int label = 1; label <= max_label; ++label) {
     Material material = bone();
     material.name = "bone " + std::to_string(label);
     materials.push_back({{std::uint16_t(label)}, material});
@@ -166,7 +166,7 @@ void add_batches() {
         count);
 }
 
-/// A minute at 1 kHz: grooves to and fro, each a little deeper and beside the last.
+/// A minute at 1 kHz: grooves back and forth, each beside the previous one.
 void run_minute(benchmark::State& state, double voxel_size, double radius) {
   constexpr int kTicks = 60000;
   for (auto _ : state) {
@@ -195,8 +195,7 @@ void run_minute(benchmark::State& state, double voxel_size, double radius) {
   }
 }
 
-/// As many ticks of arithmetic in registers, which needs no memory, no lock and no system call: how many are late
-/// because of the machine.
+/// As many ticks of arithmetic in registers, without memory, locks and system calls. Late ticks are due to the machine.
 void run_arithmetic(benchmark::State& state) {
   constexpr int kTicks = 60000, kOperations = 50000;
   for (auto _ : state) {
@@ -227,7 +226,7 @@ void add_minutes() {
         ->Unit(benchmark::kMillisecond);
 }
 
-/// From an array of labels to a workpiece: 800 x 800 x 400 voxels, wall time on all cores.
+/// Builds a workpiece from an array of labels: 800 x 800 x 400 voxels, wall time on all cores.
 void run_load(benchmark::State& state, const std::string& kind) {
   const LabelVolume labels = labels_of(kind, {800, 800, 400}, 0.05 * mm);
   const std::vector<LabelMaterial> materials = materials_of(labels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step against what a competent user would write instead: `step/<workload>/h<voxel mm>/R<radius mm>/<contestant>`.
-// One iteration is one whole path; times are thread CPU time per tick. Run with
+// The step against alternatives that a competent user would write: `step/<workload>/h<voxel mm>/R<radius
+// mm>/<contestant>`. One iteration is one whole path; times are thread CPU time per tick. Run with
 // --benchmark_enable_random_interleaving=true and several repetitions, and compare contestants of the same run only.
 #include <benchmark/benchmark.h>
 
@@ -13,7 +13,7 @@
 namespace hapticut::bench {
 namespace {
 
-/// hapticut itself, as a contestant: the full model with its defaults, or, standing, with the same voxels as the
+/// hapticut as a contestant: the full model with its defaults, or, with the spindle at rest, on the voxels of the
 /// others.
 class Hapticut final : public Contestant {
  public:
@@ -36,9 +36,9 @@ class Hapticut final : public Contestant {
     SimulationConfig config;
     if (!cutting) config.reference_stiffness = 1e3 / std::pow(w.voxel_size, 3);  // 1 N/mm per voxel
     config.removal = cutting ? RemovalLaw::constant_energy : RemovalLaw::none;
-    config.deep_contact = cutting;  // static: the springs alone, as the others compute them
+    config.deep_contact = cutting;  // static: only the springs, like the others
     config.reserved_blocks = 16384;
-    config.friction = DryFriction{0, 0, 1};  // the other contestants have none
+    config.friction = DryFriction{0, 0, 1};  // the other contestants have no friction
     return Simulation(build_block({Vec3::Zero(), Vec3(kBlockX, kBlockY, kBlockZ)}, w.voxel_size, bone),
                       Tool(SphereHead{w.radius}, RayHandle{0}, Spindle{(cutting ? 3000.0 : 0.0) * units::rad_per_s}),
                       config);
@@ -56,18 +56,18 @@ std::unique_ptr<Contestant> make_any(const std::string& name, const Workload& wo
 
 void run_path(benchmark::State& state, const std::string& name, const Workload& workload) {
   double force_z = 0;
-  long most = 0, removed = 0;
+  long max_contact = 0, removed = 0;
   for (auto _ : state) {
     const auto contestant = make_any(name, workload);
     TickTimes times(workload.ticks());
     force_z = 0;
-    most = removed = 0;
+    max_contact = removed = 0;
     for (int t = 0; t < workload.ticks(); ++t) {
       const Vec3 center = workload.center(t);
       times.time([&] {
         const TickResult r = contestant->tick(center);
         force_z += r.force_z;
-        most = std::max(most, r.contact);
+        max_contact = std::max(max_contact, r.contact);
         removed += r.removed;
         return r.contact;
       });
@@ -75,7 +75,7 @@ void run_path(benchmark::State& state, const std::string& name, const Workload& 
     state.SetIterationTime(times.total());
     times.report(state);
   }
-  state.counters["max_in_contact"] = double(most);
+  state.counters["max_in_contact"] = double(max_contact);
   state.counters["removed"] = double(removed);
   state.counters["force_z_sum"] = force_z;
 }

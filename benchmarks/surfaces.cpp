@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picture of the workpiece costs the thread beside the loop: surface/dirty64, the blocks that a ball of 2 mm has
-// changed in a groove; surface/latency, from a cut to its pages; surface/first, from a large workpiece to its pages;
-// surface/extract, the same as one mesh.
+// Cost of a picture of the workpiece for the thread beside the loop. surface/dirty64: meshing of the blocks that a ball
+// of 2 mm changes in a groove; surface/latency: time from a cut to its pages; surface/first: pages of a large
+// workpiece; surface/extract: a workpiece as one mesh.
 #include "surfaces.hpp"
 
 #include <benchmark/benchmark.h>
@@ -33,7 +33,7 @@ Material shown_bone() {
   return bone;
 }
 
-/// A groove: what changes in each part of it is meshed, at least 64 blocks together, and handed out.
+/// A groove: meshes the changed blocks of each part, at least 40 together, and reads their pages.
 void run_dirty(benchmark::State& state) {
   constexpr double kVoxel = 0.1 * mm, kRadius = 20;  // [m], [voxels]
   for (auto _ : state) {
@@ -72,7 +72,7 @@ void run_dirty(benchmark::State& state) {
   }
 }
 
-/// 256 M labels, of which half are filled: a gyroid with a period of 100 voxels.
+/// 256 M labels, half of them filled: a gyroid with a period of 100 voxels.
 Workpiece gyroid() {
   LabelVolume labels;
   labels.dims = {800, 800, 400};
@@ -124,11 +124,11 @@ void run_extract(benchmark::State& state) {
   }
 }
 
-/// Seconds of cutting in one thread, pages in another that looks every 4 ms: how old the oldest cut is when all that it
-/// has changed is handed out. Wall time, so others on the machine are in it.
+/// Cutting for some seconds in one thread, and meshing every 4 ms in another. Measures the age of the oldest cut when
+/// all its pages are ready. Wall time, so other programs on the machine lengthen it.
 void run_latency(benchmark::State& state) {
   using Clock = std::chrono::steady_clock;
-  // The workload W2: a ball of 2 mm goes 3 mm down and 1 mm sideways at 2 mm/s.
+  // The workload W2: a ball of 2 mm moves 3 mm down and 1 mm sideways at 2 mm/s.
   constexpr double kRadiusOfBall = 2 * mm, kPerTick = 2e-3 * mm, kDown = 3 * mm, kSideways = 1 * mm;
   constexpr int kTicksOfPath = int((kDown + kSideways) / kPerTick);
   const auto center = [&](int tick) {
@@ -145,7 +145,7 @@ void run_latency(benchmark::State& state) {
     SurfacePage page;
     while (stream.next_page(page)) {
     }
-    std::atomic<std::int64_t> oldest = 0;  // [ns] of the clock, of a cut that was not looked at; 0: none
+    std::atomic<std::int64_t> oldest = 0;  // [ns] time of the oldest cut that is not meshed yet; 0: no such cut
     std::atomic<bool> over = false;
     std::vector<double> ages;  // [ms]
     std::thread mesher([&] {
@@ -165,9 +165,9 @@ void run_latency(benchmark::State& state) {
       const double before = thread_seconds();
       const StepResult& result = simulation.step(Pose::from_translation(center(tick)), {}, 1e-3);
       busy += thread_seconds() - before;
-      std::int64_t none = 0;
+      std::int64_t no_cut = 0;
       if (result.removed_volume > 0)
-        oldest.compare_exchange_strong(none, std::int64_t(Clock::now().time_since_epoch().count()));
+        oldest.compare_exchange_strong(no_cut, std::int64_t(Clock::now().time_since_epoch().count()));
     }
     over = true;
     mesher.join();

@@ -3,7 +3,7 @@
 
 namespace hapticut::bench {
 
-/// Benchmarks of the surface that is shown beside the loop: surface/...
+/// Registers the benchmarks of the surface beside the loop: surface/...
 void add_surfaces();
 
 }  // namespace hapticut::bench

@@ -9,7 +9,7 @@
 #include "hapticut/core/units.hpp"
 
 /// @file
-/// The fixed motions of the benchmark: a ball in a solid block of 40 x 40 x 20 mm, corner at the origin, 1 ms a tick.
+/// The fixed motions of the benchmark: a ball in a solid block of 40 x 40 x 20 mm, corner at the origin, 1 ms per tick.
 namespace hapticut::bench {
 
 inline constexpr double kTick = 1e-3;                                       // [s]
@@ -18,8 +18,8 @@ inline constexpr double kBlockX = 40e-3, kBlockY = 40e-3, kBlockZ = 20e-3;  // [
 
 enum class Path {
   w1,  ///< 1 mm deep, then 1 mm sideways
-  w2,  ///< 1.5 R deep, then 1 mm sideways: here the common removal rule really cuts
-  w3   ///< wholly inside, 1 mm sideways, no removal: pure throughput
+  w2,  ///< 1.5 R deep, then 1 mm sideways: here the removal rule of the contestants cuts
+  w3   ///< completely inside, 1 mm sideways, no removal: pure throughput
 };
 
 struct Workload {

@@ -74,8 +74,8 @@ void bind_operations(py::module_& m) {
   m.def("grey_range", &grey_range, py::arg("volume"), doc("grey_range"), Released());
   m.def("count_from", &count_from, py::arg("volume"), py::arg("threshold"), doc("count_from"), Released());
   m.def("count_labels", py::overload_cast<Labels>(&count_labels), py::arg("volume"), doc("count_labels"), Released());
-  m.def("count_labels", py::overload_cast<Grey, std::size_t>(&count_labels), py::arg("volume"), py::arg("most") = 64,
-        doc("count_labels#2"), Released());
+  m.def("count_labels", py::overload_cast<Grey, std::size_t>(&count_labels), py::arg("volume"),
+        py::arg("max_labels") = 64, doc("count_labels#2"), Released());
   m.def("unused_label", &unused_label, py::arg("volume"), doc("unused_label"));
   m.def("keep_largest_component", py::overload_cast<LabelVolume>(&keep_largest_component), py::arg("volume"),
         doc("keep_largest_component"), Released());

@@ -116,7 +116,7 @@ void bind_handles(py::module_& m) {
   bind_described<RayHandle>(m, "RayHandle");
   bind_described<LHandle>(m, "LHandle");
   bind_enum<HandleTorque>(m, "HandleTorque");
-  m.def("thesis_handle_torque", &thesis_handle_torque, py::arg("handle"), py::arg("force_H"), py::arg("spin"),
+  m.def("thesis_handle_torque", &thesis_handle_torque, py::arg("handle"), py::arg("force_H"), py::arg("spindle_torque"),
         py::arg("zeta"), doc("thesis_handle_torque"));
   m.def("head_in_handle", &head_in_handle, py::arg("handle"), doc("head_in_handle"));
 }

@@ -7,11 +7,11 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// Boxes around what becomes voxels.
+/// Bounding boxes of samples and voxels.
 namespace hapticut {
 
-/// The smallest box around another one whose corners go elsewhere.
-/// @param moved  `moved(p)` where a corner goes
+/// The smallest box around the moved corners of a box.
+/// @param moved  `moved(p)`: the new position of a corner p
 template <class Moved>
 [[nodiscard]] Eigen::AlignedBox3d box_of_moved(const Box& box, const Moved& moved) {
   const Eigen::AlignedBox3d given(box.min, box.max);
@@ -20,7 +20,7 @@ template <class Moved>
   return around;
 }
 
-/// Of all samples.
+/// Indices of all samples.
 template <class Value>
 [[nodiscard]] IndexBox samples_of(const Volume<Value>& volume) {
   return {{0, 0, 0}, {volume.dims[0] - 1, volume.dims[1] - 1, volume.dims[2] - 1}};

@@ -7,11 +7,12 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// Signed distances of simple shapes and ways to join them. Negative inside. Everything here changes at most as fast as
-/// the position does: the gradient of a blend is a weighted mean of the gradients of its parts.
+/// Signed distances of simple shapes, and their rounded union. Negative inside. All functions change by at most one per
+/// unit of length, because the gradient of a blend is a weighted mean of the gradients of its parts.
 namespace hapticut::implicit {
 
-/// Union of a and b whose seam is rounded over a width `blend` >= 0; equals min(a, b) where they differ by more.
+/// Union of a and b with a seam rounded over a width `blend` >= 0; equals min(a, b) where they differ by more than
+/// that.
 [[nodiscard]] inline double join(double a, double b, double blend) {
   const double overlap = std::max(blend - std::abs(a - b), 0.0);
   return std::min(a, b) - (blend > 0 ? overlap * overlap / (4 * blend) : 0.0);
@@ -43,7 +44,7 @@ class RoundCone {
     const Vec3 from_a = p - a_;
     const double along = from_a.dot(axis_);
     const double aside = std::sqrt(std::max(from_a.squaredNorm() - along * along, 0.0));
-    // Where the nearest generatrix starts and ends, seen along the axis from the point.
+    // Position of the point along the nearest generatrix.
     const double foot = along * cosine_ - aside * sine_;
     if (foot <= 0) return std::hypot(along, aside) - radius_a_;
     if (foot >= length_ * cosine_) return std::hypot(along - length_, aside) - radius_b_;

@@ -21,15 +21,15 @@ namespace {
 using Triangle = WindingNumber::Triangle;
 
 constexpr double kInside = 0.5;
-constexpr double kUncertain = 0.2;   // a winding number this near to one half: a hole is close
-constexpr double kDecided = 0.05;    // a winding number this near to 0 or 1: no hole is close
-constexpr double kConsistent = 0.2;  // two ways to a winding number may differ by this much
-constexpr int kOpenSubsamples = 4;   // points per edge where every point needs its own winding number
-/// Of the voxels that a surface cuts: with loose edges in more of them, it is no surface. An incisor's crown that is
-/// open at the neck has 1 %, loose triangles have 20 % and more.
-constexpr double kMaxRaggedShare = 0.1;
+constexpr double kUncertain = 0.2;   // distance from one half: closer winding numbers mean a hole nearby
+constexpr double kDecided = 0.05;    // distance from 0 or 1: closer winding numbers mean no hole nearby
+constexpr double kConsistent = 0.2;  // allowed difference between two computations of a winding number
+constexpr int kOpenSubsamples = 4;   // points per edge if every point needs its own winding number
+/// Allowed fraction of the voxels that a surface cuts with loose edges in them. An incisor's crown that is open at the
+/// neck has 1 %, loose triangles have 20 % or more.
+constexpr double kMaxRaggedFraction = 0.1;
 
-/// Whether a triangle touches a cube: separating axes of the cube, of the triangle and of their edges.
+/// Whether a triangle touches a cube, by the separating axes of the cube, of the triangle and of their edges.
 bool touches_cube(const Triangle& triangle, const Vec3& center, double half) {
   const std::array<Vec3, 3> v = {triangle[0] - center, triangle[1] - center, triangle[2] - center};
   const auto separated = [&](const Vec3& axis) {
@@ -81,22 +81,22 @@ class Crossings {
   std::vector<Face> faces_;
 };
 
-/// One shell as the voxeliser asks it.
+/// A shell for the voxeliser.
 class ShellSampler {
  public:
   explicit ShellSampler(const TriangleMesh& mesh) : winding_(mesh) {}
 
   enum class Voxel : std::uint8_t { outside, inside, cut, open, unknown };
 
-  /// What is known of the shell in one block.
+  /// Classification of the voxels of one block.
   struct Block {
     bool uniform = true;
-    bool inside = false;                     // all of it, when uniform
-    std::array<Voxel, kBlockVoxels> voxels;  // when it is not
+    bool inside = false;                     // the whole block, if uniform
+    std::array<Voxel, kBlockVoxels> voxels;  // if not uniform
     std::vector<std::uint32_t> first;        // [513] voxel n is cut by cutting[first[n]] ... cutting[first[n + 1]]
     std::vector<const Triangle*> cutting;
-    int cut = 0;     // voxels asked for
-    int ragged = 0;  // of them: where the triangles do not explain the winding number, so that edges are loose
+    int cut = 0;     // sampled voxels that triangles cut
+    int ragged = 0;  // those with loose edges: the triangles do not explain the winding number
 
     [[nodiscard]] Voxel at(int n) const {
       if (!uniform) return voxels[std::size_t(n)];
@@ -121,8 +121,9 @@ class ShellSampler {
   void subsample(Block& block, int n, const Vec3& center, double voxel_size, int points, const Mark& mark) const {
     const auto* begin = block.cutting.data() + block.first[std::size_t(n)];
     const auto* end = block.cutting.data() + block.first[std::size_t(n) + 1];
-    // Within a voxel the winding number of a closed surface changes only at the triangles that cut it: one value and
-    // the crossings on the way tell all. The starting point is off every lattice, so that no segment runs along edges.
+    // Within a voxel the winding number of a closed surface changes only at the triangles that cut the voxel. One value
+    // and the crossings from there give the values at all points. The start is off every lattice, so that no segment
+    // runs along edges.
     const Vec3 start = center + voxel_size * Vec3(0.0137, -0.0211, 0.0173);
     const Crossings crossings(start, begin, end);
     const double at_start = winding_.at(start);
@@ -162,7 +163,7 @@ class ShellSampler {
   }
 
  private:
-  /// Without a triangle in it, a block is all inside or all outside unless a hole runs through it.
+  /// A block without triangles is completely inside or outside, unless a hole runs through it.
   bool uniform_without_triangles(const Vec3& corner, double edge, bool& inside) const {
     const Vec3 half = Vec3::Constant(edge / 2);
     double w = winding_.at(corner + half);
@@ -172,8 +173,8 @@ class ShellSampler {
     return std::abs(w - kInside) >= kUncertain && inside == (w > kInside);
   }
 
-  /// Finds which voxels are inside. Voxels without a triangle that share a face are on the same side of a surface; only
-  /// near a hole could the winding number pass one half between them, and there it is not close to 0 or 1.
+  /// Finds which voxels are inside. Two voxels without triangles that share a face are on the same side of a surface,
+  /// unless a hole is near. Near a hole the winding number is not close to 0 or 1.
   void classify(const Vec3& corner, double voxel_size, Block& block) const {
     for (std::size_t n = 0; n < kBlockVoxels; ++n)
       block.voxels[n] = block.first[n] != block.first[n + 1] ? Voxel::cut : Voxel::unknown;
@@ -225,11 +226,11 @@ class ShellSampler {
 
 std::string mm_text(double length) { return format_number(length / units::mm) + " mm"; }
 
-/// How much of a shell was found, in voxels; written by many threads.
+/// Number of voxels found of a shell; written by several threads.
 struct Found {
-  std::atomic<std::int64_t> inside{0};  // whole voxels, and those that are inside in part
+  std::atomic<std::int64_t> inside{0};  // voxels that are inside, completely or partly
   std::atomic<std::int64_t> cut{0};     // by triangles
-  std::atomic<std::int64_t> ragged{0};  // of the cut ones: by triangles with loose edges
+  std::atomic<std::int64_t> ragged{0};  // cut by triangles with loose edges
 };
 
 class ShellsFiller {
@@ -265,18 +266,19 @@ class ShellsFiller {
     return BlockKind::mixed();
   }
 
-  /// @throws Error when a shell enclosed nothing, or nothing for sure; `length` [m] is that of all shells
+  /// Checks the shells after filling.  @param length  [m] of all shells together
+  /// @throws Error if a shell encloses nothing, or if it is too open
   void check(double length) const {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
       if (found_[s].inside == 0)
         throw Error(which + " encloses nothing that voxels of " + mm_text(frame_.voxel_size) +
-                    " can show, and all is " + mm_text(length) + " long; " +
+                    " can show, and the model is " + mm_text(length) + " long; " +
                     (length < 4 * frame_.voxel_size ? "check its unit (unit_mm of read_mesh)" : "close it") +
                     ", or choose smaller voxels.");
       const double cut = double(found_[s].cut), ragged = double(found_[s].ragged);
-      if (ragged > kMaxRaggedShare * cut)
-        throw Error(which + " is too open to say what is inside: its triangles have loose edges in " +
+      if (ragged > kMaxRaggedFraction * cut)
+        throw Error(which + " is too open to decide what is inside: its triangles have loose edges in " +
                     format_number(ragged) + " of the " + format_number(cut) + " voxels they cut. Close its holes.");
     }
   }
@@ -372,7 +374,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
     throw Error("the surface is " + mm_text(length) + " long, that is " + format_number(voxels.maxCoeff()) +
                 " voxels; check its unit (unit_mm of read_mesh), or choose a larger voxel size.");
   const WorkEstimate estimate = estimate_work(shells, options);
-  if (options.tell) options.tell(estimate);
+  if (options.observer) options.observer(estimate);
   require_allowed(estimate, options.large);
   IndexBox domain;
   for (int axis = 0; axis < 3; ++axis) {
@@ -384,8 +386,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
   ShellsFiller filler(shells, frame, options.subsamples);
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
   filler.check(length);
-  if (workpiece.empty())
-    throw Error("nothing solid is left between the surfaces: the last ones enclose only cavities.");
+  if (workpiece.empty()) throw Error("the workpiece is empty: the last surfaces make cavities of everything inside.");
   return workpiece;
 }
 

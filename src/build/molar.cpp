@@ -18,8 +18,8 @@ using implicit::join;
 using implicit::RoundCone;
 using units::mm;
 
-/// A cusp of the average tooth [mm]. The lobe's ball touches the crown's wall on the sides named by `side_x`, `side_y`;
-/// where a side is 0 the ball's centre is given instead.
+/// A cusp of the average tooth [mm]. The ball of the lobe touches the crown's wall on the sides `side_x`, `side_y`. For
+/// a side of 0, `wall_x` or `wall_y` is the centre of the ball.
 struct CuspShape {
   double tip_x, tip_y, tip_below_top, tip_radius;
   int side_x, side_y;
@@ -40,23 +40,23 @@ constexpr double kMarginBlend = 0.8 * mm;  // seam of a marginal ridge
 constexpr double kPulpBlend = 0.3 * mm;    // seams of the pulp
 constexpr double kTaper = 3.5 * mm;        // height over which the enamel of the walls reaches its full thickness
 constexpr double kFissureFade = 1.5 * mm;  // height over which a fissure reaches its full depth
-constexpr double kWedgeSlope = 1.5397;     // greatest slope of (1 - x^2)^2 for 0 <= x <= 1: 16 sqrt(3)/18
-constexpr double kMinDentin = 0.5 * mm;    // of any kind of tissue between the pulp and the outer surface
+constexpr double kWedgeSlope = 1.5397;     // largest slope of (1 - x^2)^2 for 0 <= x <= 1: 16 sqrt(3)/18
+constexpr double kMinDentin = 0.5 * mm;    // minimum thickness of any tissue between pulp and outer surface
 
-/// 0 below `from`, 1 above `to`, smooth between.
+/// 0 below `from`, 1 above `to`, smooth in between.
 double smooth_step(double value, double from, double to) {
   const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// A cusp with the depth under the surface at which its dentin horn begins.
+/// A cusp, and the depth under the surface at which its dentin horn begins.
 struct Cusp {
   RoundCone lobe;
   Vec3 tip;           ///< centre of the small ball
   double horn_depth;  ///< [m]
 };
 
-/// A bent rod of varying thickness: half a root, or a root canal.
+/// A curved rod of varying thickness: half of a root, or a root canal.
 class Strand {
  public:
   /// A quadratic Bezier curve with the radius running along with it, as a chain of round cones.
@@ -121,7 +121,7 @@ class Molar {
   Vec3 body_half_ = Vec3::Zero();
   double crown_bottom_ = 0;  ///< [m] height of the lowest point of the crown's parts
   double roots_top_ = 0;     ///< [m] height of the highest point of the strands
-  double fissures_end_ = 0;  ///< [m] height below which there are none
+  double fissures_end_ = 0;  ///< [m] lower end of the fissures
   Vec3 lesion_center_ = Vec3::Zero();
 };
 
@@ -155,7 +155,7 @@ Molar::Molar(const MolarParameters& parameters) : size_(parameters) {
     const Vec3 to(0.62 * cusp.tip.x(), 0.5 * cusp.tip.y(), size_.chamber_roof + size_.horn_height - 0.2 * mm);
     horns_.emplace_back(from, 0.6 * mm, to, 0.2 * mm);
   }
-  // Straight under the summit of a cusp the dentin begins at the depth that this place has.
+  // Directly under the summit of a cusp the dentin begins at the depth of this place.
   for (Cusp& cusp : cusps_) {
     const double summit = surface_height(cusp.tip.x(), cusp.tip.y());
     cusp.horn_depth = -smooth_surface({cusp.tip.x(), cusp.tip.y(), summit - size_.enamel_at_cusps});
@@ -176,10 +176,10 @@ void Molar::add_cusp(const CuspShape& shape) {
   cusps_.push_back({lobe, tip, 0});
   crown_bottom_ = std::min(crown_bottom_, ball.z() - ball_radius);
 
-  // Four ridges run down from a cusp; the outer one is the wall itself.
+  // Four ridges run down from a cusp; the outer ridge is the wall.
   const double fossa = size_.crown_height - size_.fossa_depth;
   const double crest_radius = 0.6 * tip_radius;
-  const Vec3 crest = tip + Vec3(0, 0, tip_radius - crest_radius - 0.22 * mm);  // low enough to leave the tip alone
+  const Vec3 crest = tip + Vec3(0, 0, tip_radius - crest_radius - 0.22 * mm);  // low enough not to change the tip
   const Eigen::Vector2d outwards = tip.head<2>().normalized();
   const Vec3 along(shape.side_y == 0 ? -outwards.y() : 1.0, shape.side_y == 0 ? outwards.x() : 0.0, 0);
   const Vec3 fall(0, 0, 0.95 * mm * scale_.z());
@@ -237,7 +237,7 @@ void Molar::add_fissures() {
 }
 
 Box Molar::box() const {
-  const double margin = 0.3 * mm;  // rounded seams stand out by less
+  const double margin = 0.3 * mm;  // rounded seams protrude less than this
   const Vec3 reach(size_.crown_mesiodistal / 2 + margin, size_.crown_buccolingual / 2 + margin, 0);
   const double root = std::max(size_.mesial_root_length, size_.distal_root_length) + margin;
   return {-reach - Vec3(0, 0, root), reach + Vec3(0, 0, size_.crown_height + margin)};
@@ -262,7 +262,7 @@ double Molar::smooth_surface(const Vec3& p) const {
   const double depth = size_.furcation_depth;
   double d = implicit::rounded_box(
       p, Vec3::Zero(), {size_.cervix_mesiodistal / 2, size_.cervix_buccolingual / 2, depth}, std::min(2.9 * mm, depth));
-  // Parts that lie beyond a plane further away than the seam is wide leave the value as it is, to the last bit.
+  // Parts beyond a plane at a distance larger than the width of the seam do not change any bit of the value.
   if (crown_bottom_ - p.z() < d + kTrunkBlend) d = join(d, crown(p), kTrunkBlend);
   if (p.z() - roots_top_ < d + kTrunkBlend) d = join(d, roots(p), kTrunkBlend);
   return d;
@@ -270,13 +270,13 @@ double Molar::smooth_surface(const Vec3& p) const {
 
 double Molar::fissure_distance(const Vec3& p) const {
   const Eigen::Vector2d q = p.head<2>();
-  double least = std::numeric_limits<double>::max();
+  double min_square = std::numeric_limits<double>::max();
   for (const FissureSegment& s : fissures_) {
     const Eigen::Vector2d along = s.to - s.from;
     const double t = std::clamp((q - s.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (q - s.from - t * along).squaredNorm());
+    min_square = std::min(min_square, (q - s.from - t * along).squaredNorm());
   }
-  return std::max(std::sqrt(least), fissures_end_ - p.z());
+  return std::max(std::sqrt(min_square), fissures_end_ - p.z());
 }
 
 double Molar::distance(const Vec3& p) const {
@@ -284,7 +284,8 @@ double Molar::distance(const Vec3& p) const {
   const double half_width = size_.fissure_half_width;
   if (size_.fissure_depth == 0 || half_width - (fissures_end_ - p.z()) <= surface) return surface;  // too far below
   // A fissure is the set within half_width of its line where the depth is less than a smooth wedge that fades out down
-  // the walls. Its sides are steeper than the surface, hence the divisor that keeps the result a bound of the distance.
+  // the walls. The sides of the wedge are steeper than the surface; the divisor keeps the result a bound of the
+  // distance.
   const double aside = fissure_distance(p);
   const double across = std::max(1 - aside * aside / (half_width * half_width), 0.0);
   const double fading = std::clamp((p.z() - fissures_end_) / kFissureFade, 0.0, 1.0);
@@ -331,7 +332,7 @@ MaterialId Molar::material(const Vec3& p) const {
   return thickness > 0 && depth < thickness ? kMolarEnamel : kMolarDentin;
 }
 
-/// Height of the chewing surface above a point of the junction's plane, fissures aside.
+/// [m] Height of the chewing surface, without fissures, above a point of the junction's plane.
 double Molar::surface_height(double x, double y) const {
   double z = size_.crown_height + mm;
   for (int i = 0; i < 200; ++i) {

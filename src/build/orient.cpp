@@ -21,10 +21,10 @@ struct Side {
   bool upwards;  // the triangle goes from the smaller to the larger one
 };
 
-/// A way from a triangle to its neighbour across a side that has no third.
+/// A neighbour of a triangle across a side of exactly two triangles.
 struct Neighbour {
   std::uint32_t triangle;
-  bool alike;  // both turn the same way
+  bool alike;  // both have the same orientation
 };
 
 std::vector<Side> sides_of(const TriangleMesh& mesh) {
@@ -65,12 +65,12 @@ Neighbours neighbours_in(const TriangleMesh& mesh) {
   return neighbours;
 }
 
-/// A part of a surface that is connected by sides of two triangles.
+/// A part of a surface, connected by sides of exactly two triangles.
 struct Piece {
   std::vector<std::uint32_t> triangles;
   bool closed = true;
   double six_volumes = 0;    // [m^3] negative: it faces inwards
-  std::array<Vec3, 6> ends;  // [m] a little beyond its vertices that are farthest along each axis, so outside of it
+  std::array<Vec3, 6> ends;  // [m] points slightly beyond the extreme vertices along each axis, outside of the piece
 };
 
 std::vector<Piece> pieces_of(const TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
@@ -111,12 +111,12 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh, const std::vector<std::ve
   return pieces;
 }
 
-/// Whether a surface winds around all ends of a piece, whichever way it faces.
+/// Whether a surface winds around all ends of a piece, independent of its orientation.
 bool encloses(const WindingNumber& surface, const Piece& piece) {
   return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) > 0.5; });
 }
 
-/// Whether the box around a piece holds another one.
+/// Whether the box around a piece contains the box around another piece.
 bool box_holds(const Piece& piece, const Piece& other) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (other.ends[2 * axis][int(axis)] < piece.ends[2 * axis][int(axis)] ||
@@ -125,7 +125,7 @@ bool box_holds(const Piece& piece, const Piece& other) {
   return true;
 }
 
-/// Which pieces lie in another one.
+/// The pieces that lie inside another piece.
 std::vector<std::size_t> pieces_in(const TriangleMesh& mesh, const std::vector<Piece>& pieces, const Piece& outer) {
   std::vector<std::size_t> within;
   for (std::size_t n = 0; n < pieces.size(); ++n)
@@ -142,10 +142,10 @@ std::vector<std::size_t> pieces_in(const TriangleMesh& mesh, const std::vector<P
   return within;
 }
 
-/// Turns triangles round until those that share a side go through it in opposite directions; a piece where most do
-/// already keeps its side.
-void turn_alike(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
-  enum : std::uint8_t { kUnseen, kKept, kTurned };
+/// Flips triangles until neighbours traverse their shared side in opposite directions. The orientation of a piece is
+/// that of most of its triangles.
+void orient_alike(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
+  enum : std::uint8_t { kUnseen, kKept, kFlipped };
   std::vector<std::uint8_t> state(mesh.triangles.size(), kUnseen);
   for (std::uint32_t first = 0; first < state.size(); ++first) {
     if (state[first] != kUnseen) continue;
@@ -154,41 +154,41 @@ void turn_alike(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& n
     bool possible = true;
     for (std::size_t n = 0; n < piece.size(); ++n)
       for (const Neighbour& next : neighbours[piece[n]]) {
-        const std::uint8_t wanted = (state[piece[n]] == kKept) == next.alike ? kKept : kTurned;
+        const std::uint8_t wanted = (state[piece[n]] == kKept) == next.alike ? kKept : kFlipped;
         if (state[next.triangle] == kUnseen) {
           state[next.triangle] = wanted;
           piece.push_back(next.triangle);
         }
         possible &= state[next.triangle] == wanted;
       }
-    if (!possible) continue;  // a surface with one side only
-    // Most triangles stay as they are; where that does not tell, the piece encloses something.
-    std::size_t turned = 0;
+    if (!possible) continue;  // a one-sided surface, such as a Moebius strip
+    // Most triangles keep their orientation. In a tie, the enclosed volume must be positive.
+    std::size_t flipped = 0;
     double volume = 0;
     for (const std::uint32_t t : piece) {
-      turned += state[t] == kTurned ? 1 : 0;
-      volume += state[t] == kTurned ? -six_volumes(mesh, t) : six_volumes(mesh, t);
+      flipped += state[t] == kFlipped ? 1 : 0;
+      volume += state[t] == kFlipped ? -six_volumes(mesh, t) : six_volumes(mesh, t);
     }
-    const bool other = 2 * turned == piece.size() ? volume < 0 : 2 * turned > piece.size();
+    const bool other = 2 * flipped == piece.size() ? volume < 0 : 2 * flipped > piece.size();
     for (const std::uint32_t t : piece)
-      if ((state[t] == kTurned) != other) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      if ((state[t] == kFlipped) != other) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
 }
 
-/// Turns closed pieces that lie in no other and face inwards, and with each what lies in it.
-void turn_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
+/// Flips closed outer pieces that face inwards, together with all pieces inside them.
+void orient_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
   const std::vector<Piece> pieces = pieces_of(mesh, neighbours);
   const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
   if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
   const WindingNumber all(mesh);
-  std::vector<bool> turns(pieces.size(), false);
+  std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     if (!faces_inwards(pieces[n]) || encloses(all, pieces[n])) continue;
-    turns[n] = true;
-    for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) turns[within] = true;
+    flips[n] = true;
+    for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) flips[within] = true;
   }
   for (std::size_t n = 0; n < pieces.size(); ++n)
-    if (turns[n])
+    if (flips[n])
       for (const std::uint32_t t : pieces[n].triangles) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
@@ -196,8 +196,8 @@ void turn_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>
 
 TriangleMesh oriented(TriangleMesh mesh) {
   const auto [neighbours, all_alike] = neighbours_in(mesh);
-  if (!all_alike) turn_alike(mesh, neighbours);
-  turn_outwards(mesh, neighbours);
+  if (!all_alike) orient_alike(mesh, neighbours);
+  orient_outwards(mesh, neighbours);
   return mesh;
 }
 

@@ -5,12 +5,15 @@
 
 namespace hapticut {
 
-/// A mesh whose triangles are turned round until those that share a side go through it in opposite directions, as on
-/// one side of a surface; a piece where most do already keeps its side. Sides of three and more triangles join nothing.
-/// Some programs write the corners of faces in any order, and no winding number can tell what such a surface encloses.
+/// Returns a mesh with consistent orientation. Some programs write the corners of faces in any order, and winding
+/// numbers are meaningless for such a surface.
 ///
-/// Then closed pieces that lie in no other and face inwards are turned, e.g. the mirrored half of a jaw, and with each
-/// what lies in it. A piece within another keeps its side: it may be a cavity. Where a piece is open this is left out.
+/// First, triangles are flipped until neighbours traverse their shared side in opposite directions. The orientation of
+/// a piece is that of most of its triangles. Sides of three or more triangles do not connect triangles.
+///
+/// Second, closed outer pieces that face inwards are flipped, e.g. the mirrored half of a jaw, together with all pieces
+/// inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. If any piece is
+/// open, the second step is left out.
 [[nodiscard]] TriangleMesh oriented(TriangleMesh mesh);
 
 }  // namespace hapticut

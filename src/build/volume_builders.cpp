@@ -19,12 +19,12 @@
 namespace hapticut {
 namespace {
 
-/// Where the voxels of the workpiece lie among the samples of the volume.
+/// Position of the voxels of the workpiece among the samples of the volume.
 struct Layout {
   GridFrame frame;
-  IndexBox samples;  // that count
-  IndexBox voxels;   // that may be solid
-  Vec3 first;        // [samples] place of the centre of voxel (0,0,0)
+  IndexBox samples;  // samples in use
+  IndexBox voxels;   // voxels that may be solid
+  Vec3 first;        // [samples] position of the centre of voxel (0,0,0)
   Vec3 step;         // [samples] size of a voxel
   bool one_to_one;   // voxel (i, j, k) is sample (i, j, k)
 };
@@ -86,35 +86,36 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   return layout;
 }
 
-/// Tells of the work, and refuses what nobody has asked for. How many voxels a surface will cut is not known: a tenth.
+/// Estimates the work, calls the observer, and checks the limits. The number of voxels that a surface cuts is not known
+/// yet; a tenth of all voxels is assumed.
 void announce(const Layout& layout, const VolumeBuildOptions& options) {
-  constexpr double kShareCut = 0.1, kSecondsPerVoxel = 5e-8, kSecondsPerCutVoxel = 2e-6;
+  constexpr double kCutFraction = 0.1, kSecondsPerVoxel = 5e-8, kSecondsPerCutVoxel = 2e-6;
   constexpr double kBytesPerVoxel = 1.3, kBytesPerCutVoxel = 12;
   WorkEstimate estimate;
   estimate.voxels = 1;
   for (int axis = 0; axis < 3; ++axis) estimate.voxels *= layout.voxels.max[axis] - layout.voxels.min[axis] + 1.0;
-  estimate.cut_voxels = options.antialias ? kShareCut * estimate.voxels : 0;
+  estimate.cut_voxels = options.antialias ? kCutFraction * estimate.voxels : 0;
   estimate.memory_bytes = kBytesPerVoxel * estimate.voxels + kBytesPerCutVoxel * estimate.cut_voxels;
   estimate.seconds = kSecondsPerVoxel * estimate.voxels + kSecondsPerCutVoxel * estimate.cut_voxels;
-  if (options.tell) options.tell(estimate);
+  if (options.observer) options.observer(estimate);
   require_allowed(estimate, options.large);
 }
 
-/// Calls `look(row, count)` for every row of the samples that count, from several threads.
-template <class Value, class Look>
-void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Look& look) {
+/// Calls `visit(row, count)` for every row of the samples in use, from several threads.
+template <class Value, class Visit>
+void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Visit& visit) {
   const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
   tbb::parallel_for(rows, [&](const tbb::blocked_range<int>& slices) {
     for (int k = slices.begin(); k != slices.end(); ++k)
       for (int j = samples.min[1]; j <= samples.max[1]; ++j)
-        look(&volume.at(samples.min[0], j, k), samples.max[0] - samples.min[0] + 1);
+        visit(&volume.at(samples.min[0], j, k), samples.max[0] - samples.min[0] + 1);
   });
 }
 
 template <class Field>
 Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field, const Layout& layout,
                 const MaterialTable& materials, const VolumeBuildOptions& options) {
-  // Points must not be further apart than samples are, or they would miss some.
+  // Points must not be further apart than samples, or they would miss some samples.
   const int dense_enough = int(std::min(std::ceil(layout.step.maxCoeff() - 1e-6), double(kMaxSubsamples)));
   const int subsamples = options.antialias ? std::max(options.subsamples, dense_enough) : 1;
   announce(layout, options);
@@ -123,7 +124,7 @@ Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field
   return Workpiece::from_blocks(layout.voxels, layout.frame, materials, std::cref(fill));
 }
 
-/// Labels, sample by sample.
+/// Copies labels, sample by sample.
 BlockKind copy_labels(const LabelVolume& volume, const LabelField& field, const IndexBox& samples,
                       const VoxelIndex& origin, BlockContent& content) {
   content.material.fill(kEmpty);
@@ -140,7 +141,7 @@ BlockKind copy_labels(const LabelVolume& volume, const LabelField& field, const 
   return BlockKind::mixed();
 }
 
-/// Which labels there are among the samples that count.
+/// Marks the labels of the samples in use.  @return [65536]
 std::vector<bool> labels_in(const LabelVolume& volume, const IndexBox& samples) {
   std::vector<std::atomic<bool>> seen(65536);
   for_each_row(volume, samples, [&](const std::uint16_t* row, int count) {
@@ -161,7 +162,7 @@ void require_all_claimed(const std::vector<bool>& present, const std::vector<boo
   if (count > 10) unclaimed += " and " + std::to_string(count - 10) + " more";
   if (count > 0)
     throw Error("the volume has labels that no material claims: " + unclaimed +
-                ". Give each a material, or leave them out by UnclaimedLabels::leave_out.");
+                ". Give each a material, or leave them out with UnclaimedLabels::leave_out.");
 }
 
 void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
@@ -239,14 +240,15 @@ std::vector<Material> materials_of(const Grade& grade) {
   if (a.cutter && b.cutter && a.cutter != b.cutter)
     throw Error("the grade goes from '" + a.name + "', whose constants are for the cutter " +
                 std::string(name_or_null(*a.cutter)) + ", to '" + b.name + "', which is for " +
-                std::string(name_or_null(*b.cutter)) + ". Take both for the same: find_preset(name, cutter).");
+                std::string(name_or_null(*b.cutter)) + ". Use the same cutter for both: find_preset(name, cutter).");
   for (int n = 0; n < grade.steps; ++n) {
     const double t = (n + 0.5) / grade.steps;
     Material m;
     m.name = a.name + " " + std::to_string(n + 1) + "/" + std::to_string(grade.steps);
     for_each_number<Material>(
         [&](const auto& field) { m.*field.member = between(a.*field.member, b.*field.member, t); });
-    // What a lip adds goes with u h_e and u sqrt(h_s): with both factors linear the middle would be the hardest.
+    // The energy of a lip is proportional to u h_e and u sqrt(h_s). If both factors were linear, the middle would be
+    // the hardest piece.
     const double u = m.specific_cutting_energy, edge = between(a.specific_cutting_energy * a.edge_length,
                                                                b.specific_cutting_energy * b.edge_length, t);
     m.edge_length = edge / u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies and cavities of a volume: samples that are joined by faces.
+// Bodies and cavities of a volume: samples that are connected over faces.
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -9,12 +9,12 @@
 namespace hapticut {
 namespace {
 
-/// Neighbouring samples of one row (along x) that all belong.
+/// Adjacent samples of one row (along x) that belong to a body.
 struct Run {
-  int begin, end;  // the last one is before `end`
+  int begin, end;  // `end` is not included
 };
 
-/// The bodies of a volume, put together from runs: far fewer than samples, and each is looked at once.
+/// The bodies of a volume, found from runs. There are far fewer runs than samples, and each is visited once.
 class Bodies {
  public:
   /// @param inside  whether a value belongs to a body
@@ -40,7 +40,7 @@ class Bodies {
     return n;
   }
 
-  /// Calls `use(run, row, its samples)` for each.
+  /// Calls `use(run, row, samples of the run)` for each run.
   template <class Use>
   void for_each_run(const Use& use) const {
     for (std::size_t row = 0; row + 1 < first_run_.size(); ++row)
@@ -61,7 +61,7 @@ class Bodies {
     first_run_.push_back(runs_.size());
   }
 
-  /// Joins the runs of two rows side by side that touch.
+  /// Joins the runs of two adjacent rows that touch.
   void join(std::size_t a_row, std::size_t b_row) {
     std::size_t a = first_run_[a_row], b = first_run_[b_row];
     while (a < first_run_[a_row + 1] && b < first_run_[b_row + 1]) {
@@ -75,8 +75,8 @@ class Bodies {
 
   std::array<int, 3> dims_;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> parent_;   // of a run: an earlier one of the same body, or itself
-  std::vector<std::size_t> first_run_;  // of each row, and where the last row ends
+  std::vector<std::uint32_t> parent_;   // of a run: an earlier run of the same body, or itself
+  std::vector<std::size_t> first_run_;  // of each row, and the end of the last row
 };
 
 /// Gives a value to all samples that belong to a body but not to the largest one.
@@ -104,7 +104,7 @@ LabelVolume keep_largest_component(LabelVolume volume) {
   require_valid(volume);
   if (!clear_all_but_largest(
           volume, [](std::uint16_t label) { return label != 0; }, std::uint16_t(0)))
-    throw Error("the volume has no label but 0; there is no component to keep.");
+    throw Error("all labels of the volume are 0; there is no component to keep.");
   return volume;
 }
 

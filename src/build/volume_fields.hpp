@@ -10,33 +10,33 @@
 #include "build/volume_sampling.hpp"
 
 /// @file
-/// What the samples of a volume mean: labels, or ranges of grey values. See VolumeFiller for what a field is asked.
+/// Meaning of the samples of a volume: labels, or ranges of grey values. VolumeFiller defines the interface of a field.
 namespace hapticut {
 
-/// How much of a voxel belongs to each material.
-class MaterialShares {
+/// The parts of a voxel that belong to each material.
+class MaterialParts {
  public:
-  void add(MaterialId material, float share) {
-    shares_[material] += share;
+  void add(MaterialId material, float part) {
+    parts_[material] += part;
     low_ = std::min(low_, material);
     high_ = std::max(high_, material);
   }
-  /// The material with the largest share that is not kEmpty; of equal ones the first.
+  /// The material with the largest part, not kEmpty; the first of several equal parts.
   [[nodiscard]] MaterialId largest() const {
-    const auto begin = shares_.begin() + std::max(low_, MaterialId(1)), end = shares_.begin() + high_ + 1;
-    return MaterialId(std::max_element(begin, end) - shares_.begin());
+    const auto begin = parts_.begin() + std::max(low_, MaterialId(1)), end = parts_.begin() + high_ + 1;
+    return MaterialId(std::max_element(begin, end) - parts_.begin());
   }
 
  private:
-  ByMaterial<float> shares_{};
-  MaterialId low_ = 255, high_ = 1;  // only these are looked through
+  ByMaterial<float> parts_{};
+  MaterialId low_ = 255, high_ = 1;  // the range in use
 };
 
 /// Labels, each of which is a material or empty.
 class LabelField {
  public:
   using Sample = std::uint16_t;
-  using Tally = MaterialShares;
+  using Tally = MaterialParts;
   struct Extent {
     MaterialId low = 255, high = 0;
   };
@@ -58,13 +58,13 @@ class LabelField {
     float variation = 0;
     const float membership =
         cell.interpolate([&](Sample label) { return material_of_[label] != kEmpty ? 1.0F : 0.0F; }, variation);
-    const float share = covered_share(membership - 0.5F, variation, membership >= 0.5F);
-    if (share == 0) return 0;
+    const float part = covered_fraction(membership - 0.5F, variation, membership >= 0.5F);
+    if (part == 0) return 0;
     const auto [x, y, z] = cell.weight;
     for (unsigned n = 0; n < 8; ++n)
       tally.add(material_of_[cell.corner[n]],
-                share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
-    return share;
+                part * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
+    return part;
   }
   template <class CellAt>
   [[nodiscard]] MaterialId material(const Tally& tally, const Vec3&, const CellAt&) const {
@@ -76,18 +76,18 @@ class LabelField {
   const std::vector<MaterialId>& material_of_;  // [65536]
 };
 
-/// Grey values cut into zones: each is a material, or empty.
+/// Grey values divided into zones: each zone is a material, or empty.
 ///
-/// At a border with what is empty below, a scan has mixed both sides, and values that rise to a dense material pass
-/// through the zones of the softer ones. A voxel there is of the material behind it: where the rise, followed along the
-/// gradient, has flattened to half its steepest. A layer of soft material of its own makes a step of the rise, at which
-/// it ends.
+/// At the border of a body a scan mixes both sides, and values that rise to a dense material pass through the zones of
+/// softer materials. A voxel there gets the material behind it: the rise is followed along the gradient until it has
+/// flattened to a quarter of its steepest slope. A real layer of soft material makes a step in the rise, where the rise
+/// ends.
 class GreyField {
  public:
   using Sample = float;
   struct Tally {
-    MaterialShares materials;
-    double covered = 0, value = 0;  ///< sums of the shares, and of share times grey value
+    MaterialParts materials;
+    double covered = 0, value = 0;  ///< sums of the parts, and of part times grey value
   };
   struct Extent {
     float low = std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
@@ -98,8 +98,8 @@ class GreyField {
   };
 
   /// @param ranges  sorted, not overlapping
-  /// @param graded  the material of a voxel is that of its mean grey value instead of the most frequent one
-  /// @param spacing  [m] of the samples; nothing: voxels at a border are what their own values say
+  /// @param graded   a voxel has the material of its mean grey value instead of the most frequent material
+  /// @param spacing  [m] of the samples; nothing: the own values of voxels at a border decide
   GreyField(const std::vector<Bounds>& ranges, bool graded, const std::optional<Vec3>& spacing)
       : graded_(graded), spacing_(spacing) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -115,7 +115,7 @@ class GreyField {
       add_zone(range.to, range.material);
     }
     add_zone(kInfinity, kEmpty);
-    // A surface is where solid meets empty: neighbouring solid zones are one run.
+    // A surface lies between solid and empty, so neighbouring solid zones are one run.
     for (const auto& zone : zones_) {
       const bool solid = zone.material != kEmpty;
       if (!runs_.empty() && solid && runs_.back().solid) {
@@ -157,12 +157,12 @@ class GreyField {
     const float value = cell.interpolate([](Sample v) { return v; }, variation);
     const Run& run = run_of(value);
     const float depth = std::min(value - run.low, run.high - value);
-    const float share = covered_share(run.solid ? depth : -depth, variation, run.solid);
-    if (share == 0) return 0;
-    if (!graded_) tally.materials.add(nearest_material(run, value), share);
-    tally.covered += double(share);
-    tally.value += double(share) * double(value);
-    return share;
+    const float part = covered_fraction(run.solid ? depth : -depth, variation, run.solid);
+    if (part == 0) return 0;
+    if (!graded_) tally.materials.add(nearest_material(run, value), part);
+    tally.covered += double(part);
+    tally.value += double(part) * double(value);
+    return part;
   }
   template <class CellAt>
   [[nodiscard]] MaterialId material(const Tally& tally, const Vec3& place, const CellAt& cell_at) const {
@@ -174,10 +174,11 @@ class GreyField {
   }
 
  private:
-  static constexpr int kReach = 2;  // [samples] that a border takes in a scan, to each side of a place
+  static constexpr int kReach = 2;  // [samples] width of a border in a scan, to each side of a place
 
-  /// The value that the rise from `empty` leads to through a place; nothing finite when the place is not at such a
-  /// border.
+  /// The grey value at the upper end of the rise that starts below `empty` and passes through a place. If no value
+  /// within reach is below `empty`, the place is not at such a border, and the result is the value at the end of the
+  /// search.
   template <class CellAt>
   [[nodiscard]] float value_behind(const Vec3& place, float empty, const CellAt& cell_at) const {
     constexpr double kStep = 0.5;  // [samples]
@@ -211,13 +212,13 @@ class GreyField {
     MaterialId material;
     float low, high;
   };
-  /// Neighbouring zones that are all solid, or a gap.
+  /// Adjacent solid zones, or a gap.
   struct Run {
     bool solid;
     float low, high;
   };
 
-  /// There are few runs: no search is faster than looking at one after the other.
+  /// The run of a value. There are few runs, so a linear search is fastest.
   [[nodiscard]] const Run& run_of(float value) const {
     const Run* run = runs_.data();
     for (const Run* last = run + runs_.size() - 1; run != last && !(value < run->high);) ++run;
@@ -227,7 +228,7 @@ class GreyField {
     const auto end = std::upper_bound(ends_.begin(), ends_.end(), value);
     return zones_[std::min(std::size_t(end - ends_.begin()), zones_.size() - 1)];
   }
-  /// The material at a value; in a gap that of the nearer end.
+  /// The material at a value; in a gap, the material at the nearer end.
   [[nodiscard]] MaterialId nearest_material(const Run& run, float value) const {
     const Zone* zone = &zone_of(value);
     if (run.solid) return zone->material;
@@ -236,12 +237,12 @@ class GreyField {
     return value - run.low < run.high - value ? zone[-1].material : zone[1].material;
   }
 
-  std::vector<Zone> zones_;  // every grey value is in one
+  std::vector<Zone> zones_;  // every grey value is in one zone
   std::vector<float> ends_;  // upper bounds of the zones
-  std::vector<Run> runs_;    // every grey value is in one
+  std::vector<Run> runs_;    // every grey value is in one run
   bool graded_;
   std::optional<Vec3> spacing_;
-  ByMaterial<float> empty_below_{};  // [material] value below which a border begins; none where nothing is denser
+  ByMaterial<float> empty_below_{};  // [material] value below which a border begins; -infinity if nothing is denser
 };
 
 }  // namespace hapticut

@@ -150,7 +150,7 @@ std::array<double, 2> grey_range(const GreyVolume& volume) {
     found = true;
     range = {std::min(range[0], double(value)), std::max(range[1], double(value))};
   }
-  if (!found) throw Error("no sample of the volume is a number; is its type the right one?");
+  if (!found) throw Error("no sample of the volume is a number; check the type of its values.");
   return range;
 }
 
@@ -170,13 +170,13 @@ std::map<int, std::size_t> count_labels(const LabelVolume& volume) {
   return used;
 }
 
-std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t most) {
+std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t max_labels) {
   require_valid(volume);
   std::map<int, std::size_t> counts;
   for (const float value : volume.values) {
     if (!(value >= 0 && value < kMaxLabels && value == std::floor(value))) return {};
     ++counts[int(value)];
-    if (counts.size() > most) return {};
+    if (counts.size() > max_labels) return {};
   }
   return counts;
 }
@@ -184,7 +184,7 @@ std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t mo
 std::uint16_t unused_label(const LabelVolume& volume) {
   require_valid(volume);
   const int label = *std::max_element(volume.values.begin(), volume.values.end()) + 1;
-  if (label == kMaxLabels) throw Error("the volume uses label 65535, so that none is left for more; renumber them.");
+  if (label == kMaxLabels) throw Error("the volume uses label 65535, the last possible one; renumber its labels.");
   return std::uint16_t(label);
 }
 

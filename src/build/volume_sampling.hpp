@@ -11,10 +11,10 @@
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
-/// How the voxels of a workpiece read a dense volume whose axes they share.
+/// Sampling of a dense volume by the voxels of a workpiece with the same axes.
 ///
-/// Most blocks are all of one material: they are recognised from the samples that they touch. Only voxels that a
-/// surface cuts are looked at point by point.
+/// Most blocks consist of one material and are recognised from the samples that they touch. Only voxels that a surface
+/// cuts are sampled point by point.
 namespace hapticut {
 
 inline constexpr int kMaxSubsamples = 16;
@@ -22,20 +22,20 @@ inline constexpr int kMaxSubsamples = 16;
 /// A point between two samples along one axis.
 struct PointOnAxis {
   int low = 0;       ///< the sample below
-  int high = 0;      ///< the sample above; the same one at the border
+  int high = 0;      ///< the sample above; equal to `low` at the border
   float weight = 0;  ///< [1] of the sample above
   bool inside = false;
 };
 
-/// What is around one point: the values at the corners of its cell (x fastest) and how far it is along each edge.
+/// The cell around one point: the values at the corners (x fastest) and the position of the point along each edge.
 template <class Sample>
 struct Cell {
   std::array<Sample, 8> corner;
   std::array<float, 3> weight;  ///< [1] 0 ... 1
   std::array<float, 3> step;    ///< [samples] distance of neighbouring points along each axis
 
-  /// Interpolates what `value_of` makes of each corner.
-  /// @param variation  how much the interpolated value changes across the little box around the point
+  /// Interpolates `value_of(corner)`.
+  /// @param variation  receives the change of the interpolated value across the small box around the point
   template <class ValueOf>
   [[nodiscard]] float interpolate(const ValueOf& value_of, float& variation) const {
     std::array<float, 8> v;
@@ -52,33 +52,38 @@ struct Cell {
   }
 };
 
-/// Share of the little box around a point that is inside, when the point is `excess` inside and the field changes by
-/// `variation` across the box. Exact for a plane that is parallel to a face of the box.
-/// @param inside  whether the point itself counts as inside; decides alone where nothing changes
-[[nodiscard]] inline float covered_share(float excess, float variation, bool inside) {
+/// [1] Covered fraction of the small box around a point that is `excess` inside, if the field changes by `variation`
+/// across the box. Exact for a plane that is parallel to a face of the box.
+/// @param inside  whether the point counts as inside; decides if the field does not change across the box
+[[nodiscard]] inline float covered_fraction(float excess, float variation, bool inside) {
   if (std::abs(excess) >= variation / 2) return inside ? 1.0F : 0.0F;
   return 0.5F + excess / variation;
 }
 
 /// Fills the blocks of a workpiece from a volume.
 ///
-/// A `Field` says what samples mean:
-/// `Sample` their type; `Extent` a summary of several samples, grown by `extend(extent, sample)`; `uniform(extent)` the
-/// one material of everything between such samples (kEmpty for none), or nothing; `all_solid(extent)` whether
-/// everything between them is some material; `surely_cut(extent)` that neither can be true any more; `Tally` what is
-/// counted in a voxel; `count(cell, tally)` counts one point and returns the share of the box around it that is inside;
-/// `material(tally, place, cell_at)` the material of the voxel at a place among the samples, given a function from
-/// places to cells; `reach(material)` how many samples around a voxel of that material may change it.
+/// A `Field` defines the meaning of samples:
+/// * `Sample`: type of the samples.
+/// * `Extent`: a summary of several samples, grown by `extend(extent, sample)`.
+/// * `uniform(extent)`: the single material between these samples (kEmpty if empty), or nothing.
+/// * `all_solid(extent)`: whether every point between the samples has a material.
+/// * `surely_cut(extent)`: whether both of these are certainly false.
+/// * `Tally`: the sums over a voxel.
+/// * `count(cell, tally)`: counts one point and returns the covered fraction of the box around it.
+/// * `material(tally, place, cell_at)`: the material of the voxel at a place among the samples; `cell_at` gives the
+/// cell of
+///   a place.
+/// * `reach(material)`: number of samples around a voxel of that material that may change it.
 template <class Field>
 class VolumeFiller {
  public:
   using Sample = typename Field::Sample;
 
-  /// @param samples  the samples that count; what lies more than half a spacing beyond them is empty
-  /// @param first    [samples] place of the centre of voxel (0,0,0) among the samples
+  /// @param samples  the samples in use; points more than half a spacing beyond them are empty
+  /// @param first    [samples] position of the centre of voxel (0,0,0) among the samples
   /// @param step     [samples] size of a voxel along each axis
   /// @param subsamples  points per edge of a voxel that the surface cuts
-  /// @param sparse      points per edge that are enough to see every sample
+  /// @param sparse      points per edge that suffice to see every sample
   /// @param antialias  false: with one subsample, voxels are full or empty
   VolumeFiller(const Volume<Sample>& volume, const Field& field, const IndexBox& samples, const Vec3& first,
                const Vec3& step, int subsamples, int sparse, bool antialias)
@@ -89,7 +94,7 @@ class VolumeFiller {
         step_(step),
         subsamples_(subsamples),
         sparse_(sparse) {
-    // A point that stands for no box is inside or outside, with no share between.
+    // Without a box, a point is either inside or outside.
     if (antialias) box_ = (step / subsamples).cast<float>();
   }
 
@@ -139,8 +144,8 @@ class VolumeFiller {
     return point;
   }
 
-  /// Summary of the samples around the voxels `from` ... `to` of a block, and of `reach` more to each side; stops when
-  /// it is certain that they differ.
+  /// Summary of the samples around the voxels `from` ... `to` of a block, and of `reach` more samples to each side;
+  /// stops early if a surface surely cuts them.
   [[nodiscard]] typename Field::Extent extent_of(const Points& points, const VoxelIndex& from, const VoxelIndex& to,
                                                  int reach = 0) const {
     VoxelIndex low, high;
@@ -192,10 +197,10 @@ class VolumeFiller {
         for (int a = 0; a < subsamples_; ++a) {
           const PointOnAxis& x = points[0][voxel[0] * subsamples_ + a];
           if (!x.inside) continue;
-          const double share = double(field_.count(cell_at(rows, x, y, z), tally));
-          if (share == 0) continue;
-          covered += share;
-          moment += share * Vec3(a, b, c);
+          const double part = double(field_.count(cell_at(rows, x, y, z), tally));
+          if (part == 0) continue;
+          covered += part;
+          moment += part * Vec3(a, b, c);
         }
       }
     const double fill = covered / (subsamples_ * subsamples_ * subsamples_);
@@ -207,7 +212,7 @@ class VolumeFiller {
     content.centroid[n] = CentroidOffset::from_offset(centroid);
   }
 
-  /// What is in a voxel that is full: as few points as see every sample.
+  /// Tally of a full voxel, with the fewest points that see every sample.
   [[nodiscard]] typename Field::Tally tally_of_full(const Points& sparse, const VoxelIndex& voxel) const {
     typename Field::Tally tally{};
     for (int c = 0; c < sparse_; ++c)
@@ -229,7 +234,7 @@ class VolumeFiller {
     return inside;
   }
 
-  /// The four rows of samples around a line along x: below and above in y, then the same above in z.
+  /// The four rows of samples around a line along x: below and above in y at the lower z, then both at the upper z.
   using Rows = std::array<const Sample*, 4>;
   [[nodiscard]] Rows rows_at(const PointOnAxis& y, const PointOnAxis& z) const {
     return {&volume_.at(0, y.low, z.low), &volume_.at(0, y.high, z.low), &volume_.at(0, y.low, z.high),
@@ -252,14 +257,15 @@ class VolumeFiller {
     return cell_at(rows_at(y, z), point_at(0, place.x()), y, z);
   }
 
-  static constexpr double kNegligible = 1.0 / 2048;  ///< [1] filled fraction below what a centroid step resolves
+  static constexpr double kNegligible =
+      1.0 / 2048;  ///< [1] filled fraction; smaller than the resolution of a centroid step
 
   const Volume<Sample>& volume_;
   const Field& field_;
   IndexBox samples_;
   Vec3 first_, step_;
   int subsamples_, sparse_;
-  Eigen::Vector3f box_ = Eigen::Vector3f::Zero();  ///< [samples] size of the box that a point stands for
+  Eigen::Vector3f box_ = Eigen::Vector3f::Zero();  ///< [samples] size of the box around a point
 };
 
 }  // namespace hapticut

@@ -10,7 +10,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 8;
-constexpr double kFarDistance = 2;  // [radii] from which a group of triangles is seen as its expansion
+constexpr double kFarDistance = 2;  // [radii] beyond this distance a group of triangles is replaced by its expansion
 constexpr int kStackDepth = 64;     // of a balanced tree over 2^32 triangles, twice
 
 Vec3 centroid(const WindingNumber::Triangle& t) { return (t[0] + t[1] + t[2]) / 3; }
@@ -34,7 +34,7 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) {
   if (triangles_.empty()) return;
   Vec3 middle = Vec3::Zero();
   for (const Triangle& t : triangles_) middle += centroid(t) / double(triangles_.size());
-  double volume = 0;  // of the cones from the middle, so that holes matter little
+  double volume = 0;  // of the cones from the middle, so that holes have little effect
   for (const Triangle& t : triangles_) volume += (centroid(t) - middle).dot(area_vector(t));
   if (volume < 0)
     for (Triangle& t : triangles_) std::swap(t[1], t[2]);
@@ -85,15 +85,15 @@ void WindingNumber::build(std::uint32_t first, std::uint32_t count) {
   nodes_[index] = node;
 }
 
-template <class GoesOn>
-void WindingNumber::descend(const GoesOn& goes_on) const {
+template <class Descends>
+void WindingNumber::descend(const Descends& descends) const {
   if (nodes_.empty()) return;
   std::array<std::uint32_t, kStackDepth> stack;
   int depth = 0;
   stack[0] = 0;
   while (depth >= 0) {
     const std::uint32_t index = stack[std::size_t(depth--)];
-    if (!goes_on(nodes_[index])) continue;
+    if (!descends(nodes_[index])) continue;
     stack[std::size_t(++depth)] = nodes_[index].second_child;
     stack[std::size_t(++depth)] = index + 1;
   }

@@ -9,19 +9,19 @@
 
 namespace hapticut {
 
-/// How often a surface winds around a point: 1 inside a closed surface, 0 outside, and in between where the surface has
-/// holes, so that "more than one half" closes small holes by the smoothest surface.
+/// The number of times that a surface winds around a point: 1 inside a closed surface, 0 outside, and in between near
+/// holes. The set "more than one half" closes small holes by the smoothest surface.
 ///
 ///     w(q) = 1/(4 pi) sum over triangles of the solid angle under which q sees them
 ///
-/// Triangles far from q are not visited one by one: a tree holds, for each group of triangles, the first two terms of
-/// the expansion of the sum about the group's centre (after Barill, Dickson, Schmidt, Levin and Jacobson 2018, "Fast
-/// winding numbers for soups and clouds"; here with the first and second moments of the area vectors).
+/// Triangles far from q are not visited individually: a tree holds, for each group of triangles, the first two terms of
+/// the expansion of the sum about the centre of the group (after Barill, Dickson, Schmidt, Levin and Jacobson 2018,
+/// "Fast winding numbers for soups and clouds"; here with the first and second moments of the area vectors).
 class WindingNumber {
  public:
   using Triangle = std::array<Vec3, 3>;
 
-  /// A surface that is inside out as a whole is turned round.
+  /// If the whole surface is inside out, it is flipped.
   explicit WindingNumber(const TriangleMesh& mesh);
 
   /// @return [1], within about 0.02 of the exact value
@@ -33,7 +33,7 @@ class WindingNumber {
  private:
   struct Node {
     Vec3 min, max;               // [m] bounding box
-    Vec3 center;                 // [m] of the areas
+    Vec3 center;                 // [m] mean of the centroids, weighted by area
     double radius;               // [m] largest distance of a vertex from the centre
     Vec3 dipole;                 // [m^2] sum of area vectors
     Mat3 quadrupole;             // [m^3] sum of (triangle's centroid - centre) (area vector)^T, symmetrised
@@ -41,9 +41,9 @@ class WindingNumber {
     std::uint32_t second_child;  // the first child is the next node
   };
   void build(std::uint32_t first, std::uint32_t count);
-  /// From the root to the children of each node of which `goes_on(node)` says so.
-  template <class GoesOn>
-  void descend(const GoesOn& goes_on) const;
+  /// Visits the nodes from the root; visits the children of a node if `descends(node)` returns true.
+  template <class Descends>
+  void descend(const Descends& descends) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;

@@ -12,10 +12,10 @@
 namespace hapticut {
 
 void require_allowed(const WorkEstimate& estimate, bool large) {
-  if (large || (estimate.memory_bytes <= kMaxMemoryUnasked && estimate.seconds <= kMaxSecondsUnasked)) return;
+  if (large || (estimate.memory_bytes <= kMaxBuildMemory && estimate.seconds <= kMaxBuildTime)) return;
   throw Error("the workpiece would take about " + format_number(estimate.voxels) + " voxels, " +
               format_number(estimate.memory_bytes) + " bytes and " + format_number(estimate.seconds) +
-              " s of work; check its unit and size, choose a larger voxel size, or say that so much is meant "
+              " s of work; check its unit and size, choose a larger voxel size, or lift the limit "
               "(MeshImport::large, VolumeBuildOptions::large).");
 }
 
@@ -30,7 +30,7 @@ WorkEstimate estimate_work(const std::vector<MeshShell>& shells, const MeshImpor
     for (const auto& t : shell.mesh.triangles) {
       const Vec3 &a = shell.mesh.vertices[t[0]], &b = shell.mesh.vertices[t[1]], &c = shell.mesh.vertices[t[2]];
       around.extend(a).extend(b).extend(c);
-      // As many voxels as its area has seen along the three axes, and a row of them along its edges.
+      // The voxels of its area projected along the three axes, and a row of voxels along its edges.
       const Vec3 area = 0.5 * (b - a).cross(c - a).cwiseAbs();
       const double length = (b - a).norm() + (c - b).norm() + (a - c).norm();
       estimate.cut_voxels += area.sum() / (h * h) + 0.5 * length / h;

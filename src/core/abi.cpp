@@ -3,7 +3,7 @@
 
 namespace hapticut::abi {
 
-// Instantiated by kMustAgree, of which this file has one as well.
+// Instantiated by kMustAgree, which this file has as well.
 template <hapticut_version, glibcxx_debug, glibcxx_use_cxx11_abi, libcxx_abi, eigen_version, eigen_align,
           eigen_row_major, eigen_index_bytes, struct_bytes>
 void library_was_compiled_with() {}

@@ -5,7 +5,7 @@
 
 namespace hapticut {
 
-/// Calls a function where its scope ends, whatever ends it.
+/// Calls a function at the end of its scope, even if an exception ends it.
 template <class Function>
 class AtEnd {
  public:

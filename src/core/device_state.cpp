@@ -10,10 +10,10 @@ std::string describe(DeviceFault fault) {
     case DeviceFault::disconnected:
       return "the device stopped answering; check its cable, its power and the permission to use it, then run again";
     case DeviceFault::uncalibrated:
-      return "the device is not calibrated, so its position means nothing; dock the stylus or run the maker's "
+      return "the device is not calibrated, so its position is meaningless; dock the stylus or run the maker's "
              "calibration";
     case DeviceFault::motors_warm:
-      return "the motors are too warm; let go until they have cooled";
+      return "the motors are too warm; release the stylus until they have cooled";
     case DeviceFault::force_limit:
       return "the driver refused a force or its change as too large; soften the contact or lower the slew limit";
     case DeviceFault::speed_limit:
@@ -21,7 +21,7 @@ std::string describe(DeviceFault fault) {
     case DeviceFault::overloaded:
       return "the servo loop took longer than its period; simulate less per tick";
     case DeviceFault::driver_error:
-      return "the driver refused a call; its message is in the run's report";
+      return "the driver refused a call; the report of the run contains its message";
     case DeviceFault::switched_off:
       return "the motors were switched off; switch them on again at the device, with its button or dead man's switch";
   }

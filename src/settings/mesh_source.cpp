@@ -71,7 +71,7 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   MeshImport options;
   options.voxel_size = s.voxel_mm.value_or(kVoxel_mm) * units::mm;
   options.large = s.large;
-  options.tell = s.tell;
+  options.observer = s.tell;
   if (s.material.empty() == s.shells.empty())
     throw Error("a mesh needs either workpiece.material or workpiece.shells; its objects are " + names_of(objects) +
                 ". Set --material, or --shell MATERIAL=OBJECT for each.");

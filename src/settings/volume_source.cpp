@@ -82,7 +82,7 @@ VolumeBuildOptions build_options(const Source& s) {
   options.crop = crop_box(s);
   options.partial_volume = s.partial_volume;
   options.large = s.large;
-  options.tell = s.tell;
+  options.observer = s.tell;
   return options;
 }
 

@@ -16,7 +16,7 @@ constexpr EdgeKind kSmooth = EdgeKind::smooth;
 
 using detail::in_mm;
 
-/// Dimensions of a head, each positive.
+/// Checks that each dimension of a head is positive.
 void require_dimensions(const std::string& head, std::initializer_list<std::pair<const char*, double>> dimensions) {
   for (const auto& [name, value] : dimensions) require_positive(value, (head + " " + name + " [m]").c_str());
 }
@@ -95,7 +95,7 @@ ToolHead flame_head(double diameter, double length, double neck_diameter, double
   const double R = diameter / 2, narrowing = R - neck_diameter / 2, above = length - widest_height;
   require_at_least(widest_height, "flame_head widest_height", R, "radius");
   require_at_least(above, "flame_head length above widest_height", narrowing, "difference of the radii");
-  // Both arcs are upright where they meet.
+  // Where the arcs meet, both tangents are parallel to the axis.
   const double below_radius = (R * R + widest_height * widest_height) / (2 * R);
   const double above_radius = (narrowing * narrowing + above * above) / (2 * narrowing);
   return closed({{R, widest_height, below_radius}, {neck_diameter / 2, length, above_radius}});

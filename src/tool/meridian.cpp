@@ -12,7 +12,7 @@ namespace {
 
 using units::kPi;
 
-constexpr double kRounding = 1e-9;  // [1] of the size: what is not told apart
+constexpr double kRounding = 1e-9;  // [1] of the size: smaller differences count as equal
 constexpr std::size_t kMaxEdges = 1000;
 
 std::string in_mm(const Vec2& p) {
@@ -23,8 +23,8 @@ std::string name_of(std::size_t edge) { return "edge " + std::to_string(edge + 1
 
 /// [0, 2 pi)
 double wrapped(double angle) {
-  const double turn = std::fmod(angle, 2 * kPi);
-  return turn < 0 ? turn + 2 * kPi : turn;
+  const double remainder = std::fmod(angle, 2 * kPi);
+  return remainder < 0 ? remainder + 2 * kPi : remainder;
 }
 
 MeridianEdge make_edge(const Vec2& from, const ProfileEdge& given, std::size_t index) {
@@ -44,25 +44,25 @@ MeridianEdge make_edge(const Vec2& from, const ProfileEdge& given, std::size_t i
                 format_number(given.radius / units::mm) +
                 " mm; must be at least half of the distance between its ends, " + format_number(half / units::mm) +
                 " mm. Give a larger radius, or split the arc.");
-  const double turn = given.radius > 0 ? 1 : -1;  // counter-clockwise for an arc that bulges outwards
+  const double sense = given.radius > 0 ? 1 : -1;  // counter-clockwise for an arc that bulges outwards
   const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
-  e.curvature = turn / radius;
-  e.center = (e.from + e.to) / 2 + turn * height * left_of(chord / length);
+  e.curvature = sense / radius;
+  e.center = (e.from + e.to) / 2 + sense * height * left_of(chord / length);
   const Vec2 to_start = e.from - e.center, to_end = e.to - e.center;
   e.start_angle = std::atan2(to_start.y(), to_start.x());
-  e.sweep = turn * 2 * std::asin(std::min(1.0, half / radius));
-  e.start_tangent = turn * left_of(to_start.normalized());
-  e.end_tangent = turn * left_of(to_end.normalized());
+  e.sweep = sense * 2 * std::asin(std::min(1.0, half / radius));
+  e.start_tangent = sense * left_of(to_start.normalized());
+  e.end_tangent = sense * left_of(to_end.normalized());
   return e;
 }
 
-/// [rad] the extreme points of an edge's circle (right, top, left, bottom) that lie strictly on the edge.
+/// [rad] Angles of the extreme points of an edge's circle (right, top, left, bottom) that lie strictly on the edge.
 std::vector<double> extreme_angles(const MeridianEdge& e) {
   std::vector<double> angles;
   if (e.straight()) return angles;
   for (int quarter = 0; quarter < 4; ++quarter) {
-    const double turn = e.sweep > 0 ? 1 : -1;
-    const double angle = wrapped(turn * (quarter * kPi / 2 - e.start_angle));
+    const double sense = e.sweep > 0 ? 1 : -1;
+    const double angle = wrapped(sense * (quarter * kPi / 2 - e.start_angle));
     if (angle > kRounding && angle < std::abs(e.sweep) - kRounding) angles.push_back(angle);
   }
   std::sort(angles.begin(), angles.end());
@@ -91,8 +91,8 @@ bool MeridianCurve::in_charge(const Vec2& x, double reach) const {
   }
   const double distance = (x - edge.center).norm();
   if (distance < kRounding * edge.radius() + reach) return true;  // the centre lies in no direction
-  const double angle = edge.angle_of(x), turn = kRounding + std::asin(reach / distance);
-  const auto within = [&](double a) { return a >= low - turn && a <= high + turn; };
+  const double angle = edge.angle_of(x), slack = kRounding + std::asin(reach / distance);
+  const auto within = [&](double a) { return a >= low - slack && a <= high + slack; };
   return within(angle) || within(angle - 2 * kPi);
 }
 
@@ -188,7 +188,7 @@ void Meridian::check_crossings() const {
       const MeridianEdge &a = edges_[i], &b = edges_[j];
       if (j == i + 1 && a.end_tangent.dot(b.start_tangent) < -1 + kRounding)
         throw Error("the profile turns back on itself at " + in_mm(a.to) + ", from " + name_of(i) + " to " +
-                    name_of(j) + ". Leave a corner of more than no angle.");
+                    name_of(j) + ". Leave an angle between them.");
       for (const Vec2& p : crossings(a, b, kRounding * size_)) {
         if (j == i + 1 && (p - a.to).norm() < 1e-6 * size_) continue;
         throw Error("the profile crosses or touches itself at " + in_mm(p) + ", where " + name_of(i) + " meets " +
@@ -197,14 +197,14 @@ void Meridian::check_crossings() const {
     }
 }
 
-/// A hollow corner between two edges of a kind, which are both at their ends there.
+/// Adds the corner between two edges of the same kind if it is hollow.
 void Meridian::add_corner(const MeridianEdge& before, const Vec2& point, const Vec2& next) {
   if (cross(before.end_tangent, next) < -kRounding)
     curves_.push_back({MeridianCurve::Kind::corner, before, point, next, 0, 0});
 }
 
-/// Whether a straight edge's line has the whole body on its left. If so it can be taken to go on: what it adds lies
-/// outside.
+/// Whether the whole body lies on the left of a straight edge's line. Then the edge may be extended: the extension lies
+/// outside of the body.
 bool Meridian::bounds_all(const MeridianEdge& edge) const {
   if (!edge.straight()) return false;
   const Vec2 normal = left_of(edge.start_tangent);
@@ -217,7 +217,7 @@ bool Meridian::bounds_all(const MeridianEdge& edge) const {
   });
 }
 
-/// @param begins_before, goes_on  a line is in charge before its start, or beyond its end
+/// @param begins_before, goes_on  whether a line is also in charge before its start, or beyond its end
 void Meridian::add_edge(const MeridianEdge& edge, bool begins_before, bool goes_on) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   MeridianCurve curve;
@@ -239,9 +239,9 @@ void Meridian::make_curves() {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const MeridianEdge& e = edges_[i];
     const bool first = i == 0, last = i + 1 == edges_.size(), cuts = e.kind == EdgeKind::cutting;
-    // Where the kind changes, the cutting edge's end is nearer than the other's, whose depth grows faster.
+    // Where the kind changes, the end of the cutting edge decides, because the depth of the smooth edge grows faster.
     const bool ends_before = !first && edges_[i - 1].kind != e.kind, ends = !last && edges_[i + 1].kind != e.kind;
-    // From which the body turns away, so that nothing of it is on the line.
+    // A cutting edge is extended only if the next edge bends away from its line, so that no part of the body is on it.
     const bool bounds = cuts && (ends_before || ends) && bounds_all(e);
     const bool begins_before = bounds && ends_before && cross(edges_[i - 1].end_tangent, e.start_tangent) > kRounding;
     const bool goes_on = bounds && ends && cross(e.end_tangent, edges_[i + 1].start_tangent) > kRounding;
@@ -269,12 +269,12 @@ std::vector<ProfileCorner<double>> Meridian::corners() const {
 
 std::size_t Meridian::nearest(const Vec2& x) const {
   std::size_t best = kNone;
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < curves_.size(); ++n) {
     if (!curves_[n].in_charge(x)) continue;
     const double distance = std::abs(curves_[n].depth(x));
-    if (distance < least) {
-      least = distance;
+    if (distance < min_distance) {
+      min_distance = distance;
       best = n;
     }
   }
@@ -298,25 +298,25 @@ double Meridian::volume() const {
 }
 
 double Meridian::reach() const {
-  double most = edges_.front().from.norm();
+  double farthest = edges_.front().from.norm();
   for (const MeridianEdge& e : edges_) {
-    most = std::max(most, e.to.norm());
+    farthest = std::max(farthest, e.to.norm());
     if (e.straight()) continue;
     const double distance = e.center.norm();
     const Vec2 outermost = distance > 0 ? Vec2(e.center / distance * (distance + e.radius())) : e.to;
-    if (e.angle_of(outermost) <= std::abs(e.sweep)) most = std::max(most, outermost.norm());
+    if (e.angle_of(outermost) <= std::abs(e.sweep)) farthest = std::max(farthest, outermost.norm());
   }
-  return most;
+  return farthest;
 }
 
 double Meridian::cutting_radius() const {
-  double most = 0;
+  double radius = 0;
   for (const MeridianEdge& e : edges_) {
     if (e.kind == EdgeKind::smooth) continue;
-    most = std::max({most, e.from.x(), e.to.x()});
-    for (const double angle : extreme_angles(e)) most = std::max(most, e.at_angle(angle).x());
+    radius = std::max({radius, e.from.x(), e.to.x()});
+    for (const double angle : extreme_angles(e)) radius = std::max(radius, e.at_angle(angle).x());
   }
-  return most;
+  return radius;
 }
 
 std::vector<ProfilePiece<double>> Meridian::pieces() const {
@@ -326,7 +326,7 @@ std::vector<ProfilePiece<double>> Meridian::pieces() const {
       pieces.push_back({e.from.x(), e.from.y(), e.to.x(), e.to.y(), 0, 0, 0, 1, 1});
       continue;
     }
-    // Cut at the extreme points, so that each piece is monotone in z and in rho.
+    // Divided at the extreme points, so that each piece is monotone in z and in rho.
     std::vector<double> cuts = {0};
     for (const double angle : extreme_angles(e)) cuts.push_back(angle);
     cuts.push_back(std::abs(e.sweep));

@@ -8,7 +8,7 @@
 #include "hapticut/tool/profile.hpp"
 
 /// @file
-/// The exact geometry behind a profile: its edges, and the curves whose nearest one gives the depth.
+/// The exact geometry of a profile: its edges, and the curves, the nearest of which gives the depth.
 namespace hapticut::detail {
 
 using Vec2 = Eigen::Vector2d;  ///< (rho, z)
@@ -17,7 +17,7 @@ using Vec2 = Eigen::Vector2d;  ///< (rho, z)
 [[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 [[nodiscard]] inline Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
 
-/// An edge with what follows from its two ends and its radius.
+/// An edge with the quantities derived from its two ends and its radius.
 struct MeridianEdge {
   Vec2 from, to;                      ///< [m]
   double curvature = 0;               ///< [1/m] > 0 bulges outwards
@@ -28,13 +28,13 @@ struct MeridianEdge {
 
   [[nodiscard]] double radius() const { return 1 / std::abs(curvature); }
   [[nodiscard]] bool straight() const { return curvature == 0; }
-  /// [rad] of a point about the centre, from the start in the direction of the sweep, in [0, 2 pi).
+  /// [rad] Angle of a point about the centre, from the start in the direction of the sweep, in [0, 2 pi).
   [[nodiscard]] double angle_of(const Vec2& p) const;
   [[nodiscard]] Vec2 at_angle(double angle) const;
 };
 
-/// A curve that may give the depth, and where it is in charge: the strip of a line, the sector of an arc, the wedge of
-/// a hollow corner or of the end of a cutting edge at a smooth one.
+/// A curve that may give the depth, and the region in which it is in charge: the strip of a line, the sector of an arc,
+/// or the wedge of a hollow corner or of the end of a cutting edge at a smooth one.
 struct MeridianCurve {
   enum class Kind { line, arc, corner };
   Kind kind = Kind::line;
@@ -42,9 +42,9 @@ struct MeridianCurve {
   Vec2 point = Vec2::Zero();  ///< [m] start; of a corner: the corner
   Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
   double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
-  /// @param reach  [m] of a point: whether it is at one of the points so near
+  /// Whether the curve is in charge at some point within a distance of x.  @param reach  [m] the distance
   [[nodiscard]] bool in_charge(const Vec2& x, double reach = 0) const;
-  /// Distances, of whatever kind the edge is; MeridianSpring::smooth is not set.
+  /// Distance and direction, independent of the kind of the edge; MeridianSpring::smooth is not set.
   [[nodiscard]] MeridianSpring<double> spring(const Vec2& x) const;
   [[nodiscard]] bool smooth() const { return edge.kind == EdgeKind::smooth; }
   [[nodiscard]] double scale() const { return smooth() ? kSmoothScale : 1; }
@@ -57,11 +57,11 @@ class Meridian {
   explicit Meridian(const Profile& profile);
 
   [[nodiscard]] const std::vector<MeridianEdge>& edges() const { return edges_; }
-  /// Along the meridian.
+  /// In their order along the meridian.
   [[nodiscard]] const std::vector<MeridianCurve>& curves() const { return curves_; }
 
   [[nodiscard]] double radius() const { return radius_; }  ///< [m] largest rho
-  [[nodiscard]] double bottom() const { return bottom_; }  ///< [m] least z
+  [[nodiscard]] double bottom() const { return bottom_; }  ///< [m] smallest z
   [[nodiscard]] double top() const { return top_; }        ///< [m] largest z
   [[nodiscard]] double size() const { return size_; }      ///< [m] larger of radius and height
   [[nodiscard]] double volume() const;                     ///< [m^3]
@@ -73,7 +73,7 @@ class Meridian {
   /// The corners where a cutting edge meets a smooth one.
   [[nodiscard]] std::vector<ProfileCorner<double>> corners() const;
 
-  /// The curve of least depth; kNone when none is in charge.
+  /// The curve with the smallest depth; kNone if no curve is in charge.
   [[nodiscard]] std::size_t nearest(const Vec2& x) const;
 
  private:
@@ -90,10 +90,10 @@ class Meridian {
   double radius_ = 0, bottom_ = 0, top_ = 0, size_ = 0;
 };
 
-/// Where two edges meet other than at a shared end, or nothing. `joined`: the second follows the first.
+/// Points where two edges meet within a tolerance [m].
 [[nodiscard]] std::vector<Vec2> crossings(const MeridianEdge& a, const MeridianEdge& b, double tolerance);
 
-/// Table of a meridian. @throws Error when the tolerance needs more cells than are allowed
+/// Makes the table of a meridian.  @throws Error if the tolerance needs more cells than are allowed
 [[nodiscard]] ProfileTable make_profile_table(const Meridian& meridian, double tolerance);
 
 }  // namespace hapticut::detail

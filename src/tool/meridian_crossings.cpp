@@ -12,7 +12,7 @@ namespace {
 
 using units::kPi;
 
-/// Whether a point of the edge's line or circle lies on the edge itself.
+/// Whether a point on the edge's line or circle lies on the edge.
 bool holds(const MeridianEdge& e, const Vec2& p, double tolerance) {
   if (e.straight()) {
     const double along = e.start_tangent.dot(p - e.from);
@@ -22,7 +22,7 @@ bool holds(const MeridianEdge& e, const Vec2& p, double tolerance) {
   return angle <= std::abs(e.sweep) + slack || angle >= 2 * kPi - slack;
 }
 
-/// Points of a line at a distance from a centre.
+/// Points of a line at a distance `radius` from a centre.
 std::vector<Vec2> on_line(const MeridianEdge& line, const Vec2& center, double radius) {
   const Vec2 foot = line.from + line.start_tangent.dot(center - line.from) * line.start_tangent;
   const double square = radius * radius - (foot - center).squaredNorm();

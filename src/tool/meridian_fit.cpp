@@ -12,10 +12,11 @@ namespace {
 using units::deg;
 using units::kPi;
 
-constexpr std::size_t kMinArc = 4;         // segments
-constexpr double kMaxRotation = 35 * deg;  // from one segment of an arc to the next
+constexpr std::size_t kMinArc = 4;      // segments
+constexpr double kMaxAngle = 35 * deg;  // from one segment of an arc to the next
 
-double turn_at(const Vec2& a, const Vec2& b, const Vec2& c) {
+/// [rad] Change of direction at b.
+double angle_at(const Vec2& a, const Vec2& b, const Vec2& c) {
   return std::atan2(cross(b - a, c - b), (b - a).dot(c - b));
 }
 
@@ -30,14 +31,14 @@ bool line_fits(const std::vector<Vec2>& points, std::size_t from, std::size_t to
   return true;
 }
 
-/// Signed radius of the arc from one point to another that passes the others best, or nothing.
+/// Signed radius of the arc from one point to another that fits the points between them best; nothing if none fits.
 std::optional<double> fit_arc(const std::vector<Vec2>& points, std::size_t from, std::size_t to, double tolerance) {
   if (to - from < kMinArc) return {};
   double total = 0;
   for (std::size_t n = from + 1; n < to; ++n) {
-    const double turn = turn_at(points[n - 1], points[n], points[n + 1]);
-    if (std::abs(turn) > kMaxRotation) return {};
-    total += turn;
+    const double angle = angle_at(points[n - 1], points[n], points[n + 1]);
+    if (std::abs(angle) > kMaxAngle) return {};
+    total += angle;
   }
   if (std::abs(total) > kPi) return {};
   // Centres on the bisector of the chord, at a signed height h to its left: |p - m|^2 - 2 h (p - m).left = half^2.

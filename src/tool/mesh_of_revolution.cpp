@@ -12,9 +12,9 @@ namespace {
 using detail::Vec2;
 using units::kPi;
 
-constexpr double kMaxChordAngle = kPi / 8;  // from one chord of an arc to the next
+constexpr double kMaxChordAngle = kPi / 8;  // [rad] from one chord of an arc to the next
 
-/// Arcs are divided so that their chords are no farther from them than the facets from the largest circle.
+/// Points along the meridian. Chords deviate from their arcs by at most as much as the facets from the largest circle.
 std::vector<Vec2> points_of(const detail::Meridian& meridian, int sides) {
   const double sagitta = meridian.radius() * (1 - std::cos(kPi / sides));
   std::vector<Vec2> points = {meridian.edges().front().from};

@@ -11,7 +11,7 @@ ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move
   auto meridian = std::make_shared<const detail::Meridian>(profile_);
   volume_ = meridian->volume();
   reach_ = meridian->reach();
-  require_metres(reach_, kMaxHeadReach, "reach of the head [m]");  // before the table, which takes a while
+  require_metres(reach_, kMaxHeadReach, "reach of the head [m]");  // before the table, which takes time
   cutting_radius_ = meridian->cutting_radius();
   table_ = std::make_shared<const ProfileTable>(detail::make_profile_table(*meridian, tolerance));
   meridian_ = std::move(meridian);
@@ -19,10 +19,10 @@ ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move
 
 MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   const detail::Vec2 x(rho, z);
-  const MeridianSpring<double> none = {-1, 1, 0};
-  if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return none;
+  const MeridianSpring<double> outside = {-1, 1, 0};
+  if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return outside;
   const std::size_t curve = meridian_->nearest(x);
-  if (curve == detail::Meridian::kNone) return none;
+  if (curve == detail::Meridian::kNone) return outside;
   const detail::MeridianCurve& nearest = meridian_->curves()[curve];
   MeridianSpring<double> spring = nearest.spring(x);
   spring.depth = depth_below(spring.depth, nearest.scale());

@@ -14,11 +14,11 @@ namespace {
 
 using detail::Vec2;
 constexpr int kCuts = 8;            // half-planes in which the mesh is cut
-constexpr double kCutAngle = 2.4;   // [rad] from one to the next: no two cut a regular prism alike
-constexpr double kFit = 1e-3;       // [1] of the largest radius: what lines and arcs may be off the vertices
-constexpr double kBall = 1e-3;      // [1] of the mean square radius: below it every axis is one
+constexpr double kCutAngle = 2.4;   // [rad] from one to the next: no two cut a regular prism in the same way
+constexpr double kFit = 1e-3;       // [1] of the largest radius: allowed distance of lines and arcs from the vertices
+constexpr double kBall = 1e-3;      // [1] of the mean square radius: below it the mesh is a ball, and every axis fits
 constexpr double kOnAxis = 1e-6;    // [1] of the largest radius
-constexpr double kFirstCut = 0.61;  // [rad] an angle at which no mesh has its vertices
+constexpr double kFirstCut = 0.61;  // [rad] an angle at which meshes rarely have vertices
 
 struct Triangle {
   Vec3 center, normal;
@@ -72,7 +72,7 @@ Axis find_axis(const std::vector<Triangle>& triangles, const Vec3& towards_shank
   return {middle + a.cross(b), a};
 }
 
-/// A mesh in the frame of its axis, vertices at the same place made one.
+/// A mesh in the frame of its axis; vertices at the same place are merged.
 struct WeldedMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -99,7 +99,7 @@ WeldedMesh weld(const TriangleMesh& mesh, const Pose& X_TM) {
 /// Where the half-plane at an angle about the axis cuts the mesh, from the lower end on the axis to the upper one.
 class Cut {
  public:
-  /// @param axis  [m] what is nearer to the axis is on it
+  /// @param axis  [m] points nearer to the axis count as on the axis
   Cut(const WeldedMesh& mesh, double angle, double axis)
       : across_(-std::sin(angle), std::cos(angle)), outwards_(std::cos(angle), std::sin(angle)), axis_(axis) {
     for (const auto& triangle : mesh.triangles) add(mesh, triangle);
@@ -112,7 +112,7 @@ class Cut {
   [[nodiscard]] const std::vector<Vec2>& points() const { return points_; }
 
  private:
-  using Key = std::pair<std::uint32_t, std::uint32_t>;  // the mesh's edge that is cut
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  // the edge of the mesh that is cut
 
   void add(const WeldedMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
     std::vector<std::pair<Key, Vec2>> hits;
@@ -164,7 +164,7 @@ class Cut {
     }
     points_.push_back(ends_[1].first);
     if (points_.size() != nodes_.size() + 2)
-      throw Error("the mesh has several shells; a head is one closed body. Keep the outer one only.");
+      throw Error("the mesh has several shells; a head is one closed body. Keep only the outer shell.");
   }
 
   struct Node {
@@ -179,25 +179,25 @@ class Cut {
   std::vector<Vec2> points_;
 };
 
-/// Place along a polyline of the point nearest to x, and the distance.
+/// Position [m] along a polyline of the point nearest to x, and its distance [m].
 std::pair<double, double> project(const std::vector<Vec2>& line, const Vec2& x) {
-  double best = 0, least = std::numeric_limits<double>::infinity(), length = 0;
+  double best = 0, min_distance = std::numeric_limits<double>::infinity(), length = 0;
   for (std::size_t n = 0; n + 1 < line.size(); ++n) {
     const Vec2 along = line[n + 1] - line[n];
     const double size = along.norm();
     if (!(size > 0)) continue;
     const double s = std::clamp(along.dot(x - line[n]) / size, 0.0, size);
     const double distance = (x - line[n] - s / size * along).norm();
-    if (distance < least) {
-      least = distance;
+    if (distance < min_distance) {
+      min_distance = distance;
       best = length + s;
     }
     length += size;
   }
-  return {best, least};
+  return {best, min_distance};
 }
 
-/// The vertices as points of the meridian, in its order; those of one ring made one.
+/// The vertices as points of the meridian, in its order; the vertices of a ring are merged.
 std::vector<Vec2> meridian_points(const WeldedMesh& mesh, const std::vector<Vec2>& cut, double ring) {
   std::vector<std::pair<double, Vec2>> along;
   for (const Vec3& v : mesh.vertices) {
@@ -214,7 +214,7 @@ std::vector<Vec2> meridian_points(const WeldedMesh& mesh, const std::vector<Vec2
     n = end;
   }
   points.push_back(cut.back());
-  // Where the ends are vertices themselves, the cut adds nothing.
+  // If the ends are vertices, the ends of the cut are redundant.
   const auto on_axis = [&](const Vec2& p) { return p.x() < ring; };
   if (points.size() > 3 && on_axis(points[1])) points.erase(points.begin());
   if (points.size() > 3 && on_axis(points[points.size() - 2])) points.pop_back();
@@ -222,21 +222,21 @@ std::vector<Vec2> meridian_points(const WeldedMesh& mesh, const std::vector<Vec2
   return points;
 }
 
-/// Greatest distance between a first cut and all other cuts and vertices.
+/// [m] Largest distance between the first cut and all other cuts and vertices.
 double spread_of(const std::vector<Cut>& cuts, const WeldedMesh& mesh) {
   const std::vector<Vec2>& first = cuts.front().points();
-  double most = 0;
+  double spread = 0;
   for (const Cut& cut : cuts)
-    for (const Vec2& x : cut.points()) most = std::max(most, project(first, x).second);
-  for (const Vec3& v : mesh.vertices) most = std::max(most, project(first, {v.head<2>().norm(), v.z()}).second);
-  return most;
+    for (const Vec2& x : cut.points()) spread = std::max(spread, project(first, x).second);
+  for (const Vec3& v : mesh.vertices) spread = std::max(spread, project(first, {v.head<2>().norm(), v.z()}).second);
+  return spread;
 }
 
 void require_round(double deviation, double radius, double tolerance) {
   if (deviation > tolerance * radius)
     throw Error("the mesh is not a body of revolution: it is up to " + format_number(deviation / units::mm) +
                 " mm off, " + format_number(100 * deviation / radius) + " % of its radius; must be at most " +
-                format_number(100 * tolerance) + " %. Give it more facets, or allow more with the tolerance.");
+                format_number(100 * tolerance) + " %. Give it more facets, or raise the tolerance.");
 }
 
 double deviation_of(const Profile& profile, const WeldedMesh& mesh, const std::vector<Cut>& cuts) {
@@ -244,15 +244,15 @@ double deviation_of(const Profile& profile, const WeldedMesh& mesh, const std::v
   try {
     outline.exact_pieces = detail::Meridian(profile).pieces();
   } catch (const Error& error) {
-    throw Error(std::string("the meridian of the mesh makes no profile: ") + error.what());
+    throw Error(std::string("the meridian of the mesh is not a valid profile: ") + error.what());
   }
   const ProfileSprings<double> springs(outline);
-  double most = 0;
-  const auto compare = [&](const Vec2& x) { most = std::max(most, std::abs(springs.margin(x.x(), x.y()))); };
+  double deviation = 0;
+  const auto compare = [&](const Vec2& x) { deviation = std::max(deviation, std::abs(springs.margin(x.x(), x.y()))); };
   for (const Vec3& v : mesh.vertices) compare({v.head<2>().norm(), v.z()});
   for (const Cut& cut : cuts)
     for (std::size_t n = 1; n < cut.points().size(); ++n) compare((cut.points()[n - 1] + cut.points()[n]) / 2);
-  return most;
+  return deviation;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which curves decide in which cell. Every cell is sampled at 25 points, whose exact depths are known from the
-// meridian; of all the ways that the curves near the cell can decide, the one with the smallest error is kept. Where a
-// curve that may give the depth is left out, 1089 points bound the error, and the cells are halved until it is within
-// the tolerance.
+// Finds which curves decide in each cell. Each cell is sampled at 25 points with exact depths from the meridian. All
+// rules with the curves near the cell are tried, and the one with the smallest error is kept. If a rule leaves out a
+// curve that may give the depth, 1089 points bound the error. The cells are halved until the error is within the
+// tolerance.
 #include "hapticut/tool/profile_table.hpp"
 
 #include <string>
@@ -13,9 +13,9 @@
 namespace hapticut::detail {
 namespace {
 
-constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that stands for a hollow corner
-constexpr double kExact = 4e-7;         // [1] of the size: what counts as no error
-constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single precision loses in the height of a slab
+constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that represents a hollow corner
+constexpr double kExact = 4e-7;         // [1] of the size: smaller errors count as none
+constexpr double kSlabRounding = 1e-5;  // [1] of the size: above the rounding of the slab height in single precision
 constexpr std::size_t kMaxCells = 1U << 20U;
 constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
 constexpr int kSamples = 5;         // along the edge of a cell, to choose
@@ -26,7 +26,7 @@ constexpr double kBetweenFineSamples = 2 * kSmoothScale * 0.70710678 / (kFineSam
 
 using Curves = std::vector<std::uint32_t>;
 
-/// One sample of a cell: what the table should say there.
+/// One sample of a cell: the result that the table should give there.
 struct Sample {
   Vec2 at;
   double depth;   // [m] <= 0: no spring
@@ -45,7 +45,7 @@ class TableBuilder {
     copy_to_single();
   }
 
-  /// @param cell_size  [m] half of that before, or the first
+  /// @param cell_size  [m] the first size, or half of the previous one
   void divide(double cell_size) {
     const std::vector<std::uint32_t> cells_before = std::move(t_.cells);
     const std::vector<bool> settled_before = std::move(settled_);
@@ -66,7 +66,7 @@ class TableBuilder {
       for (int column = 0; column < t_.columns; column += kTile) fill_tile(column, row);
   }
 
-  [[nodiscard]] ProfileTable take() {
+  [[nodiscard]] ProfileTable finish() {
     extend_cells();
     find_rule();
     write_slabs();
@@ -113,13 +113,13 @@ class TableBuilder {
     for (const ProfileCorner<double>& c : t_.exact_corners) t_.corners.push_back({float(c.rho), float(c.z)});
     for (const ProfilePiece<double>& p : t_.exact_pieces)
       t_.pieces.push_back({float(p.rho_0), float(p.z_0), float(p.rho_1), float(p.z_1), float(p.center_rho),
-                           float(p.center_z), float(p.radius), float(p.turn), float(p.side)});
+                           float(p.center_z), float(p.radius), float(p.sense), float(p.side)});
   }
 
-  /// Sets ProfileTable::cells_near, from cell to cell as far as there are any.
+  /// Sets ProfileTable::cells_near, by spreading from cell to cell.
   void extend_cells() {
     t_.cells_near = t_.cells;
-    std::vector<int> reached;  // in the order of their distance, whose neighbours are still to be looked at
+    std::vector<int> reached;  // in the order of their distance; neighbours are visited later
     for (int n = 0; n < int(t_.cells.size()); ++n)
       if (t_.cells[std::size_t(n)] != 0) reached.push_back(n);
     for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -175,44 +175,44 @@ class TableBuilder {
   [[nodiscard]] bool decides_everywhere(std::uint32_t rule) const {
     const ProfileSprings<double> springs(t_);
     const Curves all = all_curves();
-    // The samples of a cell can miss where an edge cuts a little off: on its edges a head is not deep.
+    // The samples of a cell can miss a place where an edge cuts off little. On its edges a head has no depth.
     for (const MeridianEdge& e : meridian_.edges())
       for (int n = 0; n <= kEdgeSamples; ++n) {
-        const double share = double(n) / kEdgeSamples;
-        const Vec2 x = e.straight() ? Vec2(e.from + share * (e.to - e.from)) : e.at_angle(share * std::abs(e.sweep));
+        const double part = double(n) / kEdgeSamples;
+        const Vec2 x = e.straight() ? Vec2(e.from + part * (e.to - e.from)) : e.at_angle(part * std::abs(e.sweep));
         if (is_bounded(x) && springs.decide(rule, x.x(), x.y()).depth > kExact * meridian_.size()) return false;
       }
     for (int row = 0; row < t_.rows; ++row)
       for (int column = 0; column < t_.columns; ++column) {
         Curves nearest;
-        const std::vector<Sample> samples = take_samples(corner_of(column, row), kSamples, all, true, nearest);
+        const std::vector<Sample> samples = sample_cell(corner_of(column, row), kSamples, all, true, nearest);
         if (error_of(springs, samples, rule) > kExact * meridian_.size()) return false;
       }
     return true;
   }
 
-  /// A piece has its largest rho in a slab at one of the slab's or its own ends.
+  /// Writes the slabs. The largest rho of a piece in a slab is at an end of the slab or of the piece.
   void write_slabs() {
     constexpr int n = ProfileTable::kSlabs;
     const double height = (t_.top - t_.bottom) / n;
     const double slack = t_.error + kSlabRounding * meridian_.size();
     for (int slab = 0; slab < n; ++slab) {
       const double from = t_.bottom + slab * height - slack, to = t_.bottom + (slab + 1) * height + slack;
-      double most = 0;
+      double max_rho = 0;
       for (const ProfilePiece<double>& p : t_.exact_pieces) {
         const double low = std::max(from, std::min(p.z_0, p.z_1)), high = std::min(to, std::max(p.z_0, p.z_1));
         if (low > high) continue;
         if (p.z_0 == p.z_1)
-          most = std::max({most, p.rho_0, p.rho_1});
+          max_rho = std::max({max_rho, p.rho_0, p.rho_1});
         else
-          most = std::max({most, ProfileSprings<double>::crossing(p, low), ProfileSprings<double>::crossing(p, high)});
+          for (const double z : {low, high}) max_rho = std::max(max_rho, ProfileSprings<double>::crossing(p, z));
       }
-      const double radius = std::min(t_.radius, most + slack);
+      const double radius = std::min(t_.radius, max_rho + slack);
       t_.slab_radius_squared[std::size_t(slab)] = float(radius * radius);
     }
   }
 
-  /// Other points have no spring, whatever the table says.
+  /// Whether a point may have a spring.
   [[nodiscard]] bool is_bounded(const Vec2& x) const {
     return x.x() < t_.radius && x.y() > t_.bottom && x.y() < t_.top;
   }
@@ -221,7 +221,7 @@ class TableBuilder {
     return {column * t_.cell_size, t_.bottom + row * t_.cell_size};
   }
 
-  /// Signed depth below a curve's line or circle, wherever it is in charge.
+  /// [m] Signed depth below a curve's line or circle, also where the curve is not in charge.
   [[nodiscard]] double below(std::uint32_t curve, const Vec2& x) const {
     return meridian_.curves()[curve - 1].depth(x);
   }
@@ -229,19 +229,20 @@ class TableBuilder {
   /// Those of `curves` that may give the depth somewhere within `reach` of a point: each depth changes by at most the
   /// curve's scale per unit of length.
   [[nodiscard]] Curves may_be_nearest(const Curves& curves, const Vec2& middle, double reach) const {
-    double least = std::numeric_limits<double>::infinity();
-    double steepest = kSmoothScale;  // how fast the least grows
+    double min_depth = std::numeric_limits<double>::infinity();
+    double steepest = kSmoothScale;  // how fast the smallest depth grows
     for (const std::uint32_t n : curves) {
       const MeridianCurve& curve = meridian_.curves()[n - 1];
       const double depth = std::abs(below(n, middle));
-      if (!(depth < least) || !curve.in_charge(middle)) continue;
-      least = depth;
+      if (!(depth < min_depth) || !curve.in_charge(middle)) continue;
+      min_depth = depth;
       steepest = curve.scale();
     }
     Curves kept;
     for (const std::uint32_t n : curves) {
       const MeridianCurve& curve = meridian_.curves()[n - 1];
-      if (std::abs(below(n, middle)) <= least + (steepest + curve.scale()) * reach && curve.in_charge(middle, reach))
+      if (std::abs(below(n, middle)) <= min_depth + (steepest + curve.scale()) * reach &&
+          curve.in_charge(middle, reach))
         kept.push_back(n);
     }
     return kept;
@@ -264,8 +265,7 @@ class TableBuilder {
       }
   }
 
-  /// A cell off the surface that is right about all its points, of all curves near it, is settled: its parts will be
-  /// the same.
+  /// The best rule of a cell. An exact cell off the surface that has all curves near it is settled for its parts too.
   [[nodiscard]] std::uint32_t best_cell(const Curves& near_tile, int column, int row) {
     const std::size_t number = std::size_t(row) * std::size_t(t_.columns) + std::size_t(column);
     const ProfileSprings<double> springs(t_);
@@ -280,20 +280,21 @@ class TableBuilder {
     const Curves near = may_be_nearest(near_tile, middle, reach);
 
     Curves nearest;
-    const std::vector<Sample> samples = take_samples(corner, kSamples, near, on_surface, nearest);
-    if (on_surface) add_close_ones(near, middle, nearest);
+    const std::vector<Sample> samples = sample_cell(corner, kSamples, near, on_surface, nearest);
+    if (on_surface) add_close_curves(near, middle, nearest);
 
     std::uint32_t best = 0;
-    double least = error_of(springs, samples, 0);
+    double min_error = error_of(springs, samples, 0);
     const double exact = kExact * meridian_.size();
-    if (on_surface && least <= exact) least = 2 * exact;  // a curve is better than none: the surface may pass between
+    if (on_surface && min_error <= exact)
+      min_error = 2 * exact;  // prefer a curve: the surface may pass between samples
     const auto consider = [&](std::uint32_t cell) {
       const double error = error_of(springs, samples, cell);
-      if (error < least) {
-        least = error;
+      if (error < min_error) {
+        min_error = error;
         best = cell;
       }
-      return least <= exact;
+      return min_error <= exact;
     };
     const auto choose = [&] {
       for (const std::uint32_t a : nearest)
@@ -310,7 +311,7 @@ class TableBuilder {
     return best;
   }
 
-  /// Whether a cell has all of the curves.
+  /// Whether a cell contains all of the curves.
   [[nodiscard]] static bool is_complete(std::uint32_t cell, const Curves& near) {
     const std::uint32_t a = ProfileCell::first(cell), b = ProfileCell::second(cell);
     return std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; });
@@ -319,14 +320,14 @@ class TableBuilder {
   [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
     Curves nearest;
     const std::vector<Sample> samples =
-        take_samples(corner, is_complete(cell, near) ? kSamples : kFineSamples, near, on_surface, nearest);
+        sample_cell(corner, is_complete(cell, near) ? kSamples : kFineSamples, near, on_surface, nearest);
     const double error = error_of(ProfileSprings<double>(t_), samples, cell);
     return error <= kExact * meridian_.size() ? error : error + kBetweenFineSamples * t_.cell_size;
   }
 
-  /// Also collects the curves that give the depth at one of the samples.
-  [[nodiscard]] std::vector<Sample> take_samples(const Vec2& corner, int count, const Curves& near, bool on_surface,
-                                                 Curves& nearest) const {
+  /// Samples a cell, and collects in `nearest` the curves that give the depth at one of the samples.
+  [[nodiscard]] std::vector<Sample> sample_cell(const Vec2& corner, int count, const Curves& near, bool on_surface,
+                                                Curves& nearest) const {
     const ProfileSprings<double> springs(t_);
     std::vector<Sample> samples;
     for (int n = 0; n < count * count; ++n) {
@@ -335,13 +336,13 @@ class TableBuilder {
       Sample s{x, -1, std::numeric_limits<double>::infinity()};
       if (on_surface) s.margin = springs.margin(x.x(), x.y());
       if (!on_surface || s.margin > 0) {
-        double least = std::numeric_limits<double>::infinity();
+        double min_depth = std::numeric_limits<double>::infinity();
         std::uint32_t best = 0;
         for (const std::uint32_t c : near) {
           if (!meridian_.curves()[c - 1].in_charge(x)) continue;
           const double depth = below(c, x);
-          if (std::abs(depth) >= least) continue;
-          least = std::abs(depth);
+          if (std::abs(depth) >= min_depth) continue;
+          min_depth = std::abs(depth);
           s.depth = depth;
           best = c;
         }
@@ -352,9 +353,8 @@ class TableBuilder {
     return samples;
   }
 
-  /// The four whose surfaces pass closest: they bound the head in a cell on its surface, also where none of the samples
-  /// saw them.
-  void add_close_ones(const Curves& near, const Vec2& middle, Curves& nearest) const {
+  /// Adds the four curves closest to the middle: they bound the head in a cell on its surface, even if no sample did.
+  void add_close_curves(const Curves& near, const Vec2& middle, Curves& nearest) const {
     Curves close = near;
     std::sort(close.begin(), close.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::abs(below(a, middle)) < std::abs(below(b, middle));
@@ -364,17 +364,17 @@ class TableBuilder {
       if (std::find(nearest.begin(), nearest.end(), c) == nearest.end()) nearest.push_back(c);
   }
 
-  /// The largest distance by which a sample would have to move for the cell to be right about it.
+  /// [m] The largest distance by which a sample must move for the cell to be correct there.
   [[nodiscard]] static double error_of(const ProfileSprings<double>& springs, const std::vector<Sample>& samples,
                                        std::uint32_t cell) {
-    double most = 0;
+    double error = 0;
     for (const Sample& s : samples) {
       const double got = std::max(0.0, springs.decide(cell, s.at.x(), s.at.y()).depth), want = std::max(0.0, s.depth);
       const double difference = std::abs(got - want);
       const bool on_wrong_side = (got > 0) != (want > 0);
-      most = std::max(most, on_wrong_side ? std::min(difference, std::abs(s.margin)) : difference);
+      error = std::max(error, on_wrong_side ? std::min(difference, std::abs(s.margin)) : difference);
     }
-    return most;
+    return error;
   }
 
   const Meridian& meridian_;
@@ -393,7 +393,7 @@ ProfileTable make_profile_table(const Meridian& meridian, double tolerance) {
       throw Error("a tolerance of " + format_number(tolerance) + " needs more than " + std::to_string(kMaxCells) +
                   " cells for this profile. Give ProfileHead a larger tolerance, or the profile fewer small edges.");
     builder.divide(cell_size);
-    if (builder.error() <= tolerance * smaller) return builder.take();
+    if (builder.error() <= tolerance * smaller) return builder.finish();
   }
 }
 

@@ -21,13 +21,13 @@ constexpr double kOnAnEdge = 1e-9;  // [1] of the size
 
 using detail::in_mm;
 
-/// A body around the end of a head need not cut anywhere: its meridian is made as if it did.
+/// The meridian of a body without cutting edges. Meridian requires a cutting edge, so that all its edges are marked.
 Meridian meridian_of(Profile profile) {
   for (ProfileEdge& edge : profile.edges) edge.kind = EdgeKind::cutting;
   return Meridian(profile);
 }
 
-/// Where one meridian leaves another for good.
+/// The last point at which the meridian of a body leaves that of a head.
 struct Leaving {
   std::size_t edge, body_edge;
   Vec2 point;
@@ -60,10 +60,10 @@ ToolHead with_body(const ToolHead& head, const Profile& body) {
   if (!leaving)
     throw Error("with_body: the body, from z = " + in_mm(around.bottom()) + " to " + in_mm(around.top()) +
                 ", does not leave " + head.description() +
-                ". Let it begin on the axis inside of the head, and be narrower there.");
+                ". Begin the body on the axis inside the head, and make it narrower there.");
   Profile all = {shape.tip, {}};
   for (std::size_t n = 0; n <= leaving->edge; ++n) all.edges.push_back(shape.edges[n]);
-  // What of its edge lies before; nothing where the body leaves it at its start.
+  // Keep the part of the last edge before the crossing, if it has any length.
   all.edges.pop_back();
   const Vec2 start = own.edges()[leaving->edge].from;
   const ProfileEdge& crossed = shape.edges[leaving->edge];
@@ -82,8 +82,8 @@ ToolHead on_shank(const ToolHead& head, const Shank& shank) {
   require_fields_within(shank, "Shank::");
   const Meridian own(head.profile());
   const double neck = shank.neck_diameter / 2, wide = shank.diameter / 2;
-  // It begins inside the head, half a neck's radius below where it leaves it for good, or halfway up from its last way
-  // in.
+  // The neck begins inside the head: half of its radius below the point where it leaves the head, but at least halfway
+  // between that point and the crossing below.
   MeridianEdge upright;
   upright.from = {neck, own.bottom() - own.size()}, upright.to = {neck, own.top() + own.size()};
   upright.start_tangent = upright.end_tangent = {0, 1};
@@ -96,8 +96,8 @@ ToolHead on_shank(const ToolHead& head, const Shank& shank) {
       std::find_if(heights.rbegin(), heights.rend(), [&](double z) { return z < leaves - 2 * kOnAnEdge * own.size(); });
   const double above = own.top() + shank.neck_length, end = own.bottom() + shank.length;
   if (last_in == heights.rend() || !(neck < own.radius() * (1 - kOnAnEdge)))
-    throw Error("Shank::neck_diameter = " + in_mm(shank.neck_diameter) + "; must be less than that of " +
-                head.description() + ", from which it leaves.");
+    throw Error("Shank::neck_diameter = " + in_mm(shank.neck_diameter) +
+                "; must be less than the diameter of the head, " + head.description() + ".");
   if (neck != wide && !(shank.taper_length > 0))
     throw Error("Shank::taper_length = 0; must be > 0 between a neck of " + in_mm(shank.neck_diameter) +
                 " and a shank of " + in_mm(shank.diameter) + ".");

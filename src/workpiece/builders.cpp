@@ -29,7 +29,7 @@ IndexBox voxels_of(const Box& box, double voxel_size) {
   IndexBox voxels;
   for (int axis = 0; axis < 3; ++axis) {
     voxels.min[axis] = 0;
-    // A voxel counts when the box fills more than rounding noise of it.
+    // A voxel counts if the box fills it by more than rounding noise.
     voxels.max[axis] = int(std::ceil((box.max[axis] - box.min[axis]) / voxel_size - 1e-6)) - 1;
   }
   return voxels;
@@ -91,9 +91,9 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
   }
   const GridFrame frame = frame_at_corner(box, voxel_size);
 
-  // All faces are axis-aligned: a voxel's fill is the product of its covered fractions along x, y and z, its centroid
-  // the middle of the covered intervals, exactly. A voxel that an inner face cuts takes the material with the larger
-  // share.
+  // All faces are axis-aligned. The fill of a voxel is exactly the product of its covered fractions along x, y and z,
+  // and its centroid is the middle of the covered intervals. A voxel that an inner face cuts gets the material with the
+  // larger part.
   struct Covered {
     double fraction, middle;  // [voxel edges], middle from the voxel's centre
   };

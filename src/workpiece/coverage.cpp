@@ -9,8 +9,9 @@
 namespace hapticut {
 namespace {
 
-constexpr double kAgreement = 0.01;  // [voxel edges] by which the 15 values may miss the polynomial
-constexpr double kMaxBend = 0.05;    // [voxel edges] of the parabola's height: radii of curvature below 2.5 voxels
+constexpr double kAgreement = 0.01;  // [voxel edges] allowed deviation of the 15 values from the polynomial
+constexpr double kMaxBend =
+    0.05;  // [voxel edges] height of the parabola: exceeded by radii of curvature below 2.5 voxels
 
 /// A function in one voxel, coordinates -0.5 ... 0.5 along each axis: trilinear through the corners plus, along each
 /// axis, bend * (1 - 4 x^2), which vanishes at the corners.
@@ -28,18 +29,19 @@ Coverage coverage_of(double fill, const Vec3& moment) {
   return {fill, moment / fill};
 }
 
-/// The part of a row, -0.5 ... 0.5, in which c + z (s + z q) is negative.
+/// The part of a row.
 struct Covered {
   double length;  // [voxel edges]
-  double moment;  // [voxel edges^2] integral of z over it
+  double moment;  // [voxel edges^2] integral of z over the part
 };
 
+/// The part of the row -0.5 <= z <= 0.5 in which c + z (s + z q) is negative.
 Covered covered_part(double c, double s, double q) {
   double ends[4] = {-0.5, 0.5, 0.5, 0.5};
   int parts = 1;
   const double discriminant = s * s - 4 * q * c;
   if (discriminant > 0) {
-    // Without the difference of two nearly equal numbers, and good for q = 0 as well.
+    // Avoids the difference of two nearly equal numbers, and works for q = 0.
     const double t = -0.5 * (s + std::copysign(std::sqrt(discriminant), s));
     double first = c / t, second = q != 0 ? t / q : std::numeric_limits<double>::infinity();
     if (first > second) std::swap(first, second);
@@ -57,10 +59,11 @@ Covered covered_part(double c, double s, double q) {
   return covered;
 }
 
-/// Turns the axes x -> y -> z -> x of a polynomial `turns` times: once makes x the last one, twice y.
-VoxelPolynomial turned(const VoxelPolynomial& f, int turns) {
+/// Permutes the axes x -> y -> z -> x of a polynomial `times` times: after one permutation x is the last axis, after
+/// two y is.
+VoxelPolynomial permuted(const VoxelPolynomial& f, int times) {
   VoxelPolynomial g = f;
-  for (; turns > 0; --turns) {
+  for (; times > 0; --times) {
     const VoxelPolynomial before = g;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
@@ -70,7 +73,7 @@ VoxelPolynomial turned(const VoxelPolynomial& f, int turns) {
   return g;
 }
 
-/// Adds up rows along z: exactly along the rows, by the midpoint rule over `rows`^2 of them. Exact for a plane along z.
+/// Integrates exactly along rows in z, and by the midpoint rule over `rows`^2 rows. Exact for a plane parallel to z.
 Coverage add_rows(const VoxelPolynomial& f, int rows) {
   double volume = 0;
   Vec3 moment = Vec3::Zero();
@@ -95,7 +98,7 @@ Coverage add_rows(const VoxelPolynomial& f, int rows) {
   return coverage_of(volume / (rows * rows), moment / (rows * rows));
 }
 
-/// The rows run along the axis along which the function changes most.
+/// Integrates with rows along the axis along which the function changes fastest.
 Coverage integrate(const VoxelPolynomial& f, int rows) {
   Vec3 slope = Vec3::Zero();
   for (int i = 0; i < 2; ++i)
@@ -106,7 +109,7 @@ Coverage integrate(const VoxelPolynomial& f, int rows) {
     }
   int axis = 2;
   slope.cwiseAbs().maxCoeff(&axis);
-  Coverage coverage = add_rows(turned(f, (axis + 1) % 3), rows);
+  Coverage coverage = add_rows(permuted(f, (axis + 1) % 3), rows);
   const Vec3 o = coverage.offset;
   if (axis == 1) coverage.offset = Vec3(o.y(), o.z(), o.x());
   if (axis == 0) coverage.offset = Vec3(o.z(), o.x(), o.y());
@@ -160,9 +163,9 @@ Coverage BlockCoverage::coverage(int x, int y, int z) {
         f.corner[a][b][c] = value(i - 1 + 2 * a, j - 1 + 2 * b, k - 1 + 2 * c);
         mean += f.corner[a][b][c] / 8;
       }
-  // On a face the parabolas along its two own axes add up; in the centre all three do.
+  // In the middle of a face the parabolas along the two axes of the face add up; in the centre all three do.
   const double centre = value(i, j, k) - mean;
-  double face[3][2];  // value in the middle of a face less the mean of its corners
+  double face[3][2];  // value in the middle of a face minus the mean of its corners
   for (int side = 0; side < 2; ++side) {
     const int step = 2 * side - 1;
     double corners[3] = {0, 0, 0};

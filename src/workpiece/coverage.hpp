@@ -7,7 +7,7 @@
 #include "hapticut/workpiece/block.hpp"
 
 /// @file
-/// How much of a voxel a body fills: antialiasing of a surface that is given as a function of the position.
+/// The part of a voxel that a body fills: antialiasing of a surface that is a function of the position.
 namespace hapticut {
 
 inline constexpr double kMaxVoxelSize = 0.02;  // [m]
@@ -18,21 +18,20 @@ struct Coverage {
   Vec3 offset;  ///< [voxel edges] from the voxel's centre; zero when nothing is filled
 };
 
-/// Adds up `subsamples`^3 cells of one voxel, asking for the distance of each: a cell counts by how far the surface is
-/// from its middle, which is exact for a plane along the grid.
-/// @param distance  [m] of a point in W, negative inside; where it is less than the true distance, surfaces blur a
-/// little
+/// Sums `subsamples`^3 cells of one voxel. The distance at the middle of a cell gives its covered part, which is exact
+/// for a plane along the grid.
+/// @param distance  [m] of a point in W, negative inside; if it is less than the true distance, surfaces blur slightly
 /// @param subsamples  1: the voxel is full when its centre is inside, and empty otherwise
 [[nodiscard]] Coverage sample_coverage(const std::function<double(const Vec3&)>& distance, const Vec3& center,
                                        double voxel_size, int subsamples);
 
-/// The same for the voxels of one block, but asks the function far less often and is more exact.
+/// Coverage of the voxels of one block, with far fewer calls of the function and more exact than `sample_coverage`.
 ///
-/// The function is known at the 8 corners, 6 face centres and the centre of a voxel, most of which neighbours share.
-/// Through them runs one trilinear function plus a parabola along each axis. Where the 15 values agree with it, and it
-/// bends little, the surface is smooth on the scale of the voxel and `subsamples`^2 rows, each with the exact length
-/// that the polynomial covers of it, add up to the fraction: about 6 calls per voxel. Elsewhere (edges, thin sheets,
-/// strong curvature) the function is asked in every cell.
+/// The function is evaluated at the 8 corners, 6 face centres and the centre of a voxel; neighbours share most of these
+/// points. A trilinear function plus a parabola along each axis is fitted to the 15 values. If the values agree with
+/// the fit and the parabolas are flat, the surface is smooth on the scale of the voxel. Then `subsamples`^2 rows, each
+/// with the exact covered length, give the filled fraction: about 6 calls per voxel. Elsewhere (edges, thin sheets,
+/// strong curvature) the function is evaluated in every cell.
 class BlockCoverage {
  public:
   /// @param origin  first voxel of the block; `distance` must outlive the object
@@ -53,7 +52,7 @@ class BlockCoverage {
   const GridFrame& frame_;
   VoxelIndex origin_;
   int subsamples_;
-  std::array<double, kNodes * kNodes * kNodes> values_;  ///< [m] NaN where not yet asked
+  std::array<double, kNodes * kNodes * kNodes> values_;  ///< [m] NaN: not evaluated yet
 };
 
 }  // namespace hapticut

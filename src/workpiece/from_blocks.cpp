@@ -30,7 +30,7 @@ void validate(const IndexBox& domain, const GridFrame& frame, const MaterialTabl
   double voxels = 1;
   for (int axis = 0; axis < 3; ++axis) {
     if (domain.min[axis] < -kMaxIndex || domain.max[axis] > kMaxIndex)
-      throw Error("the workpiece reaches beyond voxel index +-2^30; move it nearer to the grid's origin.");
+      throw Error("the workpiece reaches beyond voxel index +-2^30; move it closer to the grid's origin.");
     voxels *= double(domain.max[axis]) - domain.min[axis] + 1;
   }
   if (voxels > double(kMaxDomainVoxels))
@@ -39,7 +39,7 @@ void validate(const IndexBox& domain, const GridFrame& frame, const MaterialTabl
                 " are allowed. Choose a larger voxel size or crop the input.");
 }
 
-/// What the filler returned for one block, as tree nodes.
+/// The result of the filler for one block, as tree nodes.
 struct BuiltBlock {
   BlockKind kind;
   std::unique_ptr<Leaf<MaterialTree>> material;
@@ -141,8 +141,8 @@ Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame,
   validate(domain, frame, materials);
   auto trees = std::make_unique<VoxelTrees>();
   std::vector<BuiltBlock> blocks(kBlocksPerBranch);
-  // Branch by branch (128^3 voxels): its blocks are filled in parallel and inserted in order, so the result does not
-  // depend on the number of threads.
+  // Works branch by branch (128^3 voxels). The blocks of a branch are filled in parallel and inserted in order, so the
+  // result does not depend on the number of threads.
   const auto add_branch = [&](int x, int y, int z) {
     constexpr int kLast = kBranchEdge - 1;
     const BlockGrid branch({{x, y, z}, {x + kLast, y + kLast, z + kLast}});

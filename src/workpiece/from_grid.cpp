@@ -15,14 +15,14 @@ using openvdb::Coord;
 
 constexpr int kPatchEdge = kBlockEdge + 2;  // a block and one voxel around it
 constexpr float kVoxelReach = 0.8661F;      // [voxels] from the centre of a voxel to its corner, rounded up
-constexpr float kFull = 1.001F;             // fraction of a full voxel, but for the rounding of half floats
+constexpr float kFull = 1.001F;             // upper limit for a full voxel, with rounding of half floats
 
 bool is_level_set(const openvdb::FloatGrid& grid, GridKind kind) {
   if (kind != GridKind::from_class) return kind == GridKind::level_set;
   if (grid.getGridClass() == openvdb::GRID_LEVEL_SET) return true;
   if (grid.getGridClass() == openvdb::GRID_FOG_VOLUME) return false;
-  throw Error("grid '" + grid.getName() + "' says neither that it is a level set nor that it is a fog volume; say " +
-              "which it is with GridImport::kind.");
+  throw Error("grid '" + grid.getName() + "' is marked neither as a level set nor as a fog volume; set its kind with " +
+              "GridImport::kind.");
 }
 
 /// Values of the voxels of one block and of those around it, in voxels (level set) or fractions (fog volume).
@@ -51,7 +51,7 @@ class GridSampler {
         ids_(ids),
         level_set_(level_set),
         subsamples_(subsamples),
-        // Level sets hold world distances; in voxels they compare with the size of a voxel.
+        // Level sets store distances in world units; the sampler uses distances in voxels.
         scale_(level_set ? float(1 / grid.voxelSize()[0]) : 1.0F) {}
 
   BlockKind operator()(const VoxelIndex& origin, BlockContent& content) const {
@@ -83,8 +83,8 @@ class GridSampler {
     if (!std::isfinite(value)) throw Error("grid '" + grid_.getName() + "' has a value that is not finite.");
     if (!level_set_ && active && value > kFull)
       throw Error("grid '" + grid_.getName() + "' has the value " + format_number(double(value)) +
-                  ", but values of a fog volume are filled fractions, 0 to 1. Scale them to that in the program that "
-                  "wrote it, or save its surface as a level set.");
+                  ", but values of a fog volume are filled fractions, 0 to 1. Scale the values in the program that "
+                  "wrote the grid, or save its surface as a level set.");
   }
 
   Patch gather(const Coord& at) const {
@@ -112,7 +112,7 @@ class GridSampler {
       for (int b = 0; b < subsamples_; ++b)
         for (int c = 0; c < subsamples_; ++c) {
           const Vec3 offset = (Vec3(a, b, c).array() + 0.5) / subsamples_ - 0.5;
-          // How much of a cell a plane along the grid at this distance covers.
+          // The part of a cell that a plane along the grid at this distance covers.
           const double weight = std::clamp(0.5 - patch.interpolated(x, y, z, offset) * subsamples_, 0.0, 1.0);
           volume += weight;
           moment += weight * offset;
@@ -150,17 +150,17 @@ Workpiece build_from(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* i
   if (level_set && band < 0)
     throw Error("level set '" + grid.getName() +
                 "' is inside out: its distances must be positive outside. Change their sign in the program that wrote "
-                "it.");
+                "the grid.");
   if (level_set && !(band > 0.87 * grid.voxelSize()[0]))
-    throw Error("level set '" + grid.getName() + "' knows distances up to " + format_number(band) +
+    throw Error("level set '" + grid.getName() + "' stores distances up to " + format_number(band) +
                 ", but its voxels are " + format_number(grid.voxelSize()[0]) +
                 " wide. Save it with distances in the unit of its transform, of at least one voxel on each side.");
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-  if (box.empty()) throw Error("grid '" + grid.getName() + "' has no active voxels: there is no workpiece in it.");
+  if (box.empty()) throw Error("grid '" + grid.getName() + "' has no active voxels, so that it contains no workpiece.");
   Workpiece workpiece = Workpiece::from_blocks({to_index(box.min()), to_index(box.max())}, frame, std::move(materials),
                                                GridSampler(grid, ids, level_set, options.subsamples));
   if (workpiece.empty())
-    throw Error("grid '" + grid.getName() + "' encloses nothing: no voxel of it is " +
+    throw Error("grid '" + grid.getName() + "' encloses nothing: none of its voxels is " +
                 (level_set ? "inside the surface." : "filled."));
   return workpiece;
 }

@@ -70,7 +70,7 @@ openvdb::FloatGrid::Ptr density_grid(const Workpiece& workpiece, double unit) {
 openvdb::Int32Grid::Ptr material_grid(const Workpiece& workpiece, double unit) {
   require_positive(unit, "length of one world unit of the grid [m]");
   auto tree = std::make_shared<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).material);
-  // Voxels that were cut away keep their material behind an inactive bit; in the grid they are like the outside.
+  // Voxels that were cut away keep their material with an inactive bit; the grid must show them as outside.
   for (auto leaf = tree->beginLeaf(); leaf; ++leaf)
     for (auto voxel = leaf->beginValueOff(); voxel; ++voxel) voxel.setValue(kEmpty);
   auto grid = openvdb::Int32Grid::create(tree);

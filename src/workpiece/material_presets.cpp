@@ -41,8 +41,10 @@ const Preset& preset_named(std::string_view name) {
   throw Error("there is no material preset '" + std::string(name) + "'; choose one of: " + known + ".");
 }
 
-/// What a material is, whatever cuts it: relative stiffness, density [kg/m^3] and
-/// compressive strength [Pa].
+/// The properties of a material that do not depend on the cutter.
+/// @param stiffness  [1] relative
+/// @param density    [kg/m^3]
+/// @param strength   [Pa] compressive
 Material solid(const char* name, double stiffness, double density, double strength) {
   return {.name = name,
           .relative_stiffness = stiffness,
@@ -54,13 +56,13 @@ Material solid(const char* name, double stiffness, double density, double streng
           .density = density};
 }
 
-/// What it takes to cut dentin, or cortical bone, with a kind of tool.
-struct Cut {
+/// Cutting constants of dentin and cortical bone for one kind of cutter.
+struct CuttingConstants {
   double ratio, energy;             // [1] kappa, [J/m^3] u
   double edge_length, size_length;  // [m] h_e, h_s
 };
 
-constexpr Cut of_dentin(CutterKind kind) {
+constexpr CuttingConstants of_dentin(CutterKind kind) {
   switch (kind) {
     case CutterKind::fine_diamond:
       return {0.5, 63.3e9, 0, 0};
@@ -77,20 +79,21 @@ constexpr Cut of_dentin(CutterKind kind) {
   return {0.5, 0.1e9, 0, 180e-6};
 }
 
-/// A material that costs `share` times what dentin does: with u share and h_s/share every bur goes 1/share times as
-/// fast as in dentin under any load. Drills keep h_e, so that the force below which they cut nothing goes with the
-/// share.
-Material cut_by(CutterKind kind, double share, Material material) {
-  const Cut cut = of_dentin(kind);
+/// Sets the cutting constants of a hard material from those of dentin. With u times the relative energy e, and h_s
+/// divided by it, every bur feeds 1/e times as fast as in dentin under any load. Drills keep h_e, so that the force
+/// below which they cut nothing is proportional to e.
+/// @param relative_energy  [1] e, cutting energy over that of dentin
+Material cut_by(CutterKind kind, double relative_energy, Material material) {
+  const CuttingConstants cut = of_dentin(kind);
   material.cutting_ratio = cut.ratio;
-  material.specific_cutting_energy = cut.energy * share;
+  material.specific_cutting_energy = cut.energy * relative_energy;
   material.edge_length = cut.edge_length;
-  material.size_length = cut.size_length / share;
+  material.size_length = cut.size_length / relative_energy;
   material.cutter = kind;
   return material;
 }
 
-/// Whatever cuts it.
+/// Sets the cutting energy of a soft material, which does not depend on the cutter.  @param energy  [J/m^3]
 Material soft(double energy, Material material) {
   material.specific_cutting_energy = energy;
   return material;

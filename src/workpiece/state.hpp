@@ -13,7 +13,7 @@
 #include "workpiece/undo.hpp"
 
 /// @file
-/// What a workpiece is made of inside: three OpenVDB trees and the pool of nodes that cutting draws from.
+/// The state of a workpiece: three OpenVDB trees and the pool of nodes for cutting.
 namespace hapticut {
 
 using MaterialTree = openvdb::tree::Tree4<std::uint8_t, 5, 4, 3>::Type;
@@ -35,16 +35,16 @@ inline openvdb::Coord to_coord(const VoxelIndex& index) { return {index[0], inde
 inline VoxelIndex to_index(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
 inline int branch_start(int i) { return i & ~(kBranchEdge - 1); }
 
-/// The voxels themselves.
+/// The trees that hold the voxels.
 struct VoxelTrees {
   MaterialTree material{kEmpty};  ///< active = not yet empty
-  FillTree fill{1.0F};       ///< a leaf only where some voxel of a block is partly filled; elsewhere solid means full
+  FillTree fill{1.0F};            ///< a leaf only if a voxel of the block is partly filled; elsewhere solid means full
   CentroidTree centroid{0};  ///< packed CentroidOffset; a leaf only at antialiased surfaces; never written by cutting
 };
 
-/// Takes a node out of a reserve, to be put where a block or a branch begins.  @pre there is one
+/// Removes a node from a reserve and sets its origin to the start of a block or branch.  @pre the reserve is not empty
 template <class Node>
-Node* take_node(std::vector<std::unique_ptr<Node>>& reserve, const openvdb::Coord& at) {
+Node* acquire_node(std::vector<std::unique_ptr<Node>>& reserve, const openvdb::Coord& at) {
   HAPTICUT_ASSERT(!reserve.empty());
   Node* node = reserve.back().release();
   reserve.pop_back();
@@ -52,12 +52,12 @@ Node* take_node(std::vector<std::unique_ptr<Node>>& reserve, const openvdb::Coor
   return node;
 }
 
-/// Nodes made at set-up, so that cutting can take them without allocating.
+/// Nodes allocated at set-up, so that cutting does not allocate.
 struct BlockPool {
   std::vector<std::unique_ptr<Leaf<MaterialTree>>> material_leaves;
   std::vector<std::unique_ptr<Leaf<FillTree>>> fill_leaves;
   std::vector<std::unique_ptr<Branch<FillTree>>> fill_branches;
-  std::size_t target = 0;  ///< blocks asked for by the last reserve_blocks
+  std::size_t target = 0;  ///< count of the last reserve_blocks
 };
 
 struct Workpiece::State {
@@ -67,7 +67,7 @@ struct Workpiece::State {
   BlockPool pool;
   std::unique_ptr<UndoJournal> journal;  ///< null: no undo
 
-  /// The branch nodes around the last block that was asked for: neighbouring blocks need no search from the root.
+  /// The branch nodes around the last block that was requested: neighbouring blocks need no search from the root.
   struct BranchCache {
     bool valid = false;
     openvdb::Coord origin;
@@ -81,7 +81,7 @@ struct Workpiece::State {
   const BranchCache& branches_at(const openvdb::Coord& block_origin) const noexcept;
 };
 
-/// The door from the library's own files to the trees.
+/// Access to the trees for other files of the library.
 struct WorkpieceAccess {
   static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
   static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);

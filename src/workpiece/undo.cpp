@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks of a workpiece and the way back to them and forth again, block by block, without an allocation.
+// Marks of a workpiece, and undo and redo block by block, without an allocation.
 #include "workpiece/undo.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxBlocks = 1 << 27;  // of the table
 
-void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
+void save_content(const BlockView& block, SavedBlock& entry) noexcept {
   entry.has_voxels = block.material != nullptr;
   entry.has_fill = block.fill != nullptr;
   entry.uniform_material = block.uniform_material;
@@ -30,12 +30,12 @@ void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
 
 UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) : blocks_(bounds) {
   if (blocks_.count() > kMaxBlocks)
-    throw Error("the workpiece spans " + format_number(blocks_.count()) + " blocks, more than " +
-                format_number(kMaxBlocks) + " that can be watched for undo; crop it.");
+    throw Error("the workpiece spans " + format_number(blocks_.count()) + " blocks; at most " +
+                format_number(kMaxBlocks) + " are allowed with undo. Crop it.");
   const auto refuse = [&](const char* why) {
-    throw Error("undo memory of " + std::to_string(capacity) + " blocks, " +
-                format_number(double(capacity) * sizeof(SavedBlock) * 1e-9) + " GB, was asked for; " + why +
-                ". Reserve as many blocks as are cut between the marks, some thousands.");
+    throw Error("undo needs memory for " + std::to_string(capacity) + " blocks, " +
+                format_number(double(capacity) * sizeof(SavedBlock) * 1e-9) + " GB; " + why +
+                ". Reserve as many blocks as are cut between marks, typically some thousands.");
   };
   if (capacity > kMaxCapacity) refuse(("at most " + std::to_string(kMaxCapacity) + " blocks are allowed").c_str());
   try {
@@ -44,7 +44,7 @@ UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) : blocks_
     marks_.reserve(kMarks);
     undone_.reserve(kMarks);
   } catch (const std::bad_alloc&) {
-    refuse("the system has no such memory");
+    refuse("the system does not have that much");
   }
 }
 
@@ -61,11 +61,11 @@ void UndoJournal::forget_redo() noexcept {
 }
 
 void UndoJournal::set_mark() noexcept {
-  // What is half undone cannot be completed across another mark.
+  // A mark that is partly undone cannot be redone across another mark.
   if (half_way()) forget_redo();
   if (marks_.size() + undone_.size() == kMarks) {
     if (marks_.empty())
-      undone_.erase(undone_.begin());  // the farthest to come
+      undone_.erase(undone_.begin());  // the last one to redo
     else
       drop_oldest_mark();
   }
@@ -76,17 +76,17 @@ void UndoJournal::save(const BlockView& block) noexcept {
   if (marks_.empty()) return;
   std::uint32_t& saved = saved_[*blocks_.number_of(block.origin)];
   if (saved == marks_.back().number) return;
-  forget_redo();  // this block takes its place
+  forget_redo();  // this block overwrites the undone ones
   while (count_ == ring_.size() && !marks_.empty()) drop_oldest_mark();
   if (marks_.empty()) return;
   SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
   ++marks_.back().blocks;
   entry.origin = block.origin;
   entry.saved_before = std::exchange(saved, marks_.back().number);
-  keep_content(block, entry);
+  save_content(block, entry);
 }
 
-SavedBlock* UndoJournal::take_back() noexcept {
+SavedBlock* UndoJournal::undo_into() noexcept {
   redoing_ = false;
   if (marks_.empty()) return nullptr;
   Mark& mark = marks_.back();
@@ -118,7 +118,7 @@ SavedBlock* UndoJournal::redo_into() noexcept {
   return &entry;
 }
 
-// --- the workpiece's side -------------------------------------------------------------------------------------------
+// --- Workpiece -------------------------------------------------------------------------------------------------------
 
 void Workpiece::reserve_undo(std::size_t blocks) {
   state_->journal = blocks == 0 || empty() ? nullptr : std::make_unique<UndoJournal>(bounds(), blocks);
@@ -144,7 +144,7 @@ void Workpiece::remember(const BlockView& block) noexcept {
 }
 
 std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
-  SavedBlock* saved = state_->journal ? state_->journal->take_back() : nullptr;
+  SavedBlock* saved = state_->journal ? state_->journal->undo_into() : nullptr;
   if (saved == nullptr) return std::nullopt;
   exchange_block(*saved);
   return saved->origin;
@@ -159,12 +159,12 @@ std::optional<VoxelIndex> Workpiece::redo_block() noexcept {
 
 void Workpiece::exchange_block(SavedBlock& other) noexcept {
   SavedBlock wanted = other;  // 2.7 kB of the stack
-  keep_content(block(other.origin), other);
-  put_content(wanted);
+  save_content(block(other.origin), other);
+  restore_content(wanted);
 }
 
-/// Makes a block what was saved of it.
-void Workpiece::put_content(const SavedBlock& content) noexcept {
+/// Sets a block to its saved content.
+void Workpiece::restore_content(const SavedBlock& content) noexcept {
   State& state = *state_;
   BlockPool& pool = state.pool;
   const openvdb::Coord at = to_coord(content.origin);
@@ -174,9 +174,9 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
   HAPTICUT_ASSERT(materials != nullptr && fills != nullptr);  // the block has been cut
   const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
 
-  // What cutting took from the pool goes back to it before anything is taken; undone in the reverse order of the cuts,
-  // the pool has at least what it had then. On the way forth, in the order of the cuts, a block takes no more than when
-  // it was cut first, and what cutting has emptied since gives back at once.
+  // Nodes return to the pool before others are acquired. Undo runs in the reverse order of the cuts, so that the pool
+  // has at least as many nodes as at the time of the cut. Redo runs in the order of the cuts: a block needs no more
+  // nodes than at its first cut, and emptied blocks return theirs at once.
   if (!content.has_fill && fills->isChildMaskOn(n))
     pool.fill_leaves.emplace_back(fills->stealNode<Leaf<FillTree>>(at, 1.0F, false));
   if (!content.has_voxels) {
@@ -187,7 +187,7 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
       materials->addTile(Branch<MaterialTree>::LEVEL, at, content.uniform_material, content.uniform_material != kEmpty);
     return;
   }
-  if (!materials->isChildMaskOn(n)) materials->addLeaf(take_node(pool.material_leaves, at));
+  if (!materials->isChildMaskOn(n)) materials->addLeaf(acquire_node(pool.material_leaves, at));
   auto* leaf = materials->probeLeaf(at);
   std::copy(content.material.begin(), content.material.end(), leaf->buffer().data());
   auto mask = leaf->getValueMask();
@@ -195,7 +195,7 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
     mask.getWord<openvdb::Index64>(openvdb::Index(word)) = content.solid.words[word];
   leaf->setValueMask(mask);
   if (!content.has_fill) return;
-  if (!fills->isChildMaskOn(n)) fills->addLeaf(take_node(pool.fill_leaves, at));
+  if (!fills->isChildMaskOn(n)) fills->addLeaf(acquire_node(pool.fill_leaves, at));
   std::copy(content.fill.begin(), content.fill.end(), fills->probeLeaf(at)->buffer().data());
 }
 

@@ -8,31 +8,32 @@
 #include "hapticut/workpiece/block_grid.hpp"
 
 /// @file
-/// Steps back of a workpiece, and forth again: what blocks were before they were cut, and after.
+/// Undo and redo of a workpiece: the content of blocks before and after they were cut.
 namespace hapticut {
 
-/// One block as it was.
+/// The saved content of one block.
 struct SavedBlock {
   VoxelIndex origin;
-  std::uint32_t saved_before;  ///< mark under which the block had been saved last
-  bool has_voxels, has_fill;   ///< false: uniform; all that is solid is full
+  std::uint32_t saved_before;  ///< mark under which the block was saved previously
+  bool has_voxels, has_fill;   ///< false: uniform; all solid voxels are full
   MaterialId uniform_material;
   BlockMask solid;
   std::array<MaterialId, kBlockVoxels> material;
   std::array<float, kBlockVoxels> fill;
 };
 
-/// Marks, and the blocks that were cut since each: every block once a mark, before its first cut. Bounded: when there
-/// is no room, the oldest mark goes with its blocks.
+/// Marks, and the blocks that were cut since each mark. A block is saved once per mark, before its first cut. The
+/// memory is bounded: when it is full, the oldest mark is deleted with its blocks.
 ///
-/// A tape: the way back reads it from its end, the way forth the other way. A block that is put back leaves on the tape
-/// what it was until then, so going forth again needs no memory of its own. The next cut records over it.
+/// The journal is like a tape. Undo reads it backwards, redo forwards. When undo restores a block, it writes the
+/// present content of the block in the place of the saved content, so that redo needs no additional memory. The next
+/// cut overwrites the undone part.
 ///
 ///     oldest                      here                       end
 ///       | mark 1 | mark 2  . . .   |  . . mark 2 | mark 3 . . |
 ///       '--- blocks before the cuts ---'--- blocks after the cuts ---'
 ///
-/// Its memory: sizeof(SavedBlock) for each block of its capacity, and a table of 4 bytes for each block of the bounds.
+/// Memory: sizeof(SavedBlock) for each block of the capacity, and 4 bytes for each block of the bounds.
 class UndoJournal {
  public:
   static constexpr std::size_t kMarks = 64;
@@ -40,8 +41,8 @@ class UndoJournal {
 
   /// @param bounds    voxels that may be cut
   /// @param capacity  [blocks] > 0
-  /// @throws Error when the bounds are too large for a table of their blocks, the capacity is above kMaxCapacity, or
-  ///         there is no such memory
+  /// @throws Error if the bounds have too many blocks for a table, the capacity is above kMaxCapacity, or the memory is
+  ///         not available
   UndoJournal(const IndexBox& bounds, std::size_t capacity);
 
   void set_mark() noexcept;
@@ -49,24 +50,26 @@ class UndoJournal {
   [[nodiscard]] std::size_t marks() const noexcept { return marks_.size(); }
   [[nodiscard]] std::size_t redo_marks() const noexcept { return undone_.size() + (half_way() ? 1 : 0); }
 
-  /// Saves a block, unless it has been since the last mark.  @realtime no allocation, no lock; O(512)
+  /// Saves a block, unless it was saved since the last mark.  @realtime no allocation, no lock; O(512)
   void save(const BlockView& block) noexcept;
 
-  /// There is no way forth any more, because something else was cut.  @realtime no allocation, no lock; O(1)
+  /// Deletes the undone marks, because something was cut.  @realtime no allocation, no lock; O(1)
   void forget_redo() noexcept;
 
-  /// The block that was saved last since the last mark; null when there is none, and then the mark is gone.
-  /// @return to be put back, and to be overwritten with what the block was before; valid until the next call of `save`
-  [[nodiscard]] SavedBlock* take_back() noexcept;
+  /// Undoes one block: returns the block that was saved last since the last mark. The caller exchanges the saved
+  /// content with that of the workpiece.
+  /// @return valid until the next call of `save`; null when all blocks are undone, and then the mark is removed
+  [[nodiscard]] SavedBlock* undo_into() noexcept;
 
-  /// The block that was put back last since the mark that is to be there again; null when it is done.
-  /// @return as of `take_back`
+  /// Redoes one block: returns the block that was undone last. The caller exchanges the saved content with that of the
+  /// workpiece.
+  /// @return valid until the next call of `save`; null when all blocks of the mark are redone
   [[nodiscard]] SavedBlock* redo_into() noexcept;
 
  private:
   struct Mark {
     std::uint32_t number;
-    std::size_t blocks;      // before the place where we are on the tape
+    std::size_t blocks;      // before the present place on the tape
     std::size_t undone = 0;  // after it
   };
   [[nodiscard]] bool half_way() const noexcept { return !marks_.empty() && marks_.back().undone > 0; }
@@ -75,9 +78,9 @@ class UndoJournal {
   BlockGrid blocks_;                    // of the bounds
   std::vector<std::uint32_t> saved_;    // mark under which each block was saved last; 0: never
   std::vector<SavedBlock> ring_;        // of all marks, oldest first
-  std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the place where we are
-  std::vector<Mark> marks_, undone_;    // the latter: the one to come next is the last
-  bool redoing_ = false;                // to the end of the last mark
+  std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the present place
+  std::vector<Mark> marks_, undone_;    // undone_: the next mark to redo is the last
+  bool redoing_ = false;                // until the last mark is complete
   std::uint32_t last_number_ = 0;
 };
 

@@ -12,11 +12,11 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxReservedBlocks = 1e8;  // as of SimulationConfig::reserved_blocks
+constexpr double kMaxReservedBlocks = 1e8;  // as the limit of SimulationConfig::reserved_blocks
 
 using openvdb::Coord;
 
-/// The child of a branch node at a block's place, or null where the branch holds a tile there.
+/// The child of a branch node at the place of a block; null if the branch has a tile there.
 template <class BranchNode>
 const typename BranchNode::ChildNodeType* child_at(const BranchNode* branch, const Coord& block_origin) noexcept {
   if (branch == nullptr) return nullptr;
@@ -24,9 +24,9 @@ const typename BranchNode::ChildNodeType* child_at(const BranchNode* branch, con
   return branch->getChildMask().isOn(n) ? branch->getTable()[n].getChild() : nullptr;
 }
 
-/// The same leaf, to be written.
+/// The child of a branch node at the place of a block, for writing; null if the branch has a tile there.
 template <class BranchNode>
-typename BranchNode::ChildNodeType* own_child_at(BranchNode* branch, const Coord& block_origin) noexcept {
+typename BranchNode::ChildNodeType* writable_child_at(BranchNode* branch, const Coord& block_origin) noexcept {
   return branch == nullptr ? nullptr : branch->probeLeaf(block_origin);
 }
 
@@ -39,7 +39,7 @@ const typename LeafNode::ValueType* values_of(const LeafNode* leaf) noexcept {
 template <class LeafNode>
 const std::uint64_t* mask_words(const LeafNode& leaf) noexcept {
   static_assert(LeafNode::NodeMaskType::WORD_COUNT == 8);
-  using Mask = typename LeafNode::NodeMaskType;  // only the non-const overload gives the place of the words
+  using Mask = typename LeafNode::NodeMaskType;  // only the non-const overload gives the address of the words
   return &const_cast<Mask&>(leaf.getValueMask()).template getWord<openvdb::Index64>(0);
 }
 
@@ -67,7 +67,7 @@ const MaterialTable& Workpiece::materials() const { return state_->materials; }
 
 void Workpiece::set_materials(MaterialTable materials) {
   if (materials.size() != state_->materials.size())
-    throw Error("a table of " + std::to_string(materials.size()) + " materials was given for a workpiece of " +
+    throw Error("a table of " + std::to_string(materials.size()) + " materials was given for a workpiece with " +
                 std::to_string(state_->materials.size()) + "; change the constants, not the number of materials.");
   state_->materials = std::move(materials);
 }
@@ -145,7 +145,7 @@ void Workpiece::for_each_block(const std::function<void(const BlockView&)>& func
   };
   const auto& root = state_->trees->material.root();
   for (auto trunk = root.cbeginChildOn(); trunk; ++trunk) {
-    // Branch by branch in the order of the trunk's table; inactive tiles hold nothing.
+    // Branch by branch in the order of the trunk's table; inactive tiles are empty.
     for (openvdb::Index n = 0; n < Trunk<MaterialTree>::NUM_VALUES; ++n) {
       if (!trunk->isChildMaskOn(n) && !trunk->isValueMaskOn(n)) continue;
       const Coord first = trunk->offsetToGlobalCoord(n);
@@ -155,7 +155,7 @@ void Workpiece::for_each_block(const std::function<void(const BlockView&)>& func
 }
 
 std::uint64_t Workpiece::hash() const {
-  // FNV-1a over whole words; a uniform block hashes like the same block written out voxel by voxel.
+  // FNV-1a over whole words. A uniform block has the same hash as its content voxel by voxel.
   constexpr std::uint64_t kPrime = 0x100000001b3ULL;
   const auto mix = [](std::uint64_t hash, std::uint64_t word) {
     hash ^= word;
@@ -211,7 +211,7 @@ void Workpiece::reserve_blocks(std::size_t count) {
   state.cache = {};
 
   // Tiles larger than a block become branch nodes of block-sized tiles, and the fill tree gets the trunk nodes above
-  // them: what cutting inserts later is one leaf (and at most one branch of the fill tree), always from the pool.
+  // them. Cutting then inserts only one leaf (and at most one branch of the fill tree) at a time, always from the pool.
   std::size_t branches = 0;
   for (auto trunk = state.trees->material.root().beginChildOn(); trunk; ++trunk) {
     for (openvdb::Index n = 0; n < Trunk<MaterialTree>::NUM_VALUES; ++n) {
@@ -234,7 +234,7 @@ void Workpiece::reserve_blocks(std::size_t count) {
   }
   while (pool.material_leaves.size() < count)
     pool.material_leaves.push_back(std::make_unique<Leaf<MaterialTree>>(Coord(0), kEmpty, true));
-  // Blocks that cutting empties come back to the pool, also those that were never taken from it.
+  // Blocks that cutting empties return to the pool, including blocks that did not come from it.
   const std::size_t material_leaves = state.trees->material.leafCount();
   const std::size_t fill_leaves = state.trees->fill.leafCount();
   pool.material_leaves.reserve(pool.material_leaves.size() + material_leaves);
@@ -284,7 +284,7 @@ CuttableBlock Workpiece::cuttable_block(const VoxelIndex& origin) noexcept {
   const BlockView view = block(origin);
   if (view.fill == nullptr) return {view, nullptr};
   const Coord at = to_coord(origin);
-  return {view, own_child_at(state_->branches_at(at).fill, at)->buffer().data()};
+  return {view, writable_child_at(state_->branches_at(at).fill, at)->buffer().data()};
 }
 
 bool Workpiece::has_reserve_for(const VoxelIndex& origin) const noexcept {
@@ -306,12 +306,12 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   const State::BranchCache& branches = state.branches_at(at);
   HAPTICUT_ASSERT(branches.material != nullptr);  // reserve_blocks left no larger tile
 
-  auto* fill_leaf = own_child_at(branches.fill, at);
+  auto* fill_leaf = writable_child_at(branches.fill, at);
   const auto* material_leaf = child_at(branches.material, at);
   if (branches.fill == nullptr) {
     auto* trunk = state.trees->fill.probeNode<Trunk<FillTree>>(at);
     HAPTICUT_ASSERT(trunk != nullptr);
-    trunk->addChild(take_node(pool.fill_branches, branches.origin));
+    trunk->addChild(acquire_node(pool.fill_branches, branches.origin));
     state.cache.valid = false;
   }
   auto* fill_branch = state.branches_at(at).fill;
@@ -320,13 +320,13 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   if (material_leaf == nullptr) {
     const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
     const std::uint8_t id = material_branch->getTable()[n].getValue();
-    auto* leaf = take_node(pool.material_leaves, at);
+    auto* leaf = acquire_node(pool.material_leaves, at);
     leaf->setValuesOn();
     std::fill_n(leaf->buffer().data(), kBlockVoxels, id);
     material_branch->addLeaf(leaf);
   }
   if (fill_leaf == nullptr) {
-    auto* leaf = take_node(pool.fill_leaves, at);
+    auto* leaf = acquire_node(pool.fill_leaves, at);
     float* fill = leaf->buffer().data();
     const auto* solid = child_at(material_branch, at);
     for (int n = 0; n < kBlockVoxels; ++n) fill[n] = solid->isValueOn(openvdb::Index(n)) ? 1.0F : 0.0F;
@@ -340,8 +340,8 @@ void Workpiece::empty_voxels(const VoxelIndex& origin, const BlockMask& emptied)
   State& state = *state_;
   const Coord at = to_coord(origin);
   const State::BranchCache& branches = state.branches_at(at);
-  auto* material_leaf = own_child_at(branches.material, at);
-  auto* fill_leaf = own_child_at(branches.fill, at);
+  auto* material_leaf = writable_child_at(branches.material, at);
+  auto* fill_leaf = writable_child_at(branches.fill, at);
   HAPTICUT_ASSERT(material_leaf != nullptr && fill_leaf != nullptr);
 
   float* fill = fill_leaf->buffer().data();
@@ -352,7 +352,7 @@ void Workpiece::empty_voxels(const VoxelIndex& origin, const BlockMask& emptied)
   material_leaf->setValueMask(mask);
   if (!mask.isOff()) return;
 
-  // Nothing left: both leaves go back to the pool, whose vectors were given room for every leaf of the trees.
+  // Nothing is left: both leaves return to the pool. Its vectors have capacity for every leaf of the trees.
   auto& pool = state.pool;
   HAPTICUT_ASSERT(pool.material_leaves.size() < pool.material_leaves.capacity());
   HAPTICUT_ASSERT(pool.fill_leaves.size() < pool.fill_leaves.capacity());

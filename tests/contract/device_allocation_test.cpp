@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every device promises to the loop: the exchange of reading and force allocates nothing.
+// Contract of every device with the loop: the exchange of reading and force does not allocate.
 #include <gtest/gtest.h>
 
 #include "support/allocation_count.hpp"
@@ -12,9 +12,9 @@ using namespace test;
 
 class DeviceAllocation : public DeviceContractTest {};
 
-TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndOfItsOwnTakesNoLock) {
+TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndTakesNoLock) {
   constexpr long kFrom = 10, kTo = 9000;
-  tested.script = [](long tick) { return ScriptedTick{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
+  tested.script = [](long tick) { return ScriptedReading{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
   const auto device = tested.open();
   CallCounts counts;
   RunOptions options = quick();
@@ -33,7 +33,7 @@ TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndOfItsOwnTakesNoLock) {
   EXPECT_EQ(report.ticks, std::uint64_t(kTo));
   EXPECT_EQ(counts.allocations, 0);
   EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_TRUE(counts.locks == 0 || traits().is_makers) << "the stand-ins of makers' libraries lock";
+  EXPECT_TRUE(counts.locks == 0 || traits().is_makers) << "the replacements of makers' libraries lock";
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::saturated)] > 0, traits().has_motors);
   EXPECT_GT(report.events[std::size_t(SafetyEvent::force_not_finite)], 0U);
 }

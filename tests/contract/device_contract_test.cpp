@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every device promises to the loop, whoever made it: how it is opened, run and closed. What it reads is in
-// device_reading_contract_test.cpp, what it renders in device_force_contract_test.cpp, and that it allocates nothing in
+// Contract of every device with the loop: how it is opened, run and closed. Its readings are tested in
+// device_reading_contract_test.cpp, its force in device_force_contract_test.cpp, and its allocations in
 // device_allocation_test.cpp.
 #include <gtest/gtest.h>
 
@@ -17,19 +17,19 @@ namespace {
 using namespace test;
 
 class DeviceContract : public DeviceContractTest {};
-/// Devices behind their maker's library, and those that we simulate ourselves.
+/// Devices that use their maker's library, and simulated devices.
 class MakersDeviceContract : public DeviceContract {};
 class SimulatedDeviceContract : public DeviceContract {};
 
-// A device is one thing: whoever holds it holds it in a pointer.
+// A device can be neither copied nor moved; programs hold it by a pointer.
 static_assert(!std::is_copy_constructible_v<Device> && !std::is_move_constructible_v<Device>);
 static_assert(!std::is_copy_assignable_v<Device> && !std::is_move_assignable_v<Device>);
 static_assert(!std::is_move_constructible_v<MockDevice> && !std::is_move_constructible_v<MouseDevice> &&
               !std::is_move_constructible_v<PlaybackDevice> && !std::is_move_constructible_v<WrittenDevice>);
 static_assert(std::has_virtual_destructor_v<Device>);
 
-// --- what it is -----------------------------------------------------------------------------------------------------
-TEST_P(DeviceContract, SaysWhatItIsAndWhatItCanInSiUnits) {
+// --- its properties --------------------------------------------------------------------------------------------------
+TEST_P(DeviceContract, DescribesItselfAndItsCapabilitiesInSiUnits) {
   const auto device = tested.open();
   const DeviceCapabilities& c = device->capabilities();
   EXPECT_FALSE(device->name().empty());
@@ -85,7 +85,7 @@ TEST_P(DeviceContract, IsOpenedAndClosedAgainAndAgainWhetherItRanOrNot) {
     auto device = tested.open();
     const std::string model = device->capabilities().model;
     if (n % 2 == 1) (void)rest(*device);
-    EXPECT_EQ(device->capabilities().model, model) << "it stays what it was";
+    EXPECT_EQ(device->capabilities().model, model) << "the model does not change";
     device.reset();
     device.reset();  // closed twice
     expect_no_force_now();
@@ -139,7 +139,7 @@ TEST_P(DeviceContract, CallsTheFunctionOnceATickInOneThreadAndNeverTwiceAtOnce) 
   EXPECT_EQ(report.end, "the callback ended it");
 }
 
-TEST_P(DeviceContract, RunsForTheSecondsOfItsOwnTimeThatItIsGiven) {
+TEST_P(DeviceContract, RunsForTheGivenSecondsOfItsOwnTime) {
   const auto device = tested.open();
   RunOptions options = quick();
   options.seconds = 0.2495;
@@ -192,7 +192,7 @@ TEST_P(DeviceContract, IsSeenAndStoppedFromOtherThreads) {
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::engaged)], 1U);
 }
 
-TEST_P(DeviceContract, ObeysAStopThatComesAsSoonAsItRunsAndForgetsOneFromBefore) {
+TEST_P(DeviceContract, ObeysAStopAtTheStartOfARunAndIgnoresAnEarlierOne) {
   const auto device = tested.open();
   device->stop();
   (void)rest(*device);
@@ -225,7 +225,7 @@ TEST_P(DeviceContract, IsRunInAnyThreadAndAgain) {
       EXPECT_NEAR(last.time, 0.059, 1e-9);
     });
     other.join();
-    device->stop();  // from the inside of the next run
+    device->stop();  // before the next run, which must ignore it
     tested.run(*device, [&](const DeviceState& state) {
       if (state.sequence == 30) device->stop();
       return DeviceCommand{};
@@ -234,7 +234,7 @@ TEST_P(DeviceContract, IsRunInAnyThreadAndAgain) {
   }
 }
 
-TEST_P(DeviceContract, RunsByTheWallClockInTheThreadThatIsPromised) {
+TEST_P(DeviceContract, RunsByTheWallClockInTheDocumentedThread) {
   const auto device = tested.open_for_wall_clock();
   RunOptions options = quick();
   options.realtime = {0, false, true, -1, 0};
@@ -254,8 +254,8 @@ TEST_P(DeviceContract, RunsByTheWallClockInTheThreadThatIsPromised) {
   EXPECT_GE(report.wake_up.count(), 200U);
 }
 
-// --- what it refuses ------------------------------------------------------------------------------------------------
-TEST_P(DeviceContract, RefusesWhatCannotBeRunInWordsAndRunsAfterwards) {
+// --- invalid use -----------------------------------------------------------------------------------------------------
+TEST_P(DeviceContract, RefusesInvalidRunsWithAMessageAndRunsAfterwards) {
   const auto device = tested.open();
   const DeviceCallback rests = [](const DeviceState&) { return DeviceCommand{{}, true}; };
   EXPECT_TRUE(contains(refusal([&] { device->run(nullptr); }), "pass a function"));
@@ -291,10 +291,10 @@ TEST_P(DeviceContract, RefusesToRunTwiceAtOnce) {
     EXPECT_TRUE(device->is_running());
     return DeviceCommand{{}, n >= 20};
   });
-  EXPECT_EQ(report.ticks, 20U) << "the first run goes on";
+  EXPECT_EQ(report.ticks, 20U) << "the first run continues";
 }
 
-TEST_P(MakersDeviceContract, RefusesSimulatedTimeThatItDoesNotKnowAndRunsAfterwards) {
+TEST_P(MakersDeviceContract, RefusesSimulatedTimeIfUnsupportedAndRunsAfterwards) {
   const auto device = tested.open_for_wall_clock();
   RunOptions options = quick();
   options.realtime = {0, false, true, -1, 0};
@@ -303,7 +303,7 @@ TEST_P(MakersDeviceContract, RefusesSimulatedTimeThatItDoesNotKnowAndRunsAfterwa
   const std::string words = refusal([&] { device->run(rests, options); });
   EXPECT_TRUE(contains(words, "simulated time; leave RunOptions::simulated_time false")) << words;
   EXPECT_FALSE(device->is_running());
-  EXPECT_EQ(device->arming(), ArmingState::off) << "no run, no guard that waits";
+  EXPECT_EQ(device->arming(), ArmingState::off) << "without a run the guard is off";
   EXPECT_EQ(tested.commands(), 0);
   options.simulated_time = false;
   EXPECT_EQ(device->run(rests, options).ticks, 1U);

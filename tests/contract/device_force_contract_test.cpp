@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every device promises of its force: what it may be, when it is there, and that it is gone at every end.
+// Contract of the force of every device: its values, when it is on, and that it is off after every end of a run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class DeviceForceContract : public DeviceContractTest {
  protected:
   using Act = std::function<void(long n, DeviceCommand&)>;
 
-  /// A callback that presses when it has been free for 50 ticks, and then does what `act` says in the n-th tick.
+  /// A callback that presses after 50 free ticks; `act` then changes the command of the n-th tick.
   DeviceCallback pressing(long ticks, Act act = nullptr, Wrench wrench = kPush) {
     return [=, n = 0L](const DeviceState&) mutable {
       DeviceCommand command;
@@ -33,7 +33,7 @@ class DeviceForceContract : public DeviceContractTest {
     };
   }
 
-  /// Runs, and keeps what the motors held when each reading came: of the tick before.
+  /// Runs the device, and records the wrench of the motors at each reading, which is that of the previous tick.
   RunReport run(Device& device, const DeviceCallback& callback, const RunOptions& options = quick()) {
     held.clear();
     return tested.run(
@@ -55,17 +55,17 @@ class DeviceForceContract : public DeviceContractTest {
 };
 
 class MotorContract : public DeviceForceContract {};
-/// Devices whose motors render exactly what was asked for, because nothing but the script moves them.
+/// Devices whose motors render exactly the commanded wrench, because only the script moves them.
 class FixedDeviceForceContract : public DeviceForceContract {};
 class FollowingDeviceForceContract : public DeviceForceContract {};
 class CableContract : public DeviceForceContract {};
 class ClosedLoopContract : public DeviceForceContract {};
 
-// --- what it may be -------------------------------------------------------------------------------------------------
-TEST_P(FixedDeviceForceContract, IsThatOfTheTickThatAskedForIt) {
+// --- its values ------------------------------------------------------------------------------------------------------
+TEST_P(FixedDeviceForceContract, IsRenderedInTheTickOfItsCommand) {
   const auto device = tested.open();
-  const bool turns = device->capabilities().output_degrees_of_freedom == 6;
-  const Wrench asked{Vec3(0.5, -0.25, 0.125), turns ? Vec3(0.010, 0.005, -0.020) : Vec3::Zero()};
+  const bool has_torque = device->capabilities().output_degrees_of_freedom == 6;
+  const Wrench asked{Vec3(0.5, -0.25, 0.125), has_torque ? Vec3(0.010, 0.005, -0.020) : Vec3::Zero()};
   const RunReport report = run(*device, pressing(200, nullptr, asked));
   EXPECT_EQ(report.guard, ArmingState::on);
   for (long n = 60; n < 199; ++n) {
@@ -76,16 +76,16 @@ TEST_P(FixedDeviceForceContract, IsThatOfTheTickThatAskedForIt) {
   EXPECT_EQ(device->output().changes, OutputChange::none) << describe(device->output().changes);
 }
 
-TEST_P(DeviceForceContract, IsNeverMoreThanItSaysItCan) {
+TEST_P(DeviceForceContract, IsNeverAboveItsCapabilities) {
   const auto device = tested.open();
   const double peak = device->capabilities().peak_force, torque = device->capabilities().peak_torque;
-  double most = 0;
+  double max_force = 0;
   run(*device, pressing(1000, [&](long n, DeviceCommand& command) {
     if (n < 50) return;
     command.wrench = {Vec3(n % 200 < 100 ? 1000 : -1000, 10, 0), Vec3(0, n % 100 < 50 ? 9 : -9, 0)};
     const DeviceOutput& before = device->last_output();
-    most = std::max(most, before.applied.force.norm());
-    if (n < 60 || !traits().follows) return;  // a hand that is thrown about may lose its force
+    max_force = std::max(max_force, before.applied.force.norm());
+    if (n < 60 || !traits().follows) return;  // a hand that is thrown around may lose its force
     const OutputChange expected = traits().has_motors ? OutputChange::saturated : OutputChange::no_actuator;
     EXPECT_TRUE(has_any(before.changes, expected)) << n << ": " << describe(before.changes);
     EXPECT_EQ(has_any(before.changes, OutputChange::no_actuator), torque == 0) << n;
@@ -96,11 +96,11 @@ TEST_P(DeviceForceContract, IsNeverMoreThanItSaysItCan) {
     ASSERT_LE(w.force.norm(), peak * (1 + 1e-9)) << n;
     ASSERT_LE(w.torque.norm(), torque * (1 + 1e-9)) << n;
   }
-  EXPECT_NEAR(most, peak, 1e-9 * peak);
+  EXPECT_NEAR(max_force, peak, 1e-9 * peak);
   if (!traits().has_motors) expect_no_force_since(0);
 }
 
-TEST_P(DeviceForceContract, IsNoneForAWrenchThatIsNoNumberAndComesBack) {
+TEST_P(DeviceForceContract, IsZeroForAWrenchThatIsNotFiniteAndReturns) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(400, [&](long n, DeviceCommand& command) {
     if (n == 200) command.wrench.force.y() = kNan;
@@ -117,7 +117,7 @@ TEST_P(DeviceForceContract, IsNoneForAWrenchThatIsNoNumberAndComesBack) {
   EXPECT_EQ(force(300).norm() > 0.1, traits().has_motors);
 }
 
-TEST_P(DeviceForceContract, IsNoneForGoodAfterThreeWrenchesInARowThatAreNoNumbers) {
+TEST_P(DeviceForceContract, StaysZeroAfterThreeWrenchesInARowThatAreNotFinite) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(400, [&](long n, DeviceCommand& command) {
     if (n >= 200 && n < 203) command.wrench.force = Vec3::Constant(kNan);
@@ -127,8 +127,8 @@ TEST_P(DeviceForceContract, IsNoneForGoodAfterThreeWrenchesInARowThatAreNoNumber
   expect_no_force_now();
 }
 
-// --- when it is there -----------------------------------------------------------------------------------------------
-TEST_P(DeviceForceContract, IsNoneWhileTheToolWasNeverFree) {
+// --- when it is on ---------------------------------------------------------------------------------------------------
+TEST_P(DeviceForceContract, IsZeroWhileTheToolWasNeverFree) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(300, [](long, DeviceCommand& command) { command.wrench = kPush; }));
   EXPECT_EQ(report.guard, ArmingState::wait_free);
@@ -136,7 +136,7 @@ TEST_P(DeviceForceContract, IsNoneWhileTheToolWasNeverFree) {
   expect_no_force_since(0);
 }
 
-TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
+TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
   const auto device = tested.open();
   for (const char* end : {"the callback", "stop()", "the time"}) {
     SCOPED_TRACE(end);
@@ -161,7 +161,7 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
     EXPECT_TRUE(no_force(0, 10)) << "in every run anew";
     double grown = 0;
     for (long n = 15; n < 65; ++n) grown = std::max(grown, force(n).norm() - force(n - 1).norm());
-    EXPECT_LT(grown, 0.2) << "nothing at once";
+    EXPECT_LT(grown, 0.2) << "no sudden growth";
     EXPECT_GT(force(150).x(), 0.5);
 
     long last = tested.commands() - 1;
@@ -176,7 +176,7 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
   }
 }
 
-TEST_P(DeviceForceContract, IsGoneInTheTickThatThrowsAndTheExceptionComesOut) {
+TEST_P(DeviceForceContract, IsZeroInTheTickThatThrowsAndTheExceptionIsPassedOn) {
   const auto device = tested.open();
   const DeviceCallback throws = pressing(1000, [](long n, DeviceCommand&) {
     if (n == 150) throw std::runtime_error("the tool broke");
@@ -192,18 +192,18 @@ TEST_P(DeviceForceContract, IsGoneInTheTickThatThrowsAndTheExceptionComesOut) {
     EXPECT_STREQ(e.what(), "the tool broke");
   }
   EXPECT_EQ(held.back().force.norm() > 0.1, traits().has_motors);
-  EXPECT_GE(tested.commands(), before + 2) << "of the tick, and of the end";
+  EXPECT_GE(tested.commands(), before + 2) << "one in the tick, and one at the end";
   expect_no_force_since(before);
   EXPECT_FALSE(device->is_running());
   EXPECT_EQ(device->arming(), ArmingState::off);
   EXPECT_EQ(device->count(SafetyEvent::exception), 1U);
   tested.expect_left_in_order();
-  EXPECT_THROW(run(*device, [](const DeviceState&) -> DeviceCommand { throw 7; }), int) << "whatever it is";
+  EXPECT_THROW(run(*device, [](const DeviceState&) -> DeviceCommand { throw 7; }), int) << "any exception";
   EXPECT_EQ(run(*device, pressing(150)).guard, ArmingState::on) << "and it runs again";
   EXPECT_EQ(force(140).norm() > 0.1, traits().has_motors);
 }
 
-TEST_P(DeviceForceContract, IsGoneInAnEmergencyUntilItIsResetAndTheToolIsFree) {
+TEST_P(DeviceForceContract, IsZeroInAnEmergencyUntilItIsResetAndTheToolIsFree) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(700, [&](long n, DeviceCommand& command) {
     if (n == 200) device->emergency_stop();
@@ -217,7 +217,7 @@ TEST_P(DeviceForceContract, IsGoneInAnEmergencyUntilItIsResetAndTheToolIsFree) {
   EXPECT_EQ(report.guard, ArmingState::on);
 }
 
-TEST_P(DeviceForceContract, IsGoneAtOnceWhenAnEmergencyEndsTheRun) {
+TEST_P(DeviceForceContract, IsZeroAtOnceWhenAnEmergencyEndsTheRun) {
   const auto device = tested.open();
   long before = 0;
   run(*device, pressing(200, [&](long n, DeviceCommand& command) {
@@ -228,7 +228,7 @@ TEST_P(DeviceForceContract, IsGoneAtOnceWhenAnEmergencyEndsTheRun) {
   expect_no_force_since(before);
 }
 
-TEST_P(DeviceForceContract, IsNoneInARunAfterAnEmergencyThatNobodyReset) {
+TEST_P(DeviceForceContract, IsZeroInARunAfterAnEmergencyWithoutReset) {
   const auto device = tested.open();
   device->emergency_stop();
   for (int n = 0; n < 2; ++n) EXPECT_EQ(run(*device, pressing(200)).guard, ArmingState::fault);
@@ -251,14 +251,14 @@ TEST_P(DeviceForceContract, WaitsForAFreeToolAfterAnInterruption) {
 }
 
 // --- when the device fails ------------------------------------------------------------------------------------------
-TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
-  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, tick >= 200, false}; };
+TEST_P(FollowingDeviceForceContract, StaysZeroWhenThePoseStaysNotFinite) {
+  tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, tick >= 200, false}; };
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(500));
   EXPECT_EQ(report.guard, ArmingState::fault);
   EXPECT_GE(report.events[std::size_t(SafetyEvent::pose_not_finite)], 1U);
   EXPECT_EQ(force(199).norm() > 0.1, traits().has_motors);
-  EXPECT_TRUE(no_force(225, 498)) << "the last good pose stands in for 20 ticks";
+  EXPECT_TRUE(no_force(225, 498)) << "the last good pose replaces the reading for 20 ticks";
   for (long n = 0; n < tested.commands(); ++n) ASSERT_TRUE(tested.command(n).force.allFinite());
   EXPECT_FALSE(device->state().valid);
   EXPECT_TRUE(is_finite(device->state().X_BS));
@@ -266,7 +266,7 @@ TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
 }
 
 TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
-  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, false, tick >= 200}; };
+  tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, false, tick >= 200}; };
   auto device = tested.open();
   const RunReport report = run(*device, pressing(10000));
   EXPECT_EQ(report.fault, DeviceFault::disconnected);
@@ -281,13 +281,13 @@ TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
   expect_no_force_now();
 }
 
-// The loop of stability_test.cpp with the whole device and the guard in the loop: no tick is lost on the way.
+// The loop of stability_test.cpp with the whole device and the guard in the loop: they add no delay.
 TEST_P(ClosedLoopContract, AddsNoDelay) {
   const auto swing = [&](double stiffness) {
     NudgedPlant plant("touch");
     tested.script = [&](long tick) {
       plant.before_reading(tick, tested.held());
-      return ScriptedTick{plant.pose(), {plant.velocity(), Vec3::Zero()}};
+      return ScriptedReading{plant.pose(), {plant.velocity(), Vec3::Zero()}};
     };
     tested.run(*tested.open(), NudgedPlant::wall(stiffness), NudgedPlant::options());
     return plant.growth();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every device promises of its readings: the loop computes with them.
+// Contract of the readings of every device, on which the loop relies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +13,8 @@ using namespace test;
 
 class ReadingContract : public DeviceContractTest {
  protected:
-  /// A hand that goes round in a circle of 5 mm and turns the stylus, and never jumps.
-  static ScriptedTick round_and_round(long tick) {
+  /// A hand that moves in a circle of 5 mm and rotates the stylus, without jumps.
+  static ScriptedReading round_and_round(long tick) {
     const double angle = 2e-3 * double(tick);
     return {Pose{rotation_from_vector(Vec3(0.1, 0.3, std::sin(angle))),
                  5e-3 * Vec3(std::cos(angle), std::sin(angle), 0.5 * std::sin(angle))},
@@ -22,7 +22,7 @@ class ReadingContract : public DeviceContractTest {
   }
 };
 
-/// Devices whose readings are those of the script.
+/// Devices whose readings follow the script.
 class FollowingDeviceContract : public ReadingContract {};
 class ButtonContract : public ReadingContract {};
 class MakersReadingContract : public ReadingContract {};
@@ -60,43 +60,43 @@ TEST_P(ReadingContract, GivesReadingsOfARigidBodyInMetresEachLaterThanTheLast) {
 TEST_P(FollowingDeviceContract, IsWhereTheHandIs) {
   tested.script = round_and_round;
   const auto device = tested.open();
-  const bool turns = device->capabilities().input_degrees_of_freedom == 6;
+  const bool has_rotation = device->capabilities().input_degrees_of_freedom == 6;
   tested.run(*device, [&, n = 0L](const DeviceState& state) mutable {
     const Pose X_BS = round_and_round(n).X_BS;
     EXPECT_LT((state.X_BS.translation - X_BS.translation).norm(), 1e-12) << n;
-    EXPECT_LT((state.X_BS.rotation - (turns ? X_BS.rotation : Mat3::Identity())).norm(), 1e-12) << n;
+    EXPECT_LT((state.X_BS.rotation - (has_rotation ? X_BS.rotation : Mat3::Identity())).norm(), 1e-12) << n;
     return DeviceCommand{{}, ++n >= 500};
   });
 }
 
-TEST_P(FollowingDeviceContract, KnowsHowFastTheHandGoesAndTurns) {
+TEST_P(FollowingDeviceContract, MeasuresLinearAndAngularVelocity) {
   const Twist velocity{Vec3(0.02, -0.01, 0.03), Vec3(0.5, -1, 2)};
   tested.script = [=](long tick) {
     const double time = 1e-3 * double(tick);
-    return ScriptedTick{Pose{rotation_from_vector(time * velocity.angular), time * velocity.linear}, velocity};
+    return ScriptedReading{Pose{rotation_from_vector(time * velocity.angular), time * velocity.linear}, velocity};
   };
   const auto device = tested.open();
-  const bool turns = device->capabilities().input_degrees_of_freedom == 6;
+  const bool has_rotation = device->capabilities().input_degrees_of_freedom == 6;
   const DeviceState last = rest(*device, 300);
   EXPECT_LT((last.velocity.linear - velocity.linear).norm(), 1e-6);
-  EXPECT_LT((last.velocity.angular - (turns ? velocity.angular : Vec3::Zero())).norm(), 1e-6);
+  EXPECT_LT((last.velocity.angular - (has_rotation ? velocity.angular : Vec3::Zero())).norm(), 1e-6);
 }
 
 TEST_P(MakersReadingContract, MakesAnInexactRotationExact) {
   Mat3 inexact = rotation_from_vector(Vec3(0.2, 0.1, -0.4));
   inexact.col(0) *= 1.003;
   inexact.col(1) += 0.002 * inexact.col(2);
-  tested.script = [=](long) { return ScriptedTick{Pose{inexact, Vec3::Zero()}}; };
+  tested.script = [=](long) { return ScriptedReading{Pose{inexact, Vec3::Zero()}}; };
   const auto device = tested.open();
-  const bool turns = device->capabilities().input_degrees_of_freedom == 6;
+  const bool has_rotation = device->capabilities().input_degrees_of_freedom == 6;
   const DeviceState last = rest(*device);
   EXPECT_TRUE(last.valid);
   EXPECT_TRUE(is_rotation(last.X_BS.rotation, 1e-12));
-  EXPECT_LT((last.X_BS.rotation - (turns ? inexact : Mat3::Identity())).norm(), 0.01);
+  EXPECT_LT((last.X_BS.rotation - (has_rotation ? inexact : Mat3::Identity())).norm(), 0.01);
 }
 
 TEST_P(ButtonContract, TellsWhichButtonsArePressed) {
-  tested.script = [](long tick) { return ScriptedTick{{}, {}, std::uint32_t(tick / 10 % 8)}; };
+  tested.script = [](long tick) { return ScriptedReading{{}, {}, std::uint32_t(tick / 10 % 8)}; };
   const auto device = tested.open();
   tested.run(*device, [&, n = 0](const DeviceState& state) mutable {
     EXPECT_EQ(state.pressed(0), n / 10 % 2 == 1) << n;
@@ -107,9 +107,9 @@ TEST_P(ButtonContract, TellsWhichButtonsArePressed) {
   });
 }
 
-TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNoNumbers) {
+TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNotFinite) {
   tested.script = [](long tick) {
-    ScriptedTick now = round_and_round(tick);
+    ScriptedReading now = round_and_round(tick);
     now.not_a_number = tick >= 100 && tick < 105;
     return now;
   };

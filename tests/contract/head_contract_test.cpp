@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every head must keep, whatever its shape: the step relies on it.
+// Contract of every head, on which the step relies.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,11 +20,11 @@ using test::RandomPoses;
 using units::deg;
 using units::mm;
 
-/// Heads from profiles take a while to make, so a test makes only its own.
+/// A head, made on demand, because heads from profiles take time to make.
 struct NamedHead {
   std::string name;
   std::function<ToolHead()> make;
-  bool springs_push_out = true;  ///< false: it has hollows whose walls face the axis
+  bool springs_push_out = true;  ///< false: the head has hollows whose walls face the axis
 };
 
 NamedHead profile(const test::NamedProfile& p) {
@@ -61,8 +61,8 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
     for (int n = 0; n < 20000; ++n) check(random.between(0, reach), random.between(-reach, reach));
   }
 
-  /// Whether the exact head has this direction at a point or next to it: on a ridge between two surfaces, rounding
-  /// decides for one of them.
+  /// Whether the exact head has this direction at a point or next to it. On a ridge between two surfaces, rounding
+  /// decides which surface gives the direction.
   bool is_direction_near(const MeridianSpring<float>& fast, double rho, double z, double step) const {
     for (int n = 0; n < 9; ++n) {
       const MeridianSpring<double> s = spring<double>(rho + (n % 3 - 1) * step, z + (n / 3 - 1) * step);
@@ -70,7 +70,7 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
     }
     return false;
   }
-  /// [m] how far from the surface a point must be for inside and outside to be told apart.
+  /// [m] Distance from the surface beyond which inside and outside can be distinguished.
   double surface_error() const {
     const auto* profile = std::get_if<ProfileHead>(&head().shape());
     return profile == nullptr ? 1e-12 : 1e-12 + profile->table().error;
@@ -98,7 +98,7 @@ TEST_P(HeadContract, DirectionIsAUnitVectorWhereThereIsASpring) {
   });
 }
 
-TEST_P(HeadContract, DepthIsNothingAllOverItsSurfaceSoThatForcesMakeNoEnergy) {
+TEST_P(HeadContract, DepthIsZeroAllOverItsSurfaceSoThatForcesMakeNoEnergy) {
   const auto* flat = std::get_if<FlatHead>(&head().shape());
   if (flat != nullptr && flat->rule != FlatRule::nearest) GTEST_SKIP() << "these rules are not conservative";
   for_points([&](double rho, double z) {
@@ -129,14 +129,14 @@ TEST_P(HeadContract, SpringAndMarginAgreeOnWhatIsInside) {
   });
 }
 
-// The hot loop is in single precision: its depth is that of double precision up to the rounding of coordinates as large
-// as the head, a few units in the last place of the reach.
+// The hot loop uses single precision. Its depth equals that of double precision up to the rounding of coordinates of
+// the size of the head: a few units in the last place of the reach.
 TEST_P(HeadContract, SinglePrecisionGivesTheSameAnswerWithinRounding) {
   const double rounding = 4 * kSmoothScale * double(std::numeric_limits<float>::epsilon()) * 1.3 * head().reach();
   for_points([&](double rho, double z) {
     const MeridianSpring<double> exact = spring<double>(rho, z);
     const MeridianSpring<float> fast = spring<float>(rho, z);
-    if (std::abs(margin(rho, z)) < rounding + surface_error()) return;  // on the surface either answer is right
+    if (std::abs(margin(rho, z)) < rounding + surface_error()) return;  // on the surface both results are right
     ASSERT_EQ(exact.depth > 0, fast.depth > 0);
     if (exact.depth <= 0) return;
     ASSERT_NEAR(double(fast.depth), exact.depth, rounding);

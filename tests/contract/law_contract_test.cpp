@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every force law must keep, whatever its formula: the step relies on it.
+// Contract of every force law, on which the step relies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ struct Outcome {
   std::vector<Wrench> wrenches;  // about To
   double removed = 0;
   EnergyLedger energy;
-  double turnover = 0;  // [J] of both works, to and fro
-  double min_loss = 0;  // [J] the most negative change of a dissipation in a step
+  double turnover = 0;  // [J] sum of the absolute changes of both works
+  double min_loss = 0;  // [J] the smallest change of a dissipation in a step; negative if a dissipation decreased
 };
 
 Vec3 head_at(const Cut& cut, int tick) {
@@ -87,7 +87,7 @@ class LawContract : public testing::TestWithParam<NamedLaw> {
 };
 
 /// One block full of random samples.
-/// @param parts  of voxels, along the axes of the grid; otherwise points
+/// @param parts  whether the samples are parts of voxels, along the axes of the grid; otherwise they are points
 ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_size) {
   ContactBlock block;
   block.sub_voxel = parts;
@@ -102,8 +102,8 @@ ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_siz
     const bool empty = i % 5 == 0;
     block.depth[n] = empty ? 0.0F : float(random.between(0, 0.3) * mm);
     block.fill[n] = empty ? 0.0F : float(random.between(0.01, 1));
-    block.largest[n] = float(normal.cwiseAbs().maxCoeff());
-    const VoxelSection<float> section(block.largest[n]);
+    block.max_component[n] = float(normal.cwiseAbs().maxCoeff());
+    const VoxelSection<float> section(block.max_component[n]);
     const float above_middle = section.height_of(block.fill[n]) - section.span() / 2;
     block.top[n] = empty ? 0.0F : block.depth[n] + voxel_size * above_middle;
     block.force_x[n] = block.force_y[n] = block.force_z[n] = block.fill_after[n] = 99;  // must be overwritten
@@ -116,7 +116,7 @@ ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_siz
 }
 
 // Proves: contract of every law.
-TEST_P(LawContract, LeavesNoMoreThanThereWasAndNothingWhereThereWasNothing) {
+TEST_P(LawContract, NeverAddsMaterial) {
   test::RandomPoses random(3);
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
@@ -185,9 +185,9 @@ TEST_P(LawContract, CutsWhileItSpinsAndOnlyThen) {
   EXPECT_EQ(run(named(), cut).removed, 0);
 }
 
-// 0.5 %: what the issue of the whole model asks of every combination.
+// The limit for every combination of the model is 0.5 %.
 // Proves: contract of every law.
-TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
+TEST_P(LawContract, ClosesItsEnergyLedgerAndHasNoNegativeLoss) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::none})
     for (const double spin : {kSpin, -kSpin, 0.0}) {
       Cut cut;
@@ -206,7 +206,7 @@ TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
 }
 
 // Proves: contract of every law.
-TEST_P(LawContract, GivesTheSameBitsTwiceAndNothingInTheAir) {
+TEST_P(LawContract, RepeatsBitByBitAndHasNoForceInTheAir) {
   const Outcome a = run(named(), {}), b = run(named(), {});
   ASSERT_EQ(a.wrenches.size(), b.wrenches.size());
   for (std::size_t n = 0; n < a.wrenches.size(); ++n) {

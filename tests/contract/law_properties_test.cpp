@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for every force law with random constants, heads, materials and motions.
+// Properties of every force law, with random constants, heads, materials and motions.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -24,7 +24,7 @@ struct LawFamily {
   Law (*draw)();
   CutScene (*scene)();
   bool always_loses;   // a dissipation is never negative, however the head moves
-  double light_touch;  // [J] what the ledger may miss of a touch too light to fill the first voxel
+  double light_touch;  // [J] allowed error of the ledger for a touch too light to fill the first voxel
 };
 
 void PrintTo(const LawFamily& family, std::ostream* out) { *out << family.name; }
@@ -59,7 +59,7 @@ Law twist_drill() { return std::make_shared<TwistDrillLaw>(TwistDrillLaw::Consta
 CutScene any_head() { return arbitrary_conservative_scene(); }
 CutScene a_ball() { return arbitrary_conservative_scene(1); }
 
-/// Fed towards its tip, which is the only direction in which the law has a force.
+/// A drill fed towards its tip, the only direction in which the law has a force.
 CutScene a_drill() {
   CutScene scene = arbitrary_conservative_scene();
   if (std::holds_alternative<SphereHead>(scene.head.shape())) {
@@ -99,7 +99,7 @@ class LawProperty : public testing::TestWithParam<LawFamily> {
     make_arbitrary(scene.hard);
     return scene;
   }
-  /// Expects that a change of the scene does not change the wrench; that of a mirrored scene is mirrored back.
+  /// Expects that a change of the scene does not change the wrench. The wrench of a mirrored scene is mirrored back.
   template <class Change>
   static void expect_the_same_wrench(const Change& change) {
     EXPECT_TRUE(rc::check([&] {
@@ -132,7 +132,7 @@ TEST_P(LawProperty, DoesNotKnowWhereTheGridBegins) {
 }
 
 // Proves: symmetries.
-TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
+TEST_P(LawProperty, ClosesItsLedgerAndHasNoNegativeLossInAnyMotion) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
     scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);
@@ -140,16 +140,16 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     scene.omega_V = *arbitrary_vector(2);
     const CutOutcome outcome = run(scene);
     const bool drills = std::dynamic_pointer_cast<const TwistDrillLaw>(scene.law) != nullptr;
-    RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill that stands has no force
+    RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill at rest has no force
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
-    RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
+    RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", min loss "
              << outcome.min_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index() << ", removal "
              << int(scene.removal);
     RC_ASSERT(std::abs(outcome.energy.imbalance() + outcome.energy.entered) <=
               5e-3 * outcome.turnover + GetParam().light_touch);
-    // The damper of the thesis follows the hand and not the slip: at a turning head it may give energy (D10).
-    // Law G takes what the depth in the middle of a sub-step stores for what helps to cut; the rest, `released`, is
-    // then known to the second order of the way in a sub-step only.
+    // The damper of the thesis acts against the motion of the hand instead of the slip: at a spinning head it may
+    // produce energy (D10). Law G uses the stored energy in the middle of a sub-step as the energy that helps to cut.
+    // The remainder, `released`, is then exact only to second order in the length of a sub-step.
     const double slack = scene.removal == RemovalLaw::elastic_release ? 5e-4 : 1e-6;
     if (GetParam().always_loses) RC_ASSERT(outcome.min_loss >= -slack * outcome.turnover);
   }));
@@ -157,19 +157,19 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, LawProperty, testing::ValuesIn(kFamilies), [](const auto& f) { return f.param.name; });
 
-// --- closed paths with the spindle standing --------------------------------------------------------------------------
+// --- closed paths with the spindle at rest ---------------------------------------------------------------------------
 
 struct PathWork {
   double net = 0, turnover = 0;  // [J]
   double lost = 0;               // [J] all dissipations
-  double entered = 0;            // [J] without being pressed
-  double stored = 0;             // [J] more than at the start
+  double entered = 0;            // [J] entered without work
+  double stored = 0;             // [J] change since the start
 };
 
-/// A head that stands, in a body without friction and damping, once around a smooth closed path in and out of it.
-/// @param edge  the body ends at x = 0; else it is a half space
-/// @param turns  the head tilts on the way
-PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool turns) {
+/// Moves a head at rest once around a smooth closed path into and out of a body without friction and damping.
+/// @param edge   whether the body ends at x = 0; otherwise it is a half space
+/// @param tilts  whether the head tilts along the path
+PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool tilts) {
   SimulationConfig config = static_config();
   config.max_sweep = 64;
   config.law = law;
@@ -179,7 +179,7 @@ PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool turns
   Simulation simulation(box_at_phase(body, 0.05 * mm, phase(3)), Tool(head), config);
   const double lowest = head.bounding_box().min.z();
   const Vec3 wave(*number_between(-0.4, 0.4), *number_between(-0.4, 0.4), *number_between(0.1, 0.3));
-  const Vec3 tilt = turns ? Vec3(*number_between(-0.4, 0.4), *number_between(-0.4, 0.4), 0) : Vec3(0, 0, 0);
+  const Vec3 tilt = tilts ? Vec3(*number_between(-0.4, 0.4), *number_between(-0.4, 0.4), 0) : Vec3(0, 0, 0);
   const double depth = *number_between(0.3, 0.5);
   constexpr int kSteps = 400;
   PathWork path;
@@ -190,7 +190,7 @@ PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool turns
                        Vec3(wave.x() * std::cos(t), wave.y() * std::sin(2 * t), wave.z() * std::sin(t) - depth) * mm -
                            Vec3(0, 0, lowest)};
     const EnergyLedger& after = simulation.step(X_WT, {}, 1e-3).energy;
-    if (i == 0) start = after;  // what it found where it appeared
+    if (i == 0) start = after;  // material around the first pose
     if (i > 0) path.turnover += std::abs(after.hand_work - before.hand_work);
     before = after;
   }
@@ -203,7 +203,7 @@ PathWork closed_path(const ToolHead& head, const Law& law, bool edge, bool turns
 
 ToolHead ball() { return SphereHead{*number_between(0.5 * mm, 1.2 * mm)}; }
 
-/// A ball, a cone or a flat head that spans ten voxels where it is pressed in.
+/// A ball, a cone or a flat head that spans ten voxels at its depth.
 ToolHead head_upright() {
   const int kind = *rc::gen::inRange(0, 3);
   if (kind == 0) return ball();
@@ -211,20 +211,20 @@ ToolHead head_upright() {
   return FlatHead{*number_between(0.5 * mm, 1.2 * mm), 2 * mm};
 }
 
-// Springs of voxels have a potential, on any body and any way of a head whose depth vanishes on its surface (C13). What
-// is left is the midpoint rule at the ends of springs: 5e-6 in the median.
+// Springs of voxels have a potential, for any body and any path of a head whose depth vanishes on its surface (C13).
+// The remaining error is that of the midpoint rule at the ends of springs: 5e-6 in the median.
 constexpr double kMidpointRule = 3e-3;
 
-// Contact mechanics and the Hertzian burr know the depth of a half space of the same volume. On a half space, pressed
-// at a right angle, that is the depth, and their force has a potential; on other bodies it has not: the limit that the
-// thesis names. Volumes of voxels waver on the way along a surface: 3e-4 in the median.
+// Contact mechanics and the Hertzian burr use the depth in a half space of the same volume. On a half space, pressed at
+// a right angle, this is the true depth, and their force has a potential. On other bodies it has none; the thesis names
+// this limit. The volume of voxels fluctuates along a surface: 3e-4 in the median.
 constexpr double kVolumeOfVoxels = 1e-2;
 
 struct Conservative {
   const char* name;
   Law (*draw)();
   ToolHead (*head)();
-  bool any_body, turns;
+  bool any_body, tilts;
   double tolerance;  // [1] of the turnover
 };
 
@@ -235,7 +235,7 @@ TEST_P(ClosedPathOfASpring, CostsNoWork) {
   EXPECT_TRUE(rc::check([] {
     const Conservative& law = GetParam();
     const bool edge = law.any_body && *rc::gen::arbitrary<bool>();
-    const PathWork path = closed_path(law.head(), law.draw(), edge, law.turns);
+    const PathWork path = closed_path(law.head(), law.draw(), edge, law.tilts);
     RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < law.tolerance * path.turnover);
   }));
@@ -251,9 +251,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Conservative{"HertzianBurrOnAHalfSpace", hertzian_burr, ball, false, true, kVolumeOfVoxels}),
     [](const auto& law) { return std::string(law.param.name); });
 
-// At an edge contact mechanics and the Hertzian burr cost work, or give it: up to 6 % of the turnover for a ball of six
-// to twelve voxels' radius, in either direction. The ledger says so: what no potential explains is in `entered`.
-// Proves: closed paths.
+// At an edge, contact mechanics and the Hertzian burr dissipate or produce energy: up to 6 % of the turnover for a ball
+// with a radius of six to twelve voxels. The ledger books the part without potential as `entered`. Proves: closed
+// paths.
 TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt) {
   constexpr double kWithoutPotential = 0.1;
   EXPECT_TRUE(rc::check([] {
@@ -265,7 +265,7 @@ TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt)
   }));
 }
 
-// A resistance to motion costs work on every way, and all of it is lost.
+// A resistance to motion costs work on every path, and all of this work is dissipated.
 // Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsWhatTheDampingMatrixLoses) {
   EXPECT_TRUE(rc::check([] {
@@ -276,7 +276,7 @@ TEST(ClosedPathOfALaw, CostsWhatTheDampingMatrixLoses) {
   }));
 }
 
-// It chips or it does not: a standing drill has no force.
+// The law has force only while it cuts: a drill at rest has no force.
 // Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForTheTwistDrillWhichHasNoForceAtRest) {
   EXPECT_TRUE(rc::check(

@@ -9,37 +9,37 @@
 
 namespace hapticut {
 
-/// A closed surface and what it is filled with.
+/// A closed surface and the material inside it.
 struct MeshShell {
-  TriangleMesh mesh;             ///< [m] in W; small holes are closed, faces turned to one side, and that outwards
-  MaterialId material = kEmpty;  ///< of what it encloses; kEmpty makes a cavity of it
+  TriangleMesh mesh;             ///< [m] in W; small holes are closed, and all faces are oriented outwards
+  MaterialId material = kEmpty;  ///< of the enclosed space; kEmpty makes a cavity
 };
 
-/// How surfaces become voxels.
+/// Options for the conversion of surfaces to voxels.
 struct MeshImport {
-  double voxel_size = 1e-4;  ///< [m]
-  int subsamples = 8;        ///< points per voxel edge in the voxels that a surface cuts, 1 ... 16
-  bool large = false;        ///< lifts the limits of work_estimate.hpp
-  WorkObserver tell = {};    ///< is told of the work before it begins
+  double voxel_size = 1e-4;    ///< [m]
+  int subsamples = 8;          ///< points per voxel edge in voxels that a surface cuts, 1 ... 16
+  bool large = false;          ///< lifts the limits of work_estimate.hpp
+  WorkObserver observer = {};  ///< called with the estimate before the work begins
 };
 
-/// How much work the surfaces will make.
+/// Estimates the work of `build_from_shells`.
 /// @pre indices are in range and voxel_size is positive
 [[nodiscard]] WorkEstimate estimate_work(const std::vector<MeshShell>& shells, const MeshImport& options);
 
-/// A workpiece from nested surfaces, e.g. enamel, dentin, pulp. Where several enclose a point, **the last one of the
-/// list wins**, so list them from the outside in. Voxels that a surface cuts get the filled fraction and its centroid
-/// by subsampling, and the material with the largest share.
+/// Builds a workpiece from nested surfaces, e.g. enamel, dentin, pulp. If several surfaces enclose a point, **the last
+/// one of the list decides**, so list them from the outside to the inside. Voxels that a surface cuts get the filled
+/// fraction and its centroid by subsampling, and the material that fills the largest part.
 ///
-/// Inside is where the generalised winding number of a surface exceeds one half (Jacobson, Kavan and Sorkine-Hornung
-/// 2013): right for closed surfaces, also when they overlap or intersect themselves, and robust to holes.
-/// @throws Error when there is no shell, a vertex is not finite, an index is out of range, a material is not in the
-///         table, a shell encloses nothing or is too open to say what is inside, there would be too many voxels, or
-///         more work than is begun unasked
+/// A point is inside a surface if the generalised winding number exceeds one half (Jacobson, Kavan and Sorkine-Hornung
+/// 2013). This is exact for closed surfaces, also if they overlap or intersect themselves, and robust to holes.
+/// @throws Error if there is no shell, a vertex is not finite, an index is out of range, a material is not in the
+///         table, a shell encloses nothing or is too open to decide what is inside, there would be too many voxels, or
+///         the work exceeds the limits of work_estimate.hpp
 [[nodiscard]] Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable materials,
                                           const MeshImport& options = {});
 
-/// The same for one surface of one material.
+/// Builds a workpiece from one surface and one material.  @throws Error as `build_from_shells`
 [[nodiscard]] Workpiece build_from_mesh(const TriangleMesh& mesh, Material material, const MeshImport& options = {});
 
 }  // namespace hapticut

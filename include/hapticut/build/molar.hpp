@@ -8,7 +8,7 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// A procedural lower (mandibular) right first molar: the workpiece that needs no file.
+/// A procedural lower (mandibular) right first molar, a workpiece that needs no file.
 ///
 /// ```
 ///         view from the cheek (buccal)                view from above (occlusal)
@@ -32,15 +32,15 @@
 /// Frame W: the origin lies in the middle of the crown's neck, in the plane of the cemento-enamel junction; x points to
 /// the mesial side (towards the front of the mouth), y to the cheek, z to the chewing surface.
 ///
-/// How it is made: each cusp is a lobe (the convex hull of a large ball in the crown's wall and a small one at the
-/// cusp's tip); lobes, marginal ridges, root trunk and two strands per root are joined with rounded seams, then
-/// fissures are pressed in. Grooves and fossae are where lobes meet, as in a growing tooth. The outer surface is
-/// antialiased; inside, each voxel is of one material: enamel where the depth under the surface (fissures aside) is
-/// less than the local thickness, pulp in the chamber and canals, dentin elsewhere.
+/// Construction: each cusp is a lobe, the convex hull of a large ball in the crown's wall and a small ball at the
+/// cusp's tip. Lobes, marginal ridges, root trunk and two strands per root are joined with rounded seams; then fissures
+/// are pressed in. Grooves and fossae form where lobes meet, as in a growing tooth. The outer surface is antialiased.
+/// Inside, each voxel has one material: enamel where the depth under the surface (without fissures) is less than the
+/// local thickness, pulp in the chamber and canals, dentin elsewhere.
 namespace hapticut {
 
-/// Sizes of the molar. The defaults are an average tooth. Sources: [L] Lee et al. 2016, J Dent Sci 11 (casts of 141
-/// teeth); [W] the customary table of tooth dimensions in textbooks of dental anatomy (Wheeler), from memory; [D]
+/// Dimensions of the molar. The defaults are an average tooth. Sources: [L] Lee et al. 2016, J Dent Sci 11 (casts of
+/// 141 teeth); [W] the usual table of tooth dimensions in textbooks of dental anatomy (Wheeler), from memory; [D]
 /// Deutsch & Musikant 2004, J Endod 30:388 (100 lower molars); [H] Harris et al. 2013, J Endod 39 (22 lower first
 /// molars); [A] assumption.
 struct MolarParameters {
@@ -77,15 +77,15 @@ constexpr auto fields_of(Of<MolarParameters>) {
   using units::mm;
   return std::tuple{
       field("crown_mesiodistal", &P::crown_mesiodistal, "m", Range::between(8 * mm, 15 * mm),
-            "greatest width along x; [L] 11.13 +- 0.40 mm"),
+            "largest width along x; [L] 11.13 +- 0.40 mm"),
       field("crown_buccolingual", &P::crown_buccolingual, "m", Range::between(8 * mm, 15 * mm),
-            "greatest width along y; [L] 10.47 +- 0.27 mm"),
+            "largest width along y; [L] 10.47 +- 0.27 mm"),
       field("crown_height", &P::crown_height, "m", Range::between(5 * mm, 10 * mm),
             "junction to the tip of the highest cusp; [W] 7.5 mm"),
       field("cervix_mesiodistal", &P::cervix_mesiodistal, "m", Range::between(6.5 * mm, 15 * mm),
-            "width of the neck, at most crown_mesiodistal; [W] 9 mm"),
+            "width of the neck along x, at most crown_mesiodistal; [W] 9 mm"),
       field("cervix_buccolingual", &P::cervix_buccolingual, "m", Range::between(6.5 * mm, 15 * mm),
-            "the same along y, at most crown_buccolingual; [W] 9 mm"),
+            "width of the neck along y, at most crown_buccolingual; [W] 9 mm"),
       field("cervical_curvature", &P::cervical_curvature, "m", Range::between(0, 2 * mm),
             "rise of the junction on the mesial side; [W] 1 mm"),
       field("mesial_root_length", &P::mesial_root_length, "m", Range::between(8 * mm, 20 * mm),
@@ -121,8 +121,9 @@ constexpr auto fields_of(Of<MolarParameters>) {
       field("apical_dentin", &P::apical_dentin, "m", Range::between(0.6 * mm, 3 * mm),
             "between the end of a canal and the apex: closed; [A]"),
       field("caries_depth", &P::caries_depth, "m", Range::between(0, 5 * mm),
-            "0: none; of a lesion under the central fossa"),
-      field("caries_width", &P::caries_width, "m", Range::between(0.5 * mm, 6 * mm), "its diameter along x and y"),
+            "of a lesion under the central fossa; 0: no lesion"),
+      field("caries_width", &P::caries_width, "m", Range::between(0.5 * mm, 6 * mm),
+            "diameter of the lesion along x and y"),
   };
 }
 
@@ -132,16 +133,16 @@ inline constexpr MaterialId kMolarDentin = 2;
 inline constexpr MaterialId kMolarPulp = 3;
 inline constexpr MaterialId kMolarCaries = 4;
 
-/// @throws Error naming the field, its value and the allowed range
+/// Checks the parameters.  @throws Error naming the field, its value and the allowed range
 void validate(const MolarParameters& parameters);
 
 /// The molar as functions of the position, for `build_body`.
 /// @throws Error as `validate`
 [[nodiscard]] BodyDescription describe_molar(const MolarParameters& parameters = {});
 
-/// The molar as voxels, made of the presets enamel, dentin, pulp and, with a lesion, caries. The same parameters give
-/// the same bits.
-/// @throws Error as `validate`, and when the voxel size is not positive
+/// The molar as voxels, with the presets enamel, dentin, pulp and, with a lesion, caries. Equal parameters give equal
+/// bits.
+/// @throws Error as `validate`, and if the voxel size is not positive
 [[nodiscard]] Workpiece build_molar(double voxel_size, const MolarParameters& parameters = {});
 
 }  // namespace hapticut

@@ -12,22 +12,23 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// What is done to a volume between the file and the workpiece. Every result keeps its place in the world; every
-/// function throws Error when the volume is not consistent. What needs ITK is in `io/volume/volume_filters.hpp`.
+/// Operations on a volume between the file and the workpiece. Every result keeps its position in the world. Every
+/// function throws Error if the volume is not consistent. Operations that need ITK are in
+/// `io/volume/volume_filters.hpp`.
 namespace hapticut {
 
-/// The same samples at another distance: for files whose header does not know. The first sample stays where it is.
+/// Sets the spacing of the samples, for files without spacing. The first sample keeps its position.
 /// @param spacing  [m]
 [[nodiscard]] GreyVolume with_spacing(GreyVolume volume, const Vec3& spacing);
 [[nodiscard]] LabelVolume with_spacing(LabelVolume volume, const Vec3& spacing);
 
-/// The box around all samples, each of them a box as large as their spacing.
-/// @return [m] in W; around a turned volume it is larger than the volume
+/// The box around all samples; each sample is a box with the size of the spacing.
+/// @return [m] in W; the box of a rotated volume is larger than the volume
 [[nodiscard]] Box box_of_volume(const GreyVolume& volume);
 [[nodiscard]] Box box_of_volume(const LabelVolume& volume);
 
-/// The samples of a box; what of it reaches beyond the volume is left out.
-/// @throws Error when nothing is left
+/// The samples of a box; the part of the box beyond the volume is left out.
+/// @throws Error if nothing is left
 [[nodiscard]] GreyVolume crop_to_samples(const GreyVolume& volume, const IndexBox& samples);
 [[nodiscard]] LabelVolume crop_to_samples(const LabelVolume& volume, const IndexBox& samples);
 
@@ -54,31 +55,32 @@ namespace hapticut {
 /// @throws Error when no sample is a number
 [[nodiscard]] std::array<double, 2> grey_range(const GreyVolume& volume);
 
-/// How many samples have at least this grey value.
+/// Number of samples with at least this grey value.
 [[nodiscard]] std::size_t count_from(const GreyVolume& volume, double threshold);
 
-/// How many samples have each label.
+/// Number of samples with each label.
 [[nodiscard]] std::map<int, std::size_t> count_labels(const LabelVolume& volume);
 
-/// The same for a volume of which it is not known whether it has labels: empty where a value is not a label, or where
-/// there are more different ones than `most`.
-[[nodiscard]] std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t most = 64);
+/// Number of samples with each label, for a volume that may or may not have labels. The result is empty if a value is
+/// not a label, or if there are more than `max_labels` different values.
+[[nodiscard]] std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t max_labels = 64);
 
-/// The label after the highest one of the volume: for what is to get a label of its own.
+/// The label after the highest label of the volume, for a new label.
 /// @throws Error when the volume has label 65535
 [[nodiscard]] std::uint16_t unused_label(const LabelVolume& volume);
 
-/// Keeps the largest of the bodies made of samples that are not 0 and touch by a face; the rest becomes 0. Of bodies of
-/// the same size it keeps the one whose first sample comes first.
+/// Keeps the largest body of samples that are not 0 and share faces; other bodies become 0. If several bodies have the
+/// largest size, the one whose first sample comes first is kept.
 /// @throws Error when all samples are 0
 [[nodiscard]] LabelVolume keep_largest_component(LabelVolume volume);
 
-/// Keeps the largest of the bodies made of samples with at least this grey value; the others get the lowest grey value
+/// Keeps the largest body of samples with at least this grey value; samples of other bodies get the lowest grey value
 /// of the volume.
 /// @throws Error when there is no such sample
 [[nodiscard]] GreyVolume keep_largest_component(GreyVolume volume, double threshold);
 
-/// Gives a label to every cavity: samples of 0 from which no path over faces leads to the border of the volume.
+/// Gives a label to every cavity. A cavity consists of samples of 0 without a path over faces to the border of the
+/// volume.
 [[nodiscard]] LabelVolume fill_cavities(LabelVolume volume, std::uint16_t label);
 
 }  // namespace hapticut

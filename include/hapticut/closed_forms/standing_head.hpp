@@ -9,12 +9,12 @@
 #include "hapticut/tool/shapes.hpp"
 
 /// @file
-/// C1 ... C19: springs, friction, limits and handles, while the spindle stands.
+/// C1 ... C19, C39 ... C41: springs, crushing, friction, limits and handles, with the spindle at rest.
 namespace hapticut::closed_forms {
 
-// --- a standing head: springs alone ----------------------------------------------------------------------------------
+// --- a head at rest: springs alone -----------------------------------------------------------------------------------
 
-/// C1: vertical force of a ball, `k_v (pi/12) e^3 (4R - 3e)` with e = min(d, 2R - d): it falls beyond d = R.
+/// C1: vertical force of a ball, `k_v (pi/12) e^3 (4R - 3e)` with e = min(d, 2R - d); it decreases beyond d = R.
 /// @param k_v    [N/m^4]
 /// @param R      [m] > 0
 /// @param depth  [m] any; outside 0 ... 2R there is no force
@@ -24,13 +24,13 @@ namespace hapticut::closed_forms {
   return e > 0 ? k_v * units::kPi / 12 * e * e * e * (4 * R - 3 * e) : 0.0;
 }
 
-/// C2: its stiffness dF/dd, `k_v pi d^2 (R - d)`, 0 <= d <= R.
+/// C2: stiffness dF/dd of a ball, `k_v pi d^2 (R - d)`, 0 <= d <= R.
 /// @return [N/m]
 [[nodiscard]] inline double cap_stiffness(double k_v, double R, double depth) {
   return k_v * units::kPi * depth * depth * (R - depth);
 }
 
-/// C2: the greatest of it, `(4 pi/27) k_v R^3`, at d = 2R/3.
+/// C2: largest stiffness of a ball, `(4 pi/27) k_v R^3`, at d = 2R/3.
 /// @return [N/m]
 [[nodiscard]] inline double max_cap_stiffness(double k_v, double R) { return 4 * units::kPi / 27 * k_v * R * R * R; }
 
@@ -54,14 +54,14 @@ namespace hapticut::closed_forms {
   return k_v * units::kPi * R * R * depth * depth / 2;
 }
 
-/// C6: the same with rule nearest, where what is nearer to the wall does not push up:
+/// C6: vertical force of a flat head with rule nearest, where points nearer to the side wall do not push up:
 /// `pi k_v (R^2 d^2/2 - 2R d^3/3 + d^4/4)`, d <= R and at most the height.
 /// @return [N]
 [[nodiscard]] inline double flat_nearest_force(double k_v, double R, double depth) {
   return units::kPi * k_v * (R * R * depth * depth / 2 - 2 * R * std::pow(depth, 3) / 3 + std::pow(depth, 4) / 4);
 }
 
-/// C7: horizontal force on a cylinder whose side is pressed to a depth d into the wall x > c = R - d over a height h,
+/// C7: horizontal force on a cylinder whose side is pressed a depth d into the wall x > c = R - d over a height h,
 /// `F_x = -k_v h [c^2 a + a^3/3 - R c^2 ln((R + a)/c)]`, a = sqrt(R^2 - c^2), 0 < d < R.
 /// @return [N] along x, negative: away from the wall
 [[nodiscard]] inline double side_wall_force(double k_v, double R, double depth, double height) {
@@ -69,14 +69,15 @@ namespace hapticut::closed_forms {
   return -k_v * height * (c * c * a + a * a * a / 3 - R * c * c * std::log((R + a) / c));
 }
 
-/// C8: its torque about y through (0, 0, z_r), the wall reaching from z0 to z1:
+/// C8: torque of C7 about y through (0, 0, z_r), for a wall from z0 to z1:
 /// `T_y = F_x [(z1^2 - z0^2)/2 - z_r (z1 - z0)]/(z1 - z0)`.
 /// @return [N·m]
 [[nodiscard]] inline double side_wall_torque(double k_v, double R, double depth, double z0, double z1, double z_r) {
   return side_wall_force(k_v, R, depth, 1) * ((z1 * z1 - z0 * z0) / 2 - z_r * (z1 - z0));
 }
 
-/// [m^2] the part x < x0 of a disk of radius R about the origin, `R^2 acos(-x0/R) + x0 sqrt(R^2 - x0^2)`, |x0| <= R.
+/// [m^2] Area of the part x < x0 of a disk of radius R about the origin, `R^2 acos(-x0/R) + x0 sqrt(R^2 - x0^2)`, |x0|
+/// <= R.
 [[nodiscard]] inline double disk_area_before(double R, double x0) {
   return R * R * std::acos(-x0 / R) + x0 * std::sqrt(R * R - x0 * x0);
 }
@@ -88,7 +89,7 @@ namespace hapticut::closed_forms {
   return k_v * depth * depth / 2 * disk_area_before(R, x0);
 }
 
-/// C9: its torque about y through the axis, `T_y = (k_v d^2/3) (R^2 - x0^2)^1.5`.
+/// C9: torque of `edge_force` about y through the axis, `T_y = (k_v d^2/3) (R^2 - x0^2)^1.5`.
 /// @return [N·m]
 [[nodiscard]] inline double edge_torque(double k_v, double R, double depth, double x0) {
   return k_v * depth * depth / 3 * std::pow(R * R - x0 * x0, 1.5);
@@ -104,9 +105,9 @@ namespace hapticut::closed_forms {
   return k1 * (cap_force(1, R, depth) - below) + k2 * below;
 }
 
-/// C11, the pressure identity: the wrench of the springs is that of the pressure `k_v w^2/2` on the surface of the
-/// material inside the head. It holds for any head whose depth vanishes on all of its surface that is in material, any
-/// pose and any body of uniform stiffness.
+/// C11, the pressure identity: the springs have the wrench of a pressure `k_v w^2/2` on the surface of the material
+/// inside the head. It holds for any pose, for any body of uniform stiffness, and for any head whose depth vanishes on
+/// all of its surface in material.
 /// @param w  [m] >= 0 depth
 /// @return [Pa]
 [[nodiscard]] inline double surface_pressure(double k_v, double w) { return k_v * w * w / 2; }
@@ -114,12 +115,12 @@ namespace hapticut::closed_forms {
 /// A flat surface; the material lies where height(p) < 0.
 struct Plane {
   Vec3 normal = Vec3::UnitZ();  ///< [1] out of the material
-  double offset = 0;            ///< [m] of the surface from the origin, along the normal
+  double offset = 0;            ///< [m] distance of the surface from the origin, along the normal
   [[nodiscard]] double height(const Vec3& p) const { return normal.dot(p) - offset; }  ///< [m]
 };
 
 /// C11 for a flat surface: `F = Int N p dA`, `T = Int r x N p dA`, by the midpoint rule on a square grid of points. The
-/// pressure and its slope vanish at the rim: 200 points across leave an error below 2e-4.
+/// pressure and its slope vanish at the rim, so that 200 points across give an error below 2e-4.
 /// @param depth_of  [m] w of a point (rho, z) of the head's meridian; <= 0 outside
 /// @param middle    [m] of the head, in T
 /// @param reach     [m] radius of a ball about the middle that contains the head
@@ -146,8 +147,8 @@ template <class DepthOf>
   return wrench;
 }
 
-/// C12: force on a ball where the stiffness is k_v + gradient . p: what C11 gives, less the stored energy per k_v times
-/// the gradient, `F = k_v S(d) z - (U/k_v) gradient`, 0 <= d <= R. The ball's axis goes through the origin.
+/// C12: force on a ball in a stiffness k_v + gradient . p: the force of C11 minus the gradient times the stored energy
+/// over k_v, `F = k_v S(d) z - (U/k_v) gradient`, 0 <= d <= R. The axis of the ball passes through the origin.
 /// @param k_v       [N/m^4] at the origin
 /// @param gradient  [N/m^5] of the stiffness
 /// @return [N]
@@ -155,18 +156,18 @@ template <class DepthOf>
   return cap_force(k_v, R, depth) * Vec3::UnitZ() - cap_energy(1, R, depth) * gradient;
 }
 
-/// C13: work of the hand along a closed path of a standing head, without removal, damping and friction.
+/// C13: work of the hand along a closed path of a head at rest, without removal, damping and friction.
 inline constexpr double kWorkOfAClosedPath = 0;  // [J]
 
-/// C14: torque of a ball about a point P: all of its springs point at the centre C, so `T = (C - P) x F`.
+/// C14: torque of a ball about a point P. All its springs point to the centre C, so `T = (C - P) x F`.
 /// @param p_PC   [m] from P to the centre
 /// @param force  [N]
 /// @return [N·m]
 [[nodiscard]] inline Vec3 ball_torque(const Vec3& p_PC, const Vec3& force) { return p_PC.cross(force); }
 
-/// C15: what Hunt-Crossley damping adds to the force on a ball that goes down,
-/// `(2 pi/3) k_v chi v {R(R^3 - h^3)/3 - (R^4 - h^4)/4 - h^3 [R ln(R/h) - d]}`, h = R - d, 0 <= d < R. Also for a ball
-/// that goes up, as long as nowhere chi times the speed is above 1.
+/// C15: force of Hunt-Crossley damping on a ball that moves down,
+/// `(2 pi/3) k_v chi v {R(R^3 - h^3)/3 - (R^4 - h^4)/4 - h^3 [R ln(R/h) - d]}`, h = R - d, 0 <= d < R. It also
+/// holds for a ball that moves up while chi times the speed is nowhere above 1.
 /// @param chi    [s/m]
 /// @param speed  [m/s] downwards
 /// @return [N]
@@ -178,8 +179,8 @@ inline constexpr double kWorkOfAClosedPath = 0;  // [J]
 }
 
 /// C16: vertical force of an upright head, `(k_v/2) Int w^2 dA` over its section with the surface, by the midpoint rule
-/// on rings. The depth must vanish on all of the head's surface in material that is not vertical: not with the flat
-/// rules side_only and both.
+/// on rings. The depth must vanish on all parts of the head's surface in material that are not vertical. This excludes
+/// the flat rules side_only and both.
 /// @param depth_at  [m] w at a distance rho from the axis, at the height of the surface; <= 0 outside
 /// @param reach     [m] where the section ends
 /// @return [N]
@@ -195,15 +196,15 @@ template <class DepthAt>
 
 // --- crushing --------------------------------------------------------------------------------------------------------
 
-/// C39: a flat head standing on its bottom alone (`bottom_only`), once it has crushed: `F_z = sigma pi R^2`.
+/// C39: vertical force of a flat head with rule bottom_only that crushes: `F_z = sigma pi R^2`.
 /// @param strength  [Pa] sigma
 /// @return [N]
 [[nodiscard]] inline double flat_bottom_crushing_force(double strength, double radius) {
   return strength * units::kPi * radius * radius;
 }
 
-/// C40: a ball that crushes, deeper than the crushing depth w0 = sqrt(2 sigma/k_v) and no deeper than its radius:
-/// `F_z = pi sigma (2 R d - d^2 - (4/3) R w0 + w0^2/2)`; sigma times the projected area where w0 vanishes.
+/// C40: vertical force of a ball that crushes, between the crushing depth w0 = sqrt(2 sigma/k_v) and its radius:
+/// `F_z = pi sigma (2 R d - d^2 - (4/3) R w0 + w0^2/2)`. For w0 = 0 it is sigma times the projected area.
 /// @param strength        [Pa] sigma
 /// @param crushing_depth  [m] w0
 /// @return [N]
@@ -214,9 +215,9 @@ template <class DepthAt>
 
 // --- smooth surfaces -------------------------------------------------------------------------------------------------
 
-/// C41: a smooth pin that fills a straight hole, pushed aside: with t the thickness of the wall in it in the direction
-/// phi, `F = k_v beta^2 L Int (R t^2/2 - t^3/3) cos(phi) dphi`, `t = R + x cos(phi) - sqrt(R^2 - x^2 sin^2(phi))`;
-/// (2/3) k_v beta^2 x^2 R L where x is small. beta = kSmoothScale.
+/// C41: force on a smooth pin that fills a straight hole and is pushed sideways. With t, the thickness of the wall
+/// inside the pin in the direction phi, `F = k_v beta^2 L Int (R t^2/2 - t^3/3) cos(phi) dphi`, `t = R + x cos(phi) -
+/// sqrt(R^2 - x^2 sin^2(phi))`; (2/3) k_v beta^2 x^2 R L for small x. beta = kSmoothScale.
 /// @param radius  [m] R of pin and hole
 /// @param length  [m] L of the hole
 /// @param push    [m] x
@@ -234,8 +235,8 @@ template <class DepthAt>
 
 // --- friction, limits, handles ---------------------------------------------------------------------------------------
 
-/// C17: work to drag a standing contact over a length from rest, under a constant normal force:
-/// `(mu_s N)^2/(2 k_t) + mu_d N (L - mu_s N/k_t)`, for a length beyond the point where it slips.
+/// C17: work to drag a contact at rest over a length, under a constant normal force and with the spindle at rest:
+/// `(mu_s N)^2/(2 k_t) + mu_d N (L - mu_s N/k_t)`, for a length beyond the onset of slip.
 /// @param mu_s, mu_d  [1]
 /// @param k_t         [N/m]
 /// @param normal      [N] N
@@ -246,21 +247,21 @@ template <class DepthAt>
   return peak * peak / (2 * k_t) + mu_d * normal * (length - peak / k_t);
 }
 
-/// C17: the greatest force of the drag, mu_s N, where it slips. [N]
+/// C17: largest force of the drag, mu_s N, at the onset of slip. [N]
 [[nodiscard]] inline double drag_peak(double mu_s, double normal) { return mu_s * normal; }
 
-/// C17: the force while it slides, mu_d N. [N]
+/// C17: force during sliding, mu_d N. [N]
 [[nodiscard]] inline double drag_plateau(double mu_d, double normal) { return mu_d * normal; }
 
-/// C18: time in which a limited output grows by a difference, `|dF|/rate`, whatever the step; a release takes no time.
+/// C18: time in which a limited output grows by a difference, `|dF|/rate`, for any step size; a decrease takes no time.
 /// @param difference  [N] > 0
 /// @param rate        [N/s]
 /// @return [s]
 [[nodiscard]] inline double growth_time(double difference, double rate) { return difference / rate; }
 
-/// C19: power of a wrench on a body, `F . V + T . Omega`: the same number at every point of the body.
-/// @param wrench  and
-/// @param twist   about and of the same point, in the same axes
+/// C19: power of a wrench on a body, `F . V + T . Omega`, equal at every point of the body.
+/// @param wrench  about a point
+/// @param twist   of the same point, in the same axes
 /// @return [W]
 [[nodiscard]] inline double power(const Wrench& wrench, const Twist& twist) {
   return wrench.force.dot(twist.linear) + wrench.torque.dot(twist.angular);

@@ -9,55 +9,57 @@
 #include "hapticut/core/units.hpp"
 
 /// @file
-/// C20 ... C38 and C42: what a spinning head needs to cut, once the cut is steady; and the figures of the thesis.
+/// C20 ... C38 and C42: forces and torques of a spinning head in a steady cut, and the figures of the thesis.
 namespace hapticut::closed_forms {
 
 // --- steady cutting --------------------------------------------------------------------------------------------------
 
-/// A cut that goes on for ever.
+/// A cut in steady state.
 struct SteadyCut {
   double specific_cutting_energy;  ///< [J/m^3] u
   double cutting_ratio;            ///< [1] kappa > 0
   double spin;                     ///< [rad/s] omega > 0, about +z
   double feed_speed;               ///< [m/s] v_f > 0
-  double edge_pressure = 0;        ///< [Pa] p_e, counted by C22 and C23 only
+  double edge_pressure = 0;        ///< [Pa] p_e, used by C22 and C23 only
 
-  double tooth_rate = 0;   ///< [1/s] f_z, counted by C35 ... C38 and C42 only, as are
-  double edge_length = 0;  ///< [m] h_e
-  double size_length = 0;  ///< [m] and h_s
+  double tooth_rate = 0;   ///< [1/s] f_z, used by C35 ... C38 and C42 only
+  double edge_length = 0;  ///< [m] h_e, used as f_z
+  double size_length = 0;  ///< [m] h_s, used as f_z
 
-  /// [m/s] `sqrt(h_s f_z v_f)` and `h_e f_z`: what speeds would cost as much as thin chips and edges do.
+  /// [m/s] `sqrt(h_s f_z v_f)`: additional feed speed with the cost of thin chips.
   [[nodiscard]] double size_speed() const { return std::sqrt(size_length * tooth_rate * feed_speed); }
+  /// [m/s] `h_e f_z`: additional feed speed with the cost of the edges.
   [[nodiscard]] double edge_speed() const { return edge_length * tooth_rate; }
 
   /// [N/m] u v_f/omega: torque per area, and force per length across the feed.
   [[nodiscard]] double chip() const { return specific_cutting_energy * feed_speed / spin; }
 };
 
-/// C20, and with an edge pressure C22: thrust of a flat head fed axially, rule bottom_only,
+/// C20 and, with an edge pressure, C22: thrust of a flat head fed axially, rule bottom_only,
 /// `F_z = pi R^2 p_e + 2 pi R u v_f/(kappa omega)`.
 /// @return [N]
 [[nodiscard]] inline double axial_cutting_force_of_a_flat_head(const SteadyCut& cut, double R) {
   return units::kPi * R * R * cut.edge_pressure + 2 * units::kPi * R * cut.chip() / cut.cutting_ratio;
 }
 
-/// C20, and with an edge pressure C22: its torque, `T_z = -[(2 pi/3) kappa p_e R^3 + u pi R^2 v_f/omega]`.
+/// C20 and, with an edge pressure, C22: torque of a flat head fed axially, `T_z = -[(2 pi/3) kappa p_e R^3 + u pi R^2
+/// v_f/omega]`.
 /// @return [N·m]
 [[nodiscard]] inline double axial_cutting_torque_of_a_flat_head(const SteadyCut& cut, double R) {
   return -(2 * units::kPi / 3 * cut.cutting_ratio * cut.edge_pressure * R * R * R + units::kPi * R * R * cut.chip());
 }
 
 /// C21: the thrust of C20 under law G, where elastic energy helps to cut,
-/// `F_z = (2 pi u v_f/(kappa omega)) [R - (v_f/(kappa omega)) ln(1 + kappa omega R/v_f)]`. With its torque it still
-/// pays for the volume: `|T_z| omega + F_z v_f = u pi R^2 v_f` (C30).
+/// `F_z = (2 pi u v_f/(kappa omega)) [R - (v_f/(kappa omega)) ln(1 + kappa omega R/v_f)]`. Thrust and torque
+/// still pay for the volume: `|T_z| omega + F_z v_f = u pi R^2 v_f` (C30).
 /// @return [N]
 [[nodiscard]] inline double axial_cutting_force_with_elastic_release(const SteadyCut& cut, double R) {
   const double length = cut.feed_speed / (cut.cutting_ratio * cut.spin);
   return 2 * units::kPi * cut.chip() / cut.cutting_ratio * (R - length * std::log1p(R / length));
 }
 
-/// C23: feed of a flat head under a constant force of the hand, `kappa omega (F - pi R^2 p_e)/(2 pi R u)`; 0 where the
-/// edges carry all of it. The cut's own feed speed does not matter.
+/// C23: feed of a flat head under a constant force of the hand, `kappa omega (F - pi R^2 p_e)/(2 pi R u)`; 0 if the
+/// edges carry the whole force. `SteadyCut::feed_speed` is not used.
 /// @param force  [N]
 /// @return [m/s]
 [[nodiscard]] inline double feed_of_a_flat_head_under(double force, const SteadyCut& cut, double R) {
@@ -65,7 +67,7 @@ struct SteadyCut {
   return std::max(0.0, cut.cutting_ratio * cut.spin * on_chips / (2 * units::kPi * R * cut.specific_cutting_energy));
 }
 
-/// C25: a cylinder fed along +x that cuts with the side between two angles, over a height h; with
+/// C25: wrench on a cylinder fed along +x that cuts with its side between two angles, over a height h; with
 /// U = u v_f h/omega
 ///
 ///     F_x = -(U/kappa) Int cos^2 + U Int sin cos,   F_y = -(U/kappa) Int sin cos - U Int cos^2,   T_z = -U R Int cos
@@ -81,7 +83,7 @@ struct SteadyCut {
           Vec3(0, 0, -U * R * (std::sin(to) - std::sin(from)))};
 }
 
-/// C24: a cylinder in a slot of its own width,
+/// C24: wrench on a cylinder that cuts a slot of its own diameter,
 /// `F_x = -(pi/2) u v_f h/(kappa omega)`, `F_y = -(pi/2) u v_f h/omega`, `T_z = -2 u v_f R h/omega`.
 /// @param height  [m] h
 /// @return about the axis, at half the height
@@ -90,7 +92,8 @@ struct SteadyCut {
   return {Vec3(-units::kPi / 2 * U / cut.cutting_ratio, -units::kPi / 2 * U, 0), Vec3(0, 0, -2 * U * R)};
 }
 
-/// C26: a ball that cuts a groove, its axis normal to the surface; with th = acos(1 - d/R), g = th - sin th cos th
+/// C26: wrench on a ball that cuts a groove, with its axis normal to the surface; with th = acos(1 - d/R), g = th - sin
+/// th cos th
 ///
 ///     F_x = -(pi/4) u v_f R g/(kappa omega),   F_y = -(pi/2) (u v_f R/omega) (1 - cos th),
 ///     F_z = (u v_f R/(kappa omega)) sin^2 th,   T_z = -(u v_f R^2/omega) g
@@ -104,7 +107,7 @@ struct SteadyCut {
           Vec3(0, 0, -U * R * g)};
 }
 
-/// C27: a ball buried in material and fed sideways, C26 with d = 2R:
+/// C27: wrench on a ball buried in material and fed sideways, C26 with d = 2R:
 /// `F_x = -(pi^2/4) u v_f R/(kappa omega)`, `F_y = -pi u v_f R/omega`, `T_z = -pi u v_f R^2/omega`.
 [[nodiscard]] inline Wrench buried_ball_wrench(const SteadyCut& cut, double R) {
   const double U = cut.chip() * R;
@@ -112,7 +115,7 @@ struct SteadyCut {
           Vec3(0, 0, -units::kPi * U * R)};
 }
 
-/// C28: a ball plunged along its axis; with th = acos(1 - d/R), pi/2 from d = R on,
+/// C28: wrench on a ball plunged along its axis; with th = acos(1 - d/R), pi/2 from d = R on,
 /// `F_z = (pi R u v_f/(kappa omega)) (th + sin th cos th)`, `T_z = -u pi R^2 sin^2 th v_f/omega`.
 [[nodiscard]] inline Wrench ball_plunge_wrench(const SteadyCut& cut, double R, double depth) {
   const double th = std::acos(1 - std::min(depth, R) / R);
@@ -120,7 +123,7 @@ struct SteadyCut {
           Vec3(0, 0, -units::kPi * std::pow(R * std::sin(th), 2) * cut.chip())};
 }
 
-/// C29: a cone plunged along its axis; with a = d tan(alpha),
+/// C29: wrench on a cone plunged along its axis; with a = d tan(alpha),
 /// `F_z = 2 pi u v_f sin(alpha) a/(kappa omega)`, `T_z = -u pi a^2 v_f/omega`.
 /// @param half_angle  [rad] alpha
 /// @param depth       [m] at most the height of the cone
@@ -130,9 +133,9 @@ struct SteadyCut {
           Vec3(0, 0, -units::kPi * a * a * cut.chip())};
 }
 
-/// C35: a flat head fed axially where the energy depends on the chip, `u (1 + h_e f_z/v + sqrt(h_s f_z/v))`: with
-/// V = v_f + sqrt(h_s f_z v_f) + h_e f_z in place of v_f, that of C22.
-/// @return of the force its z, of the torque its z
+/// C35: wrench on a flat head fed axially, with an energy that depends on the chip, `u (1 + h_e f_z/v + sqrt(h_s
+/// f_z/v))`: that of C22 with V = v_f + sqrt(h_s f_z v_f) + h_e f_z in place of v_f.
+/// @return force and torque along z
 [[nodiscard]] inline Wrench axial_chip_wrench(const SteadyCut& cut, double R) {
   SteadyCut dearer = cut;
   dearer.feed_speed += cut.size_speed() + cut.edge_speed();
@@ -140,7 +143,7 @@ struct SteadyCut {
           Vec3(0, 0, axial_cutting_torque_of_a_flat_head(dearer, R))};
 }
 
-/// C36: feed of a flat head under a constant force where the energy depends on the chip: with
+/// C36: feed of a flat head under a constant force, with an energy that depends on the chip: with
 /// V = kappa omega (F - pi R^2 p_e)/(2 pi R u) - h_e f_z and b = sqrt(h_s f_z), `((sqrt(b^2 + 4 V) - b)/2)^2`, or 0.
 /// @param force  [N]
 /// @return [m/s]
@@ -156,7 +159,8 @@ struct SteadyCut {
   return std::sqrt(units::kPi) * std::tgamma((n + 1) / 2) / std::tgamma(n / 2 + 1);
 }
 
-/// C37: a cylinder in a slot of its own width where the energy depends on the chip, which is thickest in the middle,
+/// C37: wrench on a cylinder that cuts a slot of its own diameter, with an energy that depends on the chip. The chip is
+/// thickest in the middle,
 ///
 ///     F_x = -(u h/(kappa omega)) [(pi/2) v_f + 1.748 sqrt(h_s f_z v_f) + 2 h_e f_z],   F_y = kappa F_x
 ///     T_z = -(u R h/omega) [2 v_f + 2.396 sqrt(h_s f_z v_f) + pi h_e f_z]
@@ -172,7 +176,7 @@ struct SteadyCut {
   return {Vec3(-u_h / cut.cutting_ratio * sum(1), -u_h * sum(1), 0), Vec3(0, 0, -u_h * R * sum(0))};
 }
 
-/// C38: a ball plunged along its axis, deeper than its radius, where the energy depends on the chip,
+/// C38: wrench on a ball plunged along its axis, deeper than its radius, with an energy that depends on the chip,
 ///
 ///     F_z = (2 pi R u/(kappa omega)) [(pi/4) v_f + 0.874 sqrt(h_s f_z v_f) + h_e f_z]
 ///     T_z = -(2 pi R^2 u/omega) [v_f/2 + (2/3) sqrt(h_s f_z v_f) + h_e f_z]
@@ -185,8 +189,9 @@ struct SteadyCut {
       Vec3(0, 0, -u_R * R * (cut.feed_speed / 2 + 2.0 / 3 * cut.size_speed() + cut.edge_speed()))};
 }
 
-/// C42: the groove of C26 where the energy depends on the chip; with c(n) the integral of cos^n between -pi/2 and pi/2,
-/// s(n) that of sin^n between 0 and th, and the sums over m = 1, 1/2, 0 with V = v_f, sqrt(h_s f_z v_f), h_e f_z
+/// C42: the groove of C26 with an energy that depends on the chip; with c(n) the integral of cos^n between -pi/2 and
+/// pi/2, s(n) the integral of sin^n between 0 and th, and the sums over m = 1, 1/2, 0 with V = v_f, sqrt(h_s f_z v_f),
+/// h_e f_z
 ///
 ///     F_x = -(u R/(kappa omega)) Sum c(m + 1) s(m + 1) V,   F_y = -(u R/omega) Sum c(m + 1) s(m) V
 ///     F_z = (u R/(kappa omega)) Sum c(m) sin(th)^(m + 1) V/(m + 1),   T_z = -(u R^2/omega) Sum c(m) s(m + 1) V
@@ -196,7 +201,7 @@ struct SteadyCut {
 [[nodiscard]] inline Wrench groove_chip_wrench(const SteadyCut& cut, double R, double depth) {
   constexpr int kSteps = 400;
   const double th = std::acos(1 - depth / R), u_R = cut.specific_cutting_energy * R / cut.spin;
-  // In steps of th x^2, for roots begin at the lowest point.
+  // In steps of th x^2, because the root has an infinite slope at the lowest point.
   const auto sines = [&](double m) {
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
@@ -217,17 +222,17 @@ struct SteadyCut {
       Vec3(0, 0, -u_R * R * sum(0, across))};
 }
 
-/// C30: what the cut costs, `u dV/dt`. With law A the motor pays it alone, `|T_z| omega`, and the work of the hand is
-/// released elastic energy; with law G both pay, `|T_z| omega + F_f v_f`. Without edge pressure.
-/// @param volume_rate  [m^3/s] dV/dt that is removed
+/// C30: power of the cut, `u dV/dt`, without edge pressure. With law A the motor alone supplies it, `|T_z| omega`, and
+/// the work of the hand becomes released elastic energy. With law G both supply it, `|T_z| omega + F_f v_f`.
+/// @param volume_rate  [m^3/s] dV/dt, removed volume per time
 /// @return [W]
 [[nodiscard]] inline double cutting_power(const SteadyCut& cut, double volume_rate) {
   return cut.specific_cutting_energy * volume_rate;
 }
 
-/// C31: a twist drill of diameter D and point angle beta, `F_z = u a (D/2) sin(beta/2)`, `T_z = -u a D^2/8`,
-/// a = 2 pi v_f/omega. The default law gives the same with a flat head of kappa = 1/sin(beta/2), or with a cone of half
-/// angle beta/2 and kappa = 1. The cut's own kappa does not matter.
+/// C31: wrench on a twist drill of diameter D and point angle beta, `F_z = u a (D/2) sin(beta/2)`, `T_z = -u a D^2/8`,
+/// a = 2 pi v_f/omega. The default law gives the same wrench for a flat head with kappa = 1/sin(beta/2), and for a cone
+/// of half angle beta/2 with kappa = 1. `SteadyCut::cutting_ratio` is not used.
 /// @param point_angle  [rad] beta
 [[nodiscard]] inline Wrench twist_drill_wrench(const SteadyCut& cut, double diameter, double point_angle) {
   const double ua = 2 * units::kPi * cut.chip();
@@ -238,70 +243,71 @@ struct SteadyCut {
 /// @return [m]
 [[nodiscard]] inline double torque_over_thrust_of_chips(double kappa, double R) { return kappa * R / 2; }
 
-/// C32: the same where the edges carry everything, `(2/3) kappa R`.
+/// C32: torque over thrust of a flat head if the edges carry the whole force, `(2/3) kappa R`.
 /// @return [m]
 [[nodiscard]] inline double torque_over_thrust_of_edges(double kappa, double R) { return 2.0 / 3 * kappa * R; }
 
-// --- C33: a head that goes down step by step; each step removes all that is in it ------------------------------------
+// --- C33: a head that goes down step by step; each step removes all material in it -----------------------------------
 
-/// C33: volume of a step of a flat head, `pi R^2 D`: the same in every step.
+/// C33: volume of a step of a flat head, `pi R^2 D`, equal in every step.
 /// @param step  [m] D
 /// @return [m^3]
 [[nodiscard]] inline double step_volume_of_a_flat_head(double R, double step) { return units::kPi * R * R * step; }
 
-/// C33: of a cone down to depth d, `pi tan^2 a (d^3 - (d - D)^3)/3`.
+/// C33: volume of a step of a cone down to depth d, `pi tan^2 a (d^3 - (d - D)^3)/3`.
 /// @param depth  [m] after the step
 [[nodiscard]] inline double step_volume_of_a_cone(double half_angle, double depth, double step) {
   return units::kPi / 3 * std::pow(std::tan(half_angle), 2) * (std::pow(depth, 3) - std::pow(depth - step, 3));
 }
 
-/// C33: of a ball down to depth d <= R, the difference of two caps of volume `pi d^2 (R - d/3)`.
+/// C33: volume of a step of a ball down to depth d <= R, the difference of two caps of volume `pi d^2 (R - d/3)`.
 [[nodiscard]] inline double step_volume_of_a_ball(double R, double depth, double step) {
   const auto cap = [R](double d) { return units::kPi * d * d * (R - d / 3); };
   return cap(depth) - cap(depth - step);
 }
 
-/// C33: force of a step of a flat head, `k_v pi R^2 D^2/2`: the same in every step.
+/// C33: force of a step of a flat head, `k_v pi R^2 D^2/2`, equal in every step.
 /// @return [N]
 [[nodiscard]] inline double step_force_of_a_flat_head(double k_v, double R, double step) {
   return flat_bottom_force(k_v, R, step);
 }
 
-/// C33: of a cone, `(k_v/2) pi d^2 tan^2 a sin^2 a D^2`: it grows with every step.
-/// @param depth  [m] of the middle of the step; D is small against it
+/// C33: force of a step of a cone, `(k_v/2) pi d^2 tan^2 a sin^2 a D^2`; it grows with every step.
+/// @param depth  [m] of the middle of the step; much larger than D
 [[nodiscard]] inline double step_force_of_a_cone(double k_v, double half_angle, double depth, double step) {
   return k_v / 2 * units::kPi * std::pow(depth * std::tan(half_angle) * std::sin(half_angle) * step, 2);
 }
 
-/// C33: of a ball, `(pi/4) k_v R^2 D^2 (1 - ((R - d)/R)^4)`.
-/// @param depth  [m] of the middle of the step, at most R; D is small against it
+/// C33: force of a step of a ball, `(pi/4) k_v R^2 D^2 (1 - ((R - d)/R)^4)`.
+/// @param depth  [m] of the middle of the step, at most R; much larger than D
 [[nodiscard]] inline double step_force_of_a_ball(double k_v, double R, double depth, double step) {
   return units::kPi / 4 * k_v * R * R * step * step * (1 - std::pow((R - depth) / R, 4));
 }
 
 // --- C34: the engaged layer ------------------------------------------------------------------------------------------
 
-/// C34: thickness of the layer under a flat head in which material is pressed and cut, `sqrt(2 u v_f/(kappa k_v omega
-/// rho))` at a distance rho from the axis: there the fill has fallen to 1/e.
+/// C34: thickness of the layer under a flat head in which material is pressed and cut, at a distance rho from the axis:
+/// `sqrt(2 u v_f/(kappa k_v omega rho))`. At this depth the fill has fallen to 1/e.
 /// @return [m]
 [[nodiscard]] inline double engaged_layer(const SteadyCut& cut, double k_v, double rho) {
   return std::sqrt(2 * cut.chip() / (cut.cutting_ratio * k_v * rho));
 }
 
-/// C34, turned round: the stiffness that gives a layer of this thickness at rho.
+/// C34, inverted: the stiffness that gives a layer of a thickness [m] at rho [m].
 /// @return [N/m^4]
 [[nodiscard]] inline double stiffness_for_layer(const SteadyCut& cut, double layer, double rho) {
   return 2 * cut.chip() / (cut.cutting_ratio * rho * layer * layer);
 }
 
-/// C34: filled volume in a flat head that is fed axially, up to a sharp surface: `(4 pi/3) R^2 delta(R)`.
+/// C34: filled volume in a flat head that is fed axially, for a layer with a sharp surface: `(4 pi/3) R^2 delta(R)`.
 /// @param layer  [m] delta at the rim
 /// @return [m^3]
 [[nodiscard]] inline double engaged_volume_under_a_flat_head(double R, double layer) {
   return 4 * units::kPi / 3 * R * R * layer;
 }
 
-/// C34: the same where points of material decay on their way through the layer, `(2 pi^1.5/3) R^2 delta(R)`.
+/// C34: filled volume in a flat head that is fed axially, for material that decays through the layer, `(2 pi^1.5/3) R^2
+/// delta(R)`.
 [[nodiscard]] inline double decaying_volume_under_a_flat_head(double R, double layer) {
   return 2 * std::pow(units::kPi, 1.5) / 3 * R * R * layer;
 }

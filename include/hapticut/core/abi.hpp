@@ -12,8 +12,8 @@
 #include "hapticut/version.hpp"
 
 /// @file
-/// What a program and the library must agree on to mean the same by a type. A program that does not is told so by its
-/// linker, and its message has the program's side of it: docs/embedding.md.
+/// What a program and the library must agree on so that a type has the same layout in both. A program that differs does
+/// not link; the linker's message names the values that the program was compiled with: docs/embedding.md.
 namespace hapticut::abi {
 
 // Numbers with names, for a linker's message. NOLINTBEGIN(readability-identifier-naming)
@@ -28,7 +28,7 @@ enum class eigen_index_bytes : int {};
 enum class struct_bytes : int {};
 // NOLINTEND(readability-identifier-naming)
 
-/// Of what public structs are made of: as long as it is where the two agree.
+/// One member of each type that public structs are made of. Equal sizes show that program and library agree.
 struct Struct {
   char character;
   enum { first } choice;
@@ -59,12 +59,12 @@ inline constexpr libcxx_abi kLibcxxAbi{_LIBCPP_ABI_VERSION};
 inline constexpr libcxx_abi kLibcxxAbi{0};
 #endif
 
-/// The library has one of these: that of what it was compiled with.
+/// The library defines exactly one of these: the one with the values that it was compiled with.
 template <hapticut_version, glibcxx_debug, glibcxx_use_cxx11_abi, libcxx_abi, eigen_version, eigen_align,
           eigen_row_major, eigen_index_bytes, struct_bytes>
 [[gnu::visibility("default")]] void library_was_compiled_with();
 
-// One in each file, and kept there whether it is used or not: a file asks for itself.
+// Each file has one. It is kept even if unused, so that each file refers to the function.
 #if defined(__has_cpp_attribute) && __has_cpp_attribute(gnu::retain)
 [[gnu::used, gnu::retain]]
 #else

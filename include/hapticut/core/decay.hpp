@@ -5,11 +5,11 @@
 #include <cstdint>
 
 /// @file
-/// Exponential decay in the form the removal of material needs, without the C library: branch-free, so that compilers
-/// vectorise it, and with the same bits everywhere.
+/// Exponential decay for the removal of material, without the C library. It is branch-free, so that compilers vectorise
+/// it, and gives the same bits on every machine.
 namespace hapticut {
 
-/// e^-x for x >= 0, relative error below 4e-7; e^-80 for all x beyond 80.
+/// e^-x for x >= 0, relative error below 4e-7; e^-80 for all x > 80.
 [[nodiscard]] inline float exp_of_minus(float x) {
   x = x < 80.0F ? x : 80.0F;
   // e^-x = 2^-n * e^-g with whole n and 0 <= g < ln 2; ln 2 in two parts keeps g exact.

@@ -14,8 +14,8 @@
 #include "hapticut/core/errors.hpp"
 
 /// @file
-/// What a public struct or enumeration says of itself, once. Beside the struct stands a list of its fields, beside the
-/// enumeration a list of its names:
+/// Descriptions of public structs and enumerations. Each struct has a list of its fields next to it, each enumeration a
+/// list of its names:
 ///
 ///     struct Ball {
 ///       double radius = 1e-3;
@@ -25,8 +25,8 @@
 ///       return std::tuple{field("radius", &Ball::radius, "m", Range::positive(), "to the cutting surface")};
 ///     }
 ///
-/// Validation, settings files and their help, recordings, .vdb files and Python with its docstrings go through this
-/// list; tables of pages are compared with it. A new field is a member and a line; its default stands at the member.
+/// Validation, settings files and their help, recordings, .vdb files, and Python with its docstrings read this list;
+/// tests compare the tables of the pages with it. A new field is one member, with its default, and one line.
 namespace hapticut {
 
 /// The numbers that a field may have.
@@ -34,7 +34,7 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;        ///< `low` itself is not allowed
-  bool infinity_is_in = false;  ///< infinity is allowed, and stands for no limit
+  bool infinity_is_in = false;  ///< infinity is allowed and means no limit
 
   [[nodiscard]] static constexpr Range any() { return {}; }
   [[nodiscard]] static constexpr Range positive() { return above(0); }
@@ -45,7 +45,7 @@ struct Range {
     return {low, std::numeric_limits<double>::infinity(), true, false};
   }
   [[nodiscard]] static constexpr Range between(double low, double high) { return {low, high, false, false}; }
-  /// Positive, or infinity for no limit.
+  /// Positive, or infinity, which means no limit.
   [[nodiscard]] static constexpr Range limit() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
 
   [[nodiscard]] bool contains(double value) const {
@@ -61,7 +61,7 @@ struct Range {
     return "a number";
   }
 
-  /// For documentation: "> 0", "0 ... 1e+06"; nothing where every number is allowed.
+  /// For documentation: "> 0", "0 ... 1e+06"; "" when every number is allowed.
   [[nodiscard]] std::string short_text() const {
     if (!std::isfinite(low)) return "";
     if (std::isfinite(high)) return format_number(low) + " ... " + format_number(high);
@@ -69,8 +69,8 @@ struct Range {
   }
 };
 
-/// @param name  what the user called it, with its unit: "SphereHead::radius [m]"
-/// @throws Error when the value is not within the range
+/// @param name  name of the value as the user knows it, with its unit: "SphereHead::radius [m]"
+/// @throws Error if the value is not within the range
 inline void require_within(double value, const Range& range, const std::string& name) {
   if (range.contains(value)) return;
   const std::string given = name + " = " + format_number(value) + "; must be ";
@@ -83,7 +83,7 @@ inline void require_within(double value, const Range& range, const std::string& 
   throw Error(given + "a finite number.");
 }
 
-/// Stands for a type where only the type matters.
+/// A tag for a type, for overloads that need only the type.
 template <class T>
 struct Of {};
 
@@ -95,25 +95,25 @@ struct Field {
 
   const char* name;  ///< as in C++
   T S::*member;
-  const char* unit;  ///< "N/m", "1" of a number without unit, "" of what is not a number
-  Range range;       ///< of its numbers
-  const char* text;  ///< what it is
+  const char* unit;  ///< "N/m"; "1" for a number without unit; "" if the field is not a number
+  Range range;       ///< allowed numbers
+  const char* text;  ///< description
 };
 
-/// A number, or several of the same unit.
+/// A field with one number, or several with the same unit.
 template <class S, class T>
 [[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* unit, Range range,
                                           const char* text) {
   return {name, member, unit, range, text};
 }
 
-/// A number that may be any; what comes out of a computation.
+/// A field with a number of any value, such as a computed result.
 template <class S, class T>
 [[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* unit, const char* text) {
   return {name, member, unit, Range::any(), text};
 }
 
-/// No number: a text, a switch, a choice, a struct.
+/// A field that is not a number: a text, a switch, a choice, a struct.
 template <class S, class T>
 [[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* text) {
   return {name, member, "", Range::any(), text};
@@ -134,7 +134,7 @@ constexpr void for_each_field(Visit&& visit) {
 template <Described S>
 inline constexpr std::size_t kFieldsOf = std::tuple_size_v<decltype(fields_of(Of<S>{}))>;
 
-/// What is a number: double, int, AngularSpeed.
+/// Whether a type is a number: double, int, AngularSpeed.
 template <class T>
 inline constexpr bool kIsNumber = std::is_convertible_v<T, double> && !std::is_same_v<T, bool>;
 
@@ -153,7 +153,7 @@ inline constexpr std::size_t kNumbersOf = [] {
   return count;
 }();
 
-/// The numbers that a field may have, by its member: `range_of(&Spindle::droop)`.
+/// The allowed numbers of a field, found by its member: `range_of(&Spindle::droop)`.
 template <class S, class T>
 [[nodiscard]] constexpr Range range_of(T S::*member) {
   Range range;
@@ -165,9 +165,9 @@ template <class S, class T>
 }
 
 /// Checks every number of a struct against its range.
-/// @param prefix  in front of the field's name in messages: "Spindle::"
+/// @param prefix  text before the field's name in messages: "Spindle::"
 /// @throws Error naming the field, its unit, its value and the allowed range
-/// @realtime no allocation where every number is within its range
+/// @realtime no allocation if every number is within its range
 template <Described S>
 void require_fields_within(const S& s, std::string_view prefix) {
   for_each_field<S>([&](const auto& field) {
@@ -191,7 +191,7 @@ template <class E>
 struct Named {
   E value;
   const char* name;
-  const char* words = nullptr;  ///< for people, where that is not the name
+  const char* words = nullptr;  ///< text for people, if it differs from the name
 };
 template <class E>
 Named(E, const char*) -> Named<E>;
@@ -204,7 +204,7 @@ concept NamedEnum = std::is_enum_v<E> && requires {
   names_of(Of<E>{});
 };
 
-/// @return null when the enumeration has no such value
+/// Name of a value.  @return null when the enumeration has no such value
 template <NamedEnum E>
 [[nodiscard]] constexpr const char* name_or_null(E value) {
   for (const Named<E>& one : names_of(Of<E>{}))
@@ -212,7 +212,7 @@ template <NamedEnum E>
   return nullptr;
 }
 
-/// The value of a name, or nothing.
+/// The value with a name, or nothing when there is no such name.
 template <NamedEnum E>
 [[nodiscard]] constexpr std::optional<E> value_named(std::string_view name) {
   for (const Named<E>& one : names_of(Of<E>{}))
@@ -235,7 +235,7 @@ constexpr void for_each_bit(Visit&& visit) {
     if (one.value != E{}) visit(one.value, one.name);
 }
 
-/// What a unit is called at the end of a name: "N_per_m4" of "N/m^4"; nothing of "1".
+/// The suffix that a unit gives to a name: "N_per_m4" for "N/m^4"; "" for "1".
 [[nodiscard]] inline std::string unit_in_names(std::string_view unit) {
   std::string name;
   if (unit == "1") return name;

@@ -10,14 +10,14 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// What a haptic device is and what it says, in SI units.
+/// Properties, readings and outputs of a haptic device, in SI units.
 ///
 /// Frames: `B` base of the device, `S` stylus. Adapters deliver B with +x to the right, +y up and +z towards the user,
 /// and the origin of S at the point whose position the device measures and at which it applies its force.
 namespace hapticut {
 
-/// What a device can measure and render. Zero means that it has none, or that its driver does not say; the
-/// documentation of the adapter says why.
+/// What a device can measure and render. Zero means that the device cannot do it, or that its driver does not report
+/// it; the documentation of the adapter says which.
 struct DeviceCapabilities {
   std::string model;
   std::string vendor;
@@ -53,32 +53,32 @@ constexpr auto fields_of(Of<DeviceCapabilities>) {
       field("input_degrees_of_freedom", &C::input_degrees_of_freedom, "1", "3: position, 6: position and orientation"),
       field("output_degrees_of_freedom", &C::output_degrees_of_freedom, "1",
             "0: no force, 3: force, 6: force and torque"),
-      field("peak_force", &C::peak_force, "N", "greatest that the motors can give"),
-      field("continuous_force", &C::continuous_force, "N", "that the motors bear for ever"),
-      field("peak_torque", &C::peak_torque, "N m", "greatest that the motors can give"),
-      field("continuous_torque", &C::continuous_torque, "N m", "that the motors bear for ever"),
-      field("stiffness", &C::stiffness, "N/m", "greatest that the maker promises to be stable"),
+      field("peak_force", &C::peak_force, "N", "largest that the motors can produce"),
+      field("continuous_force", &C::continuous_force, "N", "that the motors can hold without overheating"),
+      field("peak_torque", &C::peak_torque, "N m", "largest that the motors can produce"),
+      field("continuous_torque", &C::continuous_torque, "N m", "that the motors can hold without overheating"),
+      field("stiffness", &C::stiffness, "N/m", "largest that the maker guarantees to be stable"),
       field("rotational_stiffness", &C::rotational_stiffness, "N m/rad",
-            "greatest that the maker promises to be stable"),
-      field("damping", &C::damping, "N s/m", "greatest that the maker promises to be stable"),
+            "largest that the maker guarantees to be stable"),
+      field("damping", &C::damping, "N s/m", "largest that the maker guarantees to be stable"),
       field("position_resolution", &C::position_resolution, "m", "of its sensors"),
       field("workspace_low", &C::workspace_low, "m", "corner of the largest box the stylus can reach, in B"),
       field("workspace_high", &C::workspace_high, "m", "the opposite corner; equal to workspace_low when unknown"),
       field("rate", &C::rate, "Hz", "of its servo loop"),
-      field("hard_realtime", &C::hard_realtime, "false where the transport gives no promise (TCP, a window toolkit)"),
+      field("hard_realtime", &C::hard_realtime, "false if the transport guarantees no timing (TCP, a window toolkit)"),
   };
 }
 
-/// Why a device cannot be trusted, or cannot be driven, right now.
+/// Why the readings of a device cannot be trusted, or why it cannot be driven, at present.
 enum class DeviceFault : std::uint8_t {
   none,
-  disconnected,  ///< it stopped answering: cable, power, permission. Ends the run
-  uncalibrated,  ///< its position means nothing until it is calibrated or docked. No force
+  disconnected,  ///< the device stopped answering: cable, power, permission. Ends the run
+  uncalibrated,  ///< the position is meaningless until the device is calibrated or docked. No force
   motors_warm,   ///< the motors are too hot. The driver reduces or stops the force until they cool
-  force_limit,   ///< the driver refused a force or its change as too large, and restarts its output gently
-  speed_limit,   ///< the driver saw a motion that is too fast, and restarts its output gently
+  force_limit,   ///< the driver refused a force or its change as too large, and fades its output in again
+  speed_limit,   ///< the driver saw a motion that is too fast, and fades its output in again
   overloaded,    ///< the servo loop took longer than its period
-  driver_error,  ///< the driver refused a call that it should not refuse. Ends the run
+  driver_error,  ///< the driver refused a valid call. Ends the run
   switched_off,  ///< the motors were switched off: by a button or dead man's switch of the device, or by another
                  ///< program
 };
@@ -98,7 +98,7 @@ constexpr auto names_of(Of<DeviceFault>) {
   };
 }
 
-/// A fault in words, and what to do about it.
+/// Describes a fault and what to do about it.
 [[nodiscard]] std::string describe(DeviceFault fault);
 
 /// One reading of a device.
@@ -120,20 +120,21 @@ constexpr auto fields_of(Of<DeviceState>) {
   using S = DeviceState;
   return std::tuple{
       field("X_BS", &S::X_BS, "pose of the stylus in the base"),
-      field("velocity", &S::velocity, "of the stylus point, in B; an estimate, smoothed and therefore late"),
+      field("velocity", &S::velocity, "of the stylus point, in B; a smoothed and therefore delayed estimate"),
       field("buttons", &S::buttons, "1", "bit n: button n is pressed"),
-      field("time", &S::time, "s", "of the reading, from the device's own clock, since the run began"),
+      field("time", &S::time, "s", "of the reading since the run began, by the clock of the device"),
       field("sequence", &S::sequence, "1",
-            "grows by one with every new reading; the same number twice is the same reading"),
-      field("epoch", &S::epoch, "1", "changes when poses before and after do not compare: calibration, reconnection"),
+            "grows by one with every new reading; an unchanged number means an unchanged reading"),
+      field("epoch", &S::epoch, "1",
+            "changes when earlier and later poses cannot be compared: calibration, reconnection"),
       field("temperature", &S::temperature, "1", "of the hottest motor, 0 cold ... 1 too hot; 0 when not measured"),
-      field("valid", &S::valid, "false: the pose means nothing"),
-      field("fault", &S::fault, "why the device cannot be trusted, or cannot be driven"),
+      field("valid", &S::valid, "false: the pose is meaningless"),
+      field("fault", &S::fault, "why the reading cannot be trusted, or why the device cannot be driven"),
   };
 }
 
-/// What the code that computes a force knows of the contact behind it, for the guard, which judges by the force alone
-/// where nothing is said.
+/// What the code that computes a force knows about the contact that causes it. The guard uses it; for fields that are
+/// empty, the guard judges by the force alone.
 struct ModelContact {
   std::optional<bool> touching;
   Wrench effects;
@@ -145,37 +146,40 @@ constexpr auto fields_of(Of<ModelContact>) {
   using C = ModelContact;
   return std::tuple{
       field("touching", &C::touching,
-            "whether the tool touches anything; empty: a force below ArmingOptions::free_force counts as none"),
+            "whether the tool touches anything; empty: not known, and a force below ArmingOptions::free_force counts "
+            "as no "
+            "contact"),
       field("effects", &C::effects,
-            "[N], [N m] the part of the wrench that is not of contact, such as weight and vibration, in B"),
-      field("stored", &C::stored, "J",
-            "at the hand, that contact and coupling could give back; empty: not known, and nothing is forgotten while "
-            "the force lasts"),
+            "[N], [N m] the part of the wrench that does not come from contact, such as weight and vibration, in B"),
+      field(
+          "stored", &C::stored, "J",
+          "energy at the hand that contact and coupling can return; empty: not known, and the guard forgets no energy "
+          "while the force lasts"),
       field("motor", &C::motor, "J",
-            "at the hand, that the tool's motor gave in this tick; empty: not known. Where it is known, all that the "
-            "hand may get is, and force that pushes it on beyond that is not given"),
+            "energy at the hand that the tool's motor supplied in this tick; empty: not known. If it is known, so "
+            "is all energy that the hand may get, and force that would push the hand beyond that is removed"),
   };
 }
 
-/// What the user's code wants of the device until its next call.
+/// What the user's code asks of the device until its next call.
 struct DeviceCommand {
   Wrench wrench = {};         ///< [N], [N·m] on the stylus, torque about the stylus point, in B
   bool stop = false;          ///< end the run after this tick
-  ModelContact contact = {};  ///< behind the wrench
+  ModelContact contact = {};  ///< contact that causes the wrench
 };
 
-/// What was done to a commanded wrench before it reached the motors, as bits.
+/// How a commanded wrench was changed before it reached the motors, as bits.
 enum class OutputChange : std::uint32_t {
   none = 0,
   held_back = 1U << 0,     ///< not yet armed, or in the fault state: no force
   ramped = 1U << 1,        ///< the force is being faded in
-  saturated = 1U << 2,     ///< longer than the device's peak, shortened without turning it
-  slew_limited = 1U << 3,  ///< grew faster than allowed
+  saturated = 1U << 2,     ///< above the device's peak; shortened, direction unchanged
+  slew_limited = 1U << 3,  ///< growth limited to the allowed rate
   cooled = 1U << 4,        ///< shortened to let the motors cool
-  damped = 1U << 5,        ///< the passivity controller took energy out
+  damped = 1U << 5,        ///< the passivity controller removed energy
   not_finite = 1U << 6,    ///< the commanded wrench was not finite
-  no_actuator = 1U << 7,   ///< the device has no motors for the torque, or for any of it
-  by_driver = 1U << 8,     ///< the driver applied something else than it was given
+  no_actuator = 1U << 7,   ///< the device has no motors for the torque, or for any output
+  by_driver = 1U << 8,     ///< the driver applied a different wrench
 };
 
 constexpr auto names_of(Of<OutputChange>) {
@@ -203,7 +207,7 @@ constexpr OutputChange& operator|=(OutputChange& a, OutputChange b) { return a =
   return (std::uint32_t(changes) & std::uint32_t(bits)) != 0;
 }
 
-/// The changes in words, separated by commas; "none" where there is none.
+/// The changes in words, separated by commas; "none" when nothing changed.
 [[nodiscard]] std::string describe(OutputChange changes);
 
 /// The two sides of the last tick's output.
@@ -215,8 +219,8 @@ struct DeviceOutput {
 
 constexpr auto fields_of(Of<DeviceOutput>) {
   return std::tuple{
-      field("commanded", &DeviceOutput::commanded, "what the user's code asked for"),
-      field("applied", &DeviceOutput::applied, "what the motors got"),
+      field("commanded", &DeviceOutput::commanded, "wrench that the user's code asked for"),
+      field("applied", &DeviceOutput::applied, "wrench that the motors got"),
       field("changes", &DeviceOutput::changes, "why they differ; bits of OutputChange"),
   };
 }

@@ -15,15 +15,15 @@
 /// bits.
 namespace hapticut {
 
-/// Something that was asked for cannot be done. `what()` is one sentence that says what was given, what is allowed and
-/// what to do about it, on one line and in UTF-8, whatever a damaged file has in the place of a name.
+/// A request that cannot be fulfilled. `what()` is one sentence that says what was given, what is allowed and what to
+/// do. It is one line of valid UTF-8, even if a damaged file contributed a name.
 class Error : public std::runtime_error {
  public:
-  /// @param sentence  each byte that is not part of a printable character of UTF-8 becomes a question mark
+  /// @param sentence  the message; each byte that is not part of a printable UTF-8 character becomes a question mark
   explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
 };
 
-/// A number the way messages print it: shortest form with six significant digits, e.g. `1e-05`, `0.3`, `nan`.
+/// Formats a number for messages: shortest form with up to six significant digits, e.g. `1e-05`, `0.3`, `nan`.
 [[nodiscard]] inline std::string format_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
@@ -31,24 +31,24 @@ class Error : public std::runtime_error {
 }
 
 /// Throws unless `value` is finite and greater than zero.
-/// @param name  what the user called it, with its unit, e.g. "SphereHead::radius [m]"
+/// @param name  name of the value as the user knows it, with its unit, e.g. "SphereHead::radius [m]"
 inline void require_positive(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0))
     throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number > 0.");
 }
 
 /// Throws when a size is so large that it must have been meant in millimetres.
-/// @param largest  [m] that makes sense
-inline void require_metres(double value, double largest, const char* name) {
-  if (value > largest)
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(largest) +
+/// @param limit  [m] largest plausible size
+inline void require_metres(double value, double limit, const char* name) {
+  if (value > limit)
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(limit) +
                 ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
 inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
-inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of what cuts; faster ones were meant in mm/s
+inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of a cutting head; larger ones were meant in mm/s
 
-/// Throws unless a feed is positive and no faster than kMaxFeed.
+/// Throws unless a feed [m/s] is positive and at most kMaxFeed.
 inline void require_feed(double value, const char* name) {
   require_positive(value, name);
   if (value > kMaxFeed)
@@ -71,5 +71,5 @@ inline void require_between(double value, double low, double high, const char* n
 
 }  // namespace hapticut
 
-/// Checks our own reasoning in debug and sanitizer builds; never a user's input.
+/// Checks the library's own logic in debug and sanitizer builds; never a user's input.
 #define HAPTICUT_ASSERT(condition) assert(condition)

@@ -11,13 +11,13 @@
 
 namespace hapticut {
 
-/// A triangle mesh: surfaces that come from files, and the surface of what is left of a workpiece.
+/// A triangle mesh: a surface from a file, or the surface of a workpiece.
 struct TriangleMesh {
   std::vector<Vec3> vertices;                           ///< [m] in W
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices, counter-clockwise seen from outside
 };
 
-/// A colour as files hold it: sRGB, 8 bits each.
+/// A colour as stored in files: sRGB, 8 bits per channel.
 struct Color {
   std::uint8_t red = 255;
   std::uint8_t green = 255;

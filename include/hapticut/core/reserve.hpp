@@ -6,8 +6,8 @@
 
 namespace hapticut {
 
-/// Takes memory for `count` elements and touches all of it, so that filling the empty vector later meets no page fault,
-/// as it may after `std::vector::reserve` alone.
+/// Reserves memory for `count` elements and touches all of it, so that filling the vector later causes no page fault.
+/// `std::vector::reserve` alone does not prevent page faults. The vector is empty afterwards.
 template <class Element>
 void reserve_touched(std::vector<Element>& elements, std::size_t count) {
   elements.resize(count);

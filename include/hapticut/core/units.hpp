@@ -5,17 +5,17 @@
 #include <type_traits>
 
 /// @file
-/// Factors from the units of the dental chair to SI: `0.6 * units::mm` is a length in metres.
-/// The library itself holds SI only.
+/// Conversion factors from practical units to SI: `0.6 * units::mm` is a length in metres. All values inside the
+/// library are in SI units.
 namespace hapticut {
 
-/// [rad/s] How fast something turns. It is made with its unit, `40000 * units::rpm`, for turns a minute and rad/s are
-/// too near each other to be told apart: `Spindle{40000}` does not compile. It reads as a number in rad/s.
+/// [rad/s] An angular speed. It must be written with its unit, `40000 * units::rpm`, because values in rpm and in rad/s
+/// look alike: `Spindle{40000}` does not compile. It converts to a number in rad/s.
 class AngularSpeed {
  public:
   constexpr AngularSpeed() = default;
-  /// 0, which needs no unit; no other number fits.
-  constexpr AngularSpeed(std::nullptr_t /*zero*/) {}        // NOLINT(google-explicit-constructor): as a literal is
+  /// Zero, the only number that needs no unit.
+  constexpr AngularSpeed(std::nullptr_t /*zero*/) {}        // NOLINT(google-explicit-constructor): like a literal
   constexpr operator double() const { return rad_per_s_; }  // NOLINT(google-explicit-constructor): a number in rad/s
 
   [[nodiscard]] static constexpr AngularSpeed in_rad_per_s(double speed) {
@@ -48,7 +48,7 @@ inline constexpr double N_mm = 1e-3;              ///< [N·m]
 inline constexpr double mm3 = 1e-9;               ///< [m^3]
 inline constexpr double N_per_mm3_per_mm = 1e12;  ///< [N/m^4] stiffness of the volumetric foundation
 
-/// Turns a minute.
+/// Revolutions per minute.
 inline constexpr AngularSpeed rpm = AngularSpeed::in_rad_per_s(2 * kPi / 60);
 inline constexpr AngularSpeed rad_per_s = AngularSpeed::in_rad_per_s(1);
 

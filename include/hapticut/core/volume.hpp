@@ -12,7 +12,7 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// A dense regular volume in memory: what comes out of a CT file and goes into a workpiece builder.
+/// A dense regular volume in memory, as read from a CT file and passed to a workpiece builder.
 namespace hapticut {
 
 /// Values on a regular grid, x fastest. Sample (i, j, k) is the centre of a voxel and lies at
@@ -23,7 +23,7 @@ struct Volume {
   Vec3 spacing = Vec3(1e-3, 1e-3, 1e-3);  ///< [m] distance of neighbouring samples along x, y, z
   Pose X_WG;                              ///< pose of the grid: position of sample (0,0,0) and directions of its axes
   std::vector<Value> values;              ///< dims[0] * dims[1] * dims[2] values
-  std::size_t padding = 0;  ///< samples of its file that lie outside the field of view, as the file says; they are air
+  std::size_t padding = 0;                ///< samples that the file marks as outside the field of view; they are air
 
   [[nodiscard]] std::size_t size() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
   [[nodiscard]] std::size_t offset(int i, int j, int k) const {
@@ -37,7 +37,7 @@ struct Volume {
 };
 
 /// @throws Error unless there is at least one sample along every axis, the number of values is the product of the
-/// dims, the spacing is positive and finite, and the pose is a pose
+/// dims, the spacing is positive and finite, and X_WG is a rigid pose
 template <class Value>
 void require_valid(const Volume<Value>& volume) {
   for (const int n : volume.dims)
@@ -45,7 +45,7 @@ void require_valid(const Volume<Value>& volume) {
       throw Error("Volume::dims has " + std::to_string(n) +
                   "; must be at least 1 along every axis. Is the volume empty?");
   if (volume.values.size() != volume.size())
-    throw Error("a volume has " + std::to_string(volume.values.size()) + " values, but its dims ask for " +
+    throw Error("a volume has " + std::to_string(volume.values.size()) + " values, but its dims require " +
                 std::to_string(volume.size()) + ".");
   for (int axis = 0; axis < 3; ++axis) require_positive(volume.spacing[axis], "Volume::spacing [m]");
   if (!is_finite(volume.X_WG) || !is_rotation(volume.X_WG.rotation, 1e-6))

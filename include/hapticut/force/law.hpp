@@ -153,7 +153,7 @@ class ForceLaw {
 
   /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They hold
   /// the depth of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of converts
-  /// them to w), and `largest` for VoxelSection, which integrates over the part. If false, SimulationConfig::quadrature
+  /// them to w), and `max_component` for VoxelSection, which integrates over the part. If false, SimulationConfig::quadrature
   /// must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 

@@ -9,7 +9,8 @@
 
 namespace hapticut {
 
-/// What a head cuts with. Constants of cutting belong to a pair of it and a material: find_preset has them by both.
+/// The kind of cutting edges of a head. Cutting constants belong to a pair of material and cutter kind; find_preset
+/// takes both.
 enum class CutterKind {
   carbide_bur,          ///< dental, tungsten carbide with blades
   fine_diamond,         ///< dental, grains of 20 ... 50 um
@@ -31,8 +32,8 @@ constexpr auto names_of(Of<CutterKind>) {
   };
 }
 
-/// The cutting edges of a head. How many pass a place in a turn decides how thick chips are, where a material's energy
-/// depends on that.
+/// The cutting edges of a head. The number of edges that pass a place per revolution decides the chip thickness, on
+/// which the cutting energy of some materials depends.
 struct Cutter {
   CutterKind kind = CutterKind::carbide_bur;
   int lips = 0;
@@ -40,17 +41,17 @@ struct Cutter {
 
 constexpr auto fields_of(Of<Cutter>) {
   return std::tuple{
-      field("kind", &Cutter::kind, "what the head cuts with"),
+      field("kind", &Cutter::kind, "kind of cutting edges"),
       field("lips", &Cutter::lips, "1", Range::between(0, 1000),
-            "cutting edges that pass a place in a turn; 0: as many as common cutters of the kind have"),
+            "cutting edges that pass a place per revolution; 0: the usual number of the kind"),
   };
 }
 
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Cutter& cutter) { require_fields_within(cutter, "Cutter::"); }
 
-/// z, where not given that of common cutters: 6 of a carbide bur, 2 of a drill, 8 of a mastoid cutting bur; 1 of
-/// grains, whose constants are those of a turn.
+/// The number of lips z. If `Cutter::lips` is 0, the usual number of the kind: 6 for a carbide bur, 2 for a drill, 8
+/// for a mastoid cutting bur, and 1 for diamond grains, whose constants are per revolution.
 [[nodiscard]] constexpr int lips_of(const Cutter& cutter) {
   if (cutter.lips > 0) return cutter.lips;
   switch (cutter.kind) {
@@ -65,7 +66,7 @@ inline void validate(const Cutter& cutter) { require_fields_within(cutter, "Cutt
   }
 }
 
-/// f_z, how often a lip passes.
+/// f_z, the rate at which lips pass a place.
 /// @param spindle_speed  [rad/s] of either sign
 /// @return [1/s]
 [[nodiscard]] inline double tooth_rate(const Cutter& cutter, double spindle_speed) {

@@ -15,7 +15,7 @@ namespace hapticut {
 
 /// A straight handpiece (thesis 5.11): the head sits on the axis of the stylus.
 ///
-///         z_H ^  o  Ho  where the hand feels
+///         z_H ^  o  Ho  where the hand feels the wrench
 ///             |  |
 ///             |  |  length
 ///             |  |
@@ -38,7 +38,7 @@ constexpr auto fields_of(Of<RayHandle>) {
 ///             |  |
 ///             E  o-----o  To      elbow E = -length z_H
 ///                 neck             To = E - neck z_T
-///                                  z_T = z_H turned by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
+///                                  z_T = z_H rotated by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
 ///
 struct LHandle {
   double length = std::numeric_limits<double>::quiet_NaN();
@@ -56,10 +56,10 @@ constexpr auto fields_of(Of<LHandle>) {
 
 using Handle = std::variant<RayHandle, LHandle>;
 
-/// How force and torque at the head are felt at the handle.
+/// How force and torque at the head are transferred to the handle.
 enum class HandleTorque {
   full_wrench,  ///< exactly: T_Ho = T_To + (To - Ho) x F (default)
-  thesis        ///< as the thesis prints it, eqs. 5.11-5.14: see `thesis_handle_torque`
+  thesis        ///< by equations 5.11-5.14 of the thesis: see `thesis_handle_torque`
 };
 
 constexpr auto names_of(Of<HandleTorque>) {
@@ -76,7 +76,7 @@ template <class AnyHandle>
 void require_lengths(const AnyHandle& handle, const std::string& name) {
   for_each_field<AnyHandle>([&](const auto& field) {
     if (std::isnan(handle.*field.member) && std::string_view(field.unit) == "m")
-      throw Error(name + "::" + field.name + " [m] " + field.text + ". 0.02 is 20 mm; 0 puts the hand into the head.");
+      throw Error(name + "::" + field.name + " [m] " + field.text + ". 0.02 is 20 mm; 0 puts the hand at the head.");
   });
   require_fields_within(handle, name + "::");
 }
@@ -84,7 +84,7 @@ void require_lengths(const AnyHandle& handle, const std::string& name) {
 }  // namespace detail
 
 /// Pose of the tool head T in the handle frame H.
-/// @throws Error when a length is missing, negative or not finite, or the bend is outside [-pi, pi]
+/// @throws Error if a length is missing, negative or not finite, or if the bend is outside [-pi, pi]
 [[nodiscard]] inline Pose head_in_handle(const Handle& handle) {
   if (const auto* ray = std::get_if<RayHandle>(&handle)) {
     detail::require_lengths(*ray, "RayHandle");
@@ -96,25 +96,27 @@ void require_lengths(const AnyHandle& handle, const std::string& name) {
   return {R_HT, Vec3(0, 0, -bent.length) - bent.neck * R_HT.col(2)};
 }
 
-/// The torque of the thesis's handles (5.11-5.14), for comparison with it.
+/// The handle torque by equations 5.11-5.14 of the thesis, for comparison with the thesis.
 ///
 ///     ray:  roll about z_H:  T_res               pitch = yaw = 0
 ///     L:    T = zeta (To - Ho) x F  +  zeta sin(bend) T_res o,   o = (To - Ho)/|To - Ho|
 ///
-/// with T_res the torque about the spindle's axis. The thesis writes the first term as the two components of the force
-/// across the offset times its length (pitch and roll), the second as the yaw, about the offset; which angle beta is,
-/// only its figure showed: read here as the bend of the handle. An L whose head sits on Ho has no offset and no torque.
+/// T_res is the torque about the spindle's axis. The thesis writes the first term as the two force components across
+/// the offset times the offset's length (pitch and roll), and the second term as the yaw, about the offset. The text of
+/// the thesis does not define its angle beta; this function uses the bend of the handle. An L handle whose head sits on
+/// Ho has no offset and therefore no torque.
 /// @param force_H  [N] on the tool, in the axes of H
-/// @param spin     [N·m] T_res about +z of T
+/// @param spindle_torque  [N·m] T_res about +z of T
 /// @param zeta     [1] the thesis's constant
 /// @return [N·m] about Ho, in the axes of H
-[[nodiscard]] inline Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spin, double zeta) {
+[[nodiscard]] inline Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spindle_torque,
+                                               double zeta) {
   const auto* bent = std::get_if<LHandle>(&handle);
-  if (bent == nullptr) return {0, 0, spin};
+  if (bent == nullptr) return {0, 0, spindle_torque};
   const Vec3 offset = head_in_handle(handle).translation;
   const double length = offset.norm();
   if (length == 0) return Vec3::Zero();
-  return zeta * (offset.cross(force_H) + std::sin(bent->bend) * spin / length * offset);
+  return zeta * (offset.cross(force_H) + std::sin(bent->bend) * spindle_torque / length * offset);
 }
 
 }  // namespace hapticut

@@ -14,7 +14,7 @@
 
 namespace hapticut {
 namespace detail {
-/// "2 mm", of a length [m]
+/// Text of a length [m]: "2 mm".
 [[nodiscard]] inline std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
 }  // namespace detail
 
@@ -26,21 +26,21 @@ struct HeadBox {
 
 /// The spring at one point of a head, in T.
 struct Spring {
-  double depth;    ///< [m] w below the surface, see MeridianSpring; <= 0: outside, no spring
+  double depth;    ///< [m] w below the surface, see MeridianSpring; <= 0: outside the head, no spring
   Vec3 direction;  ///< [1] n, a unit vector from the local spring centre through the point, into the material
-  double smooth;   ///< [m^2] as in MeridianSpring
+  double smooth;   ///< [m^2] as MeridianSpring::smooth
 
   [[nodiscard]] bool on_smooth() const { return smooth > 0; }
-  /// [1] by which w changes per distance along n: kSmoothScale at smooth surfaces, else 1.
+  /// [1] Change of w per distance along n: kSmoothScale at smooth surfaces, else 1.
   [[nodiscard]] double scale() const { return on_smooth() ? kSmoothScale : 1; }
 };
 
-/// The cutting head of a tool: any shape, asked for many points at once.
+/// The cutting head of a tool, of any shape.
 class ToolHead {
  public:
   using Shape = std::variant<SphereHead, ConeHead, FlatHead, ProfileHead>;
 
-  /// @throws Error when a dimension is not positive or an angle not between 0 and pi/2
+  /// @throws Error if a dimension is not positive or an angle is not between 0 and pi/2
   ToolHead(Shape shape) : shape_(std::move(shape)) {  // NOLINT(google-explicit-constructor): a shape is a head
     validate();
   }
@@ -80,16 +80,17 @@ class ToolHead {
     return as<ProfileHead>()->volume();
   }
 
-  /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
+  /// [m] Largest radius of the head about its axis: R for sphere and flat head, the base radius for a cone, the largest
+  /// rho for a profile.
   [[nodiscard]] double max_radius() const { return bounding_box().max.x(); }
 
-  /// [m] largest radius of what cuts: that of the head without neck and shank.
+  /// [m] Largest radius of the cutting edges, without neck and shank.
   [[nodiscard]] double cutting_radius() const {
     const auto* profile = as<ProfileHead>();
     return profile == nullptr ? max_radius() : profile->cutting_radius();
   }
 
-  /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".
+  /// Shape and size for messages: "a cone of half angle 30 deg and height 2 mm".
   [[nodiscard]] std::string description() const {
     using detail::in_mm;
     if (const auto* h = as<SphereHead>()) return "a sphere of radius " + in_mm(h->radius);
@@ -103,7 +104,7 @@ class ToolHead {
            in_mm(double(table.top) - double(table.bottom));
   }
 
-  /// The outline as a meridian of lines and arcs. The two surfaces of a flat head are drawn as its rule uses them.
+  /// The outline as a meridian of lines and arcs. The surfaces of a flat head that its rule does not use are smooth.
   [[nodiscard]] Profile profile() const {
     constexpr EdgeKind kCutting = EdgeKind::cutting, kSmooth = EdgeKind::smooth;
     if (const auto* h = as<SphereHead>()) return {-h->radius, {{0, h->radius, h->radius, kCutting}}};
@@ -117,8 +118,8 @@ class ToolHead {
     return as<ProfileHead>()->profile();
   }
 
-  /// Calls `function(springs)` with the springs of this head's shape in precision `Real`: the one place where the shape
-  /// is dispatched. Call it once per block of points, never per point.
+  /// Calls `function(springs)` with the springs of this head's shape in precision `Real`. Only this function dispatches
+  /// on the shape. Call it once per block of points, not once per point.
   template <class Real, class Function>
   decltype(auto) visit_springs(Function&& function) const {
     if (const auto* sphere = std::get_if<SphereHead>(&shape_)) return function(SphereSprings<Real>(*sphere));
@@ -139,7 +140,7 @@ class ToolHead {
     return function(FlatSprings<Real, FlatRule::nearest>(flat));
   }
 
-  /// The spring at one point of T, for tests and set-up code.
+  /// The spring at one point, for tests and set-up code.  @param p_TQ  [m]
   [[nodiscard]] Spring spring_at(const Vec3& p_TQ) const {
     const double rho = std::hypot(p_TQ.x(), p_TQ.y());
     const MeridianSpring<double> s =

@@ -11,12 +11,12 @@
 
 namespace hapticut {
 
-/// What drives a handpiece. docs/forces.md has what each can do and where that was published.
+/// Kinds of handpiece motors. docs/forces.md lists the data of each kind and its source.
 enum class MotorKind {
-  ideal,           ///< keeps its speed whatever the cut takes
-  air_turbine,     ///< dental high-speed handpiece: torque falls in a line from stall to free running
-  electric,        ///< dental micromotor, with the contra-angle that makes its 40 000 turns a minute the head's
-  surgical_drill,  ///< electric motor of otological and bone drills, up to 100 000 turns a minute
+  ideal,           ///< keeps its speed under any load
+  air_turbine,     ///< dental high-speed handpiece: torque falls linearly from stall to free running
+  electric,        ///< dental micromotor, with a contra-angle that gears its 40 000 rpm to the speed of the head
+  surgical_drill,  ///< electric motor of otological and bone drills, up to 100 000 rpm
 };
 
 constexpr auto names_of(Of<MotorKind>) {
@@ -29,14 +29,14 @@ constexpr auto names_of(Of<MotorKind>) {
   };
 }
 
-/// What commonly turns a head so fast: a turbine above 200 000 turns a minute, an electric motor below.
-/// @param speed  of either sign; 0: ideal
+/// The usual kind of motor for a speed: a turbine above 200 000 rpm, an electric motor below, ideal for 0.
+/// @param speed  [rad/s] of either sign
 [[nodiscard]] inline MotorKind common_motor(AngularSpeed speed) {
   if (speed == 0) return MotorKind::ideal;
   return std::abs(speed) > 200e3 * units::rpm ? MotorKind::air_turbine : MotorKind::electric;
 }
 
-/// [rad/s] Beyond it there is no such handpiece.
+/// [rad/s] No handpiece of this kind is faster.
 [[nodiscard]] constexpr double max_speed(MotorKind motor) {
   if (motor == MotorKind::air_turbine) return 600e3 * units::rpm;
   if (motor == MotorKind::electric) return 250e3 * units::rpm;
@@ -44,21 +44,21 @@ constexpr auto names_of(Of<MotorKind>) {
 }
 
 /// The spindle of a common handpiece: `common_spindle(MotorKind::electric, 40000 * units::rpm)`.
-/// @param speed  [rad/s] free running, signed about +z of T; only an ideal one may stand
-/// @throws Error when another than an ideal one shall stand, or when it is beyond any such motor
+/// @param speed  [rad/s] free running, signed about +z of T; 0 only for an ideal motor
+/// @throws Error if the speed is 0 for a motor that is not ideal, or if no such motor reaches the speed
 [[nodiscard]] inline Spindle common_spindle(MotorKind motor, AngularSpeed speed) {
   Spindle spindle{speed};
   validate(spindle);
   if (std::abs(speed) > max_speed(motor))
     throw Error("common_spindle: " + format_number(speed) + " rad/s are " + format_number(speed / units::rpm) +
-                " turns a minute, and the motor " + std::string(name_or_null(motor)) + " has at most " +
+                " rpm, but a motor " + std::string(name_or_null(motor)) + " has at most " +
                 format_number(max_speed(motor) / units::rpm) +
-                ". Write 40000 * units::rpm for 40000 turns a minute, or choose another motor.");
+                " rpm. Write 40000 * units::rpm for 40000 rpm, or choose another motor.");
   if (motor == MotorKind::ideal) return spindle;
   if (speed == 0)
     throw Error(
-        "a motor was given with a speed of 0. Give it its free-running speed, and stop it by set_spindle_speed(0).");
-  // Of the motor itself; geared to the head it has less torque the faster that turns.
+        "a motor has a speed of 0; must not be 0. Give its free-running speed, and stop it with set_spindle_speed(0).");
+  // Data of the motor itself; the gear trades torque for speed.
   const auto geared = [&](double motor_speed, double torque, double inertia) {
     const double gear = motor_speed * units::rpm / std::abs(speed);
     spindle.power_limit = 60;
@@ -76,9 +76,9 @@ constexpr auto names_of(Of<MotorKind>) {
   return spindle;
 }
 
-/// The spindle of the handpiece that is common at such a speed; one that stands at 0.
+/// The spindle of the usual handpiece for a speed; an ideal spindle at rest for 0.
 /// @param speed  [rad/s] free running, signed about +z of T
-/// @throws Error when it is beyond any such motor
+/// @throws Error if no such motor reaches the speed
 [[nodiscard]] inline Spindle common_spindle(AngularSpeed speed) { return common_spindle(common_motor(speed), speed); }
 
 }  // namespace hapticut

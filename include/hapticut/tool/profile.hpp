@@ -13,10 +13,10 @@ namespace detail {
 class Meridian;
 }
 
-/// What an edge of a profile does.
+/// Whether an edge of a profile cuts.
 enum class EdgeKind {
-  cutting,  ///< presses and cuts
-  smooth    ///< safe-sided, margin, neck or shank: presses and rubs, but cuts only close to a cutting edge
+  cutting,  ///< the edge presses and cuts
+  smooth    ///< safe side, margin, neck or shank: presses and rubs, and cuts only close to a cutting edge
 };
 
 constexpr auto names_of(Of<EdgeKind>) {
@@ -27,12 +27,12 @@ constexpr auto names_of(Of<EdgeKind>) {
   };
 }
 
-/// One edge of a meridian, from the end of the edge before it.
+/// One edge of a meridian. It begins at the end of the previous edge.
 struct ProfileEdge {
   double rho = 0;  ///< [m] end: distance from the axis, >= 0
   double z = 0;    ///< [m] end: height
-  double radius =
-      0;  ///< [m] 0: straight; > 0: arc that bulges outwards; < 0: hollow arc. Never more than a half circle
+  /// [m] 0: straight; > 0: arc that bulges outwards; < 0: hollow arc. At most a half circle.
+  double radius = 0;
   EdgeKind kind = EdgeKind::cutting;
 };
 
@@ -52,31 +52,34 @@ struct Profile {
 
 /// A head of any profile of revolution.
 ///
-/// The depth of a point inside the head is its distance from the cutting surface or, if that is less, kSmoothScale
-/// times its distance from the smooth one, and the direction is that from the point to the surface whose it is. So a
-/// ConeHead and a FlatHead are profiles too.
+/// The depth of a point inside the head is the smaller of two values: its distance from the cutting surface, and
+/// kSmoothScale times its distance from the smooth surface. The direction points from the point to the surface that
+/// gave the depth. ConeHead and FlatHead follow the same rule.
 ///
-/// A straight cutting edge that has the whole body on one side goes on as its line beyond a smooth edge that turns away
-/// from it; of any other, the end is the nearest point of what lies behind. A smooth edge cuts within a land of its
-/// cutting neighbours, which finishes the wall that the corner leaves (HeadMotion, ContactMaterial::land).
+/// If the whole body lies on one side of a straight cutting edge, and the smooth edge next to it bends away, the edge
+/// is extended as a straight line. Any other cutting edge ends at its end point, which is then the nearest point for
+/// the region behind it. A smooth edge cuts within a land next to its cutting neighbours; this finishes the wall that
+/// the corner leaves (HeadMotion, ContactMaterial::land).
 class ProfileHead {
  public:
-  /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height, in
-  ///                   1e-4 ... 0.1; only the points where three edges are equally near have any error
-  /// @throws Error when the profile is not closed, crosses its axis or itself, runs the wrong way round, has an edge of
-  ///         no length, an arc whose radius cannot span its ends, or no cutting edge
+  /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height,
+  ///                   1e-4 ... 0.1; only points where three edges are equally near have an error
+  /// @throws Error if the profile is not closed, crosses its axis or itself, runs in the wrong direction, has an edge
+  ///         without length, an arc whose radius cannot span its ends, or no cutting edge
   explicit ProfileHead(Profile profile, double tolerance = 0.01);
 
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] const ProfileTable& table() const { return *table_; }
-  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] that the table was made for
+  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] of the constructor
 
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
-  [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
+  [[nodiscard]] double reach() const { return reach_; }    ///< [m] largest distance from the frame's origin, exact
 
-  [[nodiscard]] double cutting_radius() const { return cutting_radius_; }  ///< [m] largest rho of what cuts, exact
+  [[nodiscard]] double cutting_radius() const {
+    return cutting_radius_;
+  }  ///< [m] largest rho of the cutting edges, exact
 
-  /// Depth and direction by asking every edge, without the table. For tests and set-up code: O(edges).
+  /// Depth and direction from all edges, without the table.  @realtime O(edges): for tests and set-up code
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
  private:

@@ -12,13 +12,13 @@
 #include "hapticut/tool/shapes.hpp"
 
 /// @file
-/// The table behind a ProfileHead: which curve of the meridian gives the least depth, cell by cell.
+/// The table of a ProfileHead: for each cell, the curve of the meridian that gives the smallest depth.
 ///
 /// The depth below a meridian of lines and arcs is not smooth (the direction jumps on the medial axis), so values on a
-/// grid would blur it. The table therefore holds no depths but, for each square cell of the (rho, z) half-plane, the
-/// one or two curves that decide there and how; depth and direction then follow in closed form, exactly, from the five
-/// numbers of a curve. Cells in which three or more curves compete (a few points of the medial axis, hollow corners)
-/// keep the best two: the only inexact ones, with the error that ProfileTable::error states.
+/// grid would blur it. The table therefore holds no depths. For each square cell of the (rho, z) half-plane it holds
+/// the one or two curves that decide there, and how they decide. Depth and direction then follow in closed form,
+/// exactly, from the numbers of a curve. Where three or more curves compete (a few points of the medial axis, hollow
+/// corners) the cell keeps the best two. Only these cells have an error, see ProfileTable::error.
 namespace hapticut {
 
 /// How the two curves of a cell decide.
@@ -26,7 +26,7 @@ enum class CellRule : std::uint32_t {
   first,    ///< only the first curve
   nearer,   ///< the one with the smaller depth: a ridge of the medial axis
   farther,  ///< the one with the larger depth: a hollow corner
-  sides     ///< the second from its starting point on, the first before it: a joint along the meridian
+  sides     ///< the second beyond its starting point, the first before it: a joint along the meridian
 };
 
 /// One cell packed in 32 bits: the first curve in bits 0-13, the second in bits 14-27, the rule in bits 28-30.
@@ -40,8 +40,8 @@ struct ProfileCell {
   [[nodiscard]] static constexpr std::uint32_t second(std::uint32_t cell) { return cell >> 14U & (kMaxCurves - 1); }
   [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U & 7U); }
 
-  /// Of ProfileTable::cells_near: bit 31 says that the head does not reach into the cell, the others are those of one
-  /// near it that it reaches into.
+  /// For ProfileTable::cells_near: bit 31 says that the head does not reach into the cell; the other bits are copied
+  /// from a nearby cell that the head reaches into.
   static constexpr std::uint32_t kOutside = 1U << 31U;
   [[nodiscard]] static constexpr bool is_outside(std::uint32_t cell) { return (cell & kOutside) != 0; }
   [[nodiscard]] static constexpr std::uint32_t of_head(std::uint32_t cell) { return cell & ~kOutside; }
@@ -53,8 +53,8 @@ struct ProfileCell {
 ///
 ///     g = k q - m      depth w = s (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
 ///
-/// which is s (R - |x - c|) without its cancellation, and s m.q for a line; s is 1 where the curve cuts, and outside,
-/// and kSmoothScale where it is smooth (`depth_below`). Curve 0 is all zeros: no depth anywhere.
+/// This equals s (R - |x - c|) for a circle, without its cancellation, and s m.q for a line. s is kSmoothScale inside a
+/// smooth curve and 1 otherwise (`depth_below`). Curve 0 is all zeros: no depth anywhere.
 template <class Real>
 struct ProfileCurves {
   std::vector<Real> rho, z;                ///< [m] starting point p, in the direction from tip to shank
@@ -69,22 +69,22 @@ struct ProfileCorner {
   Real rho, z;  ///< [m]
 };
 
-/// A piece of the whole meridian, monotone in z and in rho, to ask whether a point is inside and how far from the
-/// surface.
+/// A piece of the meridian, monotone in z and in rho. The pieces tell whether a point is inside and how far it is from
+/// the surface.
 template <class Real>
 struct ProfilePiece {
   Real rho_0, z_0, rho_1, z_1;  ///< [m] ends
   Real center_rho, center_z;    ///< [m] of an arc
   Real radius;                  ///< [m] of an arc, 0: straight
-  Real turn;                    ///< [1] arc: +1 bulges outwards (counter-clockwise), -1 hollow
+  Real sense;                   ///< [1] arc: +1 bulges outwards (counter-clockwise), -1 hollow
   Real side;                    ///< [1] arc: +1 to the right of its centre (larger rho), -1 to the left
 };
 
-/// Everything that the step asks of a profile. Immutable once built; tools share it.
+/// All data of a profile that the step uses. Immutable once built; tools share it.
 struct ProfileTable {
   ProfileCurves<float> curves;
   std::size_t curve_count = 0;         ///< without the padding
-  ProfileCurves<double> exact_curves;  ///< the same in double precision
+  ProfileCurves<double> exact_curves;  ///< curves in double precision
   std::vector<ProfilePiece<float>> pieces;
   std::vector<ProfilePiece<double>> exact_pieces;
   std::vector<ProfileCorner<float>> corners;
@@ -93,32 +93,33 @@ struct ProfileTable {
   /// Cell of column i and row j at `j * columns + i`; it covers rho in [i, i + 1) cell_size and
   /// z in bottom + [j, j + 1) cell_size.
   std::vector<std::uint32_t> cells;       ///< 0 where the head does not reach into the cell
-  std::vector<std::uint32_t> cells_near;  ///< the same for points a little outside; see ProfileCell::kOutside
+  std::vector<std::uint32_t> cells_near;  ///< cells for points slightly outside the head; see ProfileCell::kOutside
   int columns = 0;
   int rows = 0;
   double cell_size = 0;  ///< [m]
 
   double radius = 0;  ///< [m] largest rho of the head: beyond it there is no spring
-  double bottom = 0;  ///< [m] least z of the head: below it there is no spring
-  double top = 0;     ///< [m] largest z of the head: from it on there is no spring
+  double bottom = 0;  ///< [m] smallest z of the head: below it there is no spring
+  double top = 0;     ///< [m] largest z of the head: at and above it there is no spring
 
-  /// [m] Bound on the error of depths: the depth given at a point is the exact one within this, or the exact one of a
-  /// point within this distance. From 1089 points of each cell that may have an error, and what can lie between them.
+  /// [m] Bound on the error of depths: the depth at a point differs by at most this from the exact depth there, or is
+  /// the exact depth of a point within this distance. Found from 1089 points of each cell that may have an error, plus
+  /// a bound for the points between them.
   double error = 0;
 
-  /// The cell that is right about all points within `radius`, `bottom` and `top`, or 0: most burs cut with one curve or
-  /// two, and need no table. Where `lid` is not 0 it is a curve too, and the depth the lesser of its and the cell's:
-  /// the smooth end that most heads have.
+  /// `everywhere` is a cell that is correct for all points within `radius`, `bottom` and `top`, or 0. Most burs cut
+  /// with one or two curves and need no table. If `lid` is not 0, it is one more curve, and the depth is the smaller of
+  /// the depths of lid and cell. The lid is the smooth end that most heads have.
   std::uint32_t everywhere = 0, lid = 0;
 
-  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: enough to
-  /// tell which points may have a spring. Each slab is grown on all sides by `error`, because that far outside the
-  /// table may have springs, and by 1e-5 of the head's size, because its number is found in single precision.
+  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`. It tells which
+  /// points may have a spring. Each slab is grown on all sides by `error`, because the table may have springs that far
+  /// outside, and by 1e-5 of the head's size, because the slab of a point is found in single precision.
   static constexpr int kSlabs = 16;
   std::array<float, kSlabs> slab_radius_squared = {};
 };
 
-/// The part of a profile that the hot loop needs. Points into the table of its head, which must outlive it.
+/// The data of a profile that the hot loop needs. Holds pointers into the table of the head; the table must outlive it.
 template <class Real>
 struct ProfileSprings {
   const Real *rho, *z, *normal_rho, *normal_z, *curvature, *scale;
@@ -154,7 +155,7 @@ struct ProfileSprings {
     MeridianSpring<Real> found = decide(ProfileCell::of_head(cell), at_rho, at_z);
     const Real beyond = std::max({at_rho - radius, bottom - at_z, at_z - top});  // the bounds
     if ((beyond >= 0 || ProfileCell::is_outside(cell)) && found.depth > 0)
-      found.depth = Real(-1);  // the curve ends before
+      found.depth = Real(-1);  // the curve ends earlier
     if (beyond > 0) found.depth = std::min(found.depth, -beyond);
     return found;
   }
@@ -163,42 +164,42 @@ struct ProfileSprings {
   [[nodiscard]] MeridianSpring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
     std::uint32_t curve = ProfileCell::first(cell);
     MeridianSpring<Real> found = below(curve, at_rho, at_z);
-    const auto take_if = [&](bool better, std::uint32_t other, const MeridianSpring<Real>& spring) {
+    const auto choose_if = [&](bool better, std::uint32_t other, const MeridianSpring<Real>& spring) {
       if (!better) return;
       curve = other;
       found = spring;
     };
-    const auto take_nearer = [&](std::uint32_t other, const MeridianSpring<Real>& spring) {
+    const auto choose_nearer = [&](std::uint32_t other, const MeridianSpring<Real>& spring) {
       const bool is_edge_of_both = scale[curve] != scale[other];
       const Real depth = depth_below_both(found.depth, spring.depth);
-      take_if(spring.depth < found.depth, other, spring);
+      choose_if(spring.depth < found.depth, other, spring);
       if (is_edge_of_both) found.depth = depth;
     };
     const CellRule rule = ProfileCell::rule(cell);
     if (rule != CellRule::first) {
       const std::uint32_t other = ProfileCell::second(cell);
       const MeridianSpring<Real> second = below(other, at_rho, at_z);
-      // The tangent at p, towards the shank, is m turned by -90 degrees.
+      // The tangent at p, towards the shank, is m rotated by -90 degrees.
       const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
       if (rule == CellRule::nearer)
-        take_nearer(other, second);
+        choose_nearer(other, second);
       else
-        take_if(rule == CellRule::farther ? second.depth > found.depth : along >= 0, other, second);
+        choose_if(rule == CellRule::farther ? second.depth > found.depth : along >= 0, other, second);
     }
-    if (lid != 0 && cell == everywhere) take_nearer(lid, below(lid, at_rho, at_z));
+    if (lid != 0 && cell == everywhere) choose_nearer(lid, below(lid, at_rho, at_z));
     if (scale[curve] > 1) found.smooth = square_from_corner(at_rho, at_z);
     return found;
   }
 
   /// [m^2] MeridianSpring::smooth of a point on a smooth surface.
   [[nodiscard]] Real square_from_corner(Real at_rho, Real at_z) const {
-    Real least = std::numeric_limits<Real>::max();
+    Real nearest = std::numeric_limits<Real>::max();
     for (std::size_t n = 0; n < corner_count; ++n)
-      least = std::min(least, hapticut::square_from_corner(at_rho - corners[n].rho, at_z - corners[n].z));
-    return least;
+      nearest = std::min(nearest, hapticut::square_from_corner(at_rho - corners[n].rho, at_z - corners[n].z));
+    return nearest;
   }
 
-  /// Distance to the surface, positive inside. O(edges).
+  /// [m] Distance to the surface, positive inside. O(edges).
   [[nodiscard]] Real margin(Real at_rho, Real at_z) const {
     Real nearest = std::numeric_limits<Real>::max();
     bool inside = false;
@@ -210,7 +211,7 @@ struct ProfileSprings {
     return inside ? nearest : -nearest;
   }
 
-  /// rho at which a piece crosses a height between its ends.
+  /// [m] rho at which a piece crosses a height between its ends.
   [[nodiscard]] static Real crossing(const ProfilePiece<Real>& p, Real at_z) {
     if (p.radius == 0) return p.rho_0 + (at_z - p.z_0) * (p.rho_1 - p.rho_0) / (p.z_1 - p.z_0);
     const Real up = at_z - p.center_z;
@@ -252,15 +253,15 @@ struct ProfileSprings {
     const Real to_0 = at_rho - p.rho_0, up_0 = at_z - p.z_0, to_1 = at_rho - p.rho_1, up_1 = at_z - p.z_1;
     if (p.radius == 0) {
       const Real along_rho = p.rho_1 - p.rho_0, along_z = p.z_1 - p.z_0;
-      const Real share = (to_0 * along_rho + up_0 * along_z) / (along_rho * along_rho + along_z * along_z);
-      const Real s = std::clamp(share, Real(0), Real(1));
+      const Real fraction = (to_0 * along_rho + up_0 * along_z) / (along_rho * along_rho + along_z * along_z);
+      const Real s = std::clamp(fraction, Real(0), Real(1));
       const Real d_rho = to_0 - s * along_rho, d_z = up_0 - s * along_z;
       return std::sqrt(d_rho * d_rho + d_z * d_z);
     }
     const Real v_rho = at_rho - p.center_rho, v_z = at_z - p.center_z;
     const Real after = (p.rho_0 - p.center_rho) * v_z - (p.z_0 - p.center_z) * v_rho;
     const Real before = v_rho * (p.z_1 - p.center_z) - v_z * (p.rho_1 - p.center_rho);
-    if (p.turn * after >= 0 && p.turn * before >= 0) return std::abs(std::sqrt(v_rho * v_rho + v_z * v_z) - p.radius);
+    if (p.sense * after >= 0 && p.sense * before >= 0) return std::abs(std::sqrt(v_rho * v_rho + v_z * v_z) - p.radius);
     return std::sqrt(std::min(to_0 * to_0 + up_0 * up_0, to_1 * to_1 + up_1 * up_1));
   }
 };

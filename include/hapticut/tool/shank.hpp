@@ -6,16 +6,16 @@
 #include "hapticut/tool/head.hpp"
 
 /// @file
-/// What holds a cutting head: neck, shank and handpiece. All of it is smooth: it presses and rubs where it leans on the
-/// rim of a hole, and cuts only within the land of a cutting edge. It is part of the head's profile, so that the step
-/// asks one surface; docs/heads.md says what that costs.
+/// The parts that hold a cutting head: neck, shank and handpiece. They are smooth: they press and rub, for example on
+/// the rim of a hole, and cut only within the land of a cutting edge. They are part of the head's profile, so that the
+/// step handles one surface; docs/heads.md states the cost.
 namespace hapticut {
 
-/// A neck that begins at the head's end, and widens or narrows to a shank.
+/// A neck that begins at the end of the head and widens or narrows to a shank.
 struct Shank {
-  double neck_diameter = 0;  ///< [m] > 0, where it leaves the head; less than the head's diameter there
-  double neck_length = 0;    ///< [m] >= 0, of equal diameter, beyond the head's end
-  double taper_length = 0;   ///< [m] > 0 where the diameters differ: from the neck to the shank
+  double neck_diameter = 0;  ///< [m] > 0, where the neck leaves the head; less than the head's diameter there
+  double neck_length = 0;    ///< [m] >= 0, of the cylindrical part, from the head's end
+  double taper_length = 0;   ///< [m] from the neck to the shank; > 0 if their diameters differ
   double diameter = 0;       ///< [m] > 0, of the shank
   double length = 0;         ///< [m] of the whole tool, from the head's tip to the shank's end
 
@@ -24,8 +24,9 @@ struct Shank {
 
 constexpr auto fields_of(Of<Shank>) {
   return std::tuple{
-      field("neck_diameter", &Shank::neck_diameter, "m", Range::positive(), "where it leaves the head"),
-      field("neck_length", &Shank::neck_length, "m", Range::not_negative(), "of equal diameter, beyond the head's end"),
+      field("neck_diameter", &Shank::neck_diameter, "m", Range::positive(), "of the neck, where it leaves the head"),
+      field("neck_length", &Shank::neck_length, "m", Range::not_negative(),
+            "of the cylindrical part of the neck, from the head's end"),
       field("taper_length", &Shank::taper_length, "m", Range::not_negative(), "from the neck to the shank"),
       field("diameter", &Shank::diameter, "m", Range::positive(), "of the shank"),
       field("length", &Shank::length, "m", Range::positive(), "of the whole tool, from tip to end"),
@@ -48,19 +49,19 @@ constexpr auto names_of(Of<ShankKind>) {
   };
 }
 
-/// A standard shank. Necks have no standard: a taper of 4 mm after a neck of 2 mm is that of common burs.
+/// A standard shank. Necks have no standard: a neck of 2 mm and a taper of 4 mm are those of common burs.
 /// @param neck_diameter  [m] > 0
 [[nodiscard]] Shank standard_shank(ShankKind kind, double neck_diameter);
 
-/// A head with its neck and shank. Frame and cutting edges stay those of the head.
-/// @throws Error when the neck is not narrower than the head where it leaves it, or the tool not longer than head, neck
-///         and taper
+/// Adds neck and shank to a head. Frame and cutting edges stay those of the head.
+/// @throws Error if the neck is not narrower than the head where it leaves the head, or if the tool is not longer than
+///         head, neck and taper together
 [[nodiscard]] ToolHead on_shank(const ToolHead& head, const Shank& shank);
 
-/// A head with another body of revolution around its end, such as the nose of a handpiece.
-/// @param body  in the head's frame, begins on the axis inside of the head or its shank, and leaves it once; its kinds
-///              of edges do not matter
-/// @throws Error when it does not leave the head, or the two together are no profile
+/// Adds a body of revolution around the end of a head, such as the nose of a handpiece.
+/// @param body  in the head's frame; begins on the axis inside the head or its shank and leaves it once; all its edges
+///              become smooth
+/// @throws Error if the body does not leave the head, or if the two together are not a valid profile
 [[nodiscard]] ToolHead with_body(const ToolHead& head, const Profile& body);
 
 }  // namespace hapticut

@@ -18,51 +18,53 @@
 /// Each shape answers two questions:
 /// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
 ///   there pushes the material;
-/// * `margin(rho, z)`: a function that changes by at most one per unit of length and is positive exactly inside the
-///   head, used to skip whole blocks that the head cannot touch.
+/// * `margin(rho, z)` [m]: a function that changes by at most one per unit of length and is positive exactly inside the
+///   head; it serves to skip whole blocks that the head cannot touch.
 namespace hapticut {
 
-/// [1] How many times as fast as below a cutting surface the depth w grows below a smooth one: beta. So a wall presses
-/// on a smooth side before it is as deep below the cutting edges, and less of what the corner should have cut is left.
-/// 2 gives the thrust of a drill within 1 % where the layer is a fiftieth of its radius, and a side that is no stiffer
-/// than single precision and the coupling bear.
+/// [1] beta: the depth w grows beta times as fast below a smooth surface as below a cutting surface. A wall then
+/// presses on a smooth side earlier than on the cutting edges, and the corner leaves less uncut material. The value 2
+/// gives the thrust of a drill within 1 % if the layer is a fiftieth of the drill's radius. A larger value would make
+/// smooth sides too stiff for single precision and for the coupling.
 inline constexpr double kSmoothScale = 2;
 
-/// [m] w at a distance below a surface of a scale, 1 or kSmoothScale; outside it is the distance, whatever the surface,
-/// so that the nearest one has the material there.
+/// [m] Depth w at a distance below a surface with a scale of 1 or kSmoothScale. Outside, w equals the (negative)
+/// distance for either surface, so that the nearest surface decides there.
 template <class Real>
 [[nodiscard]] constexpr Real depth_below(Real distance, Real scale) {
   return std::max(distance, scale * distance);
 }
-/// [m] and back
+/// [m] Distance at a depth w: the inverse of `depth_below`.
 template <class Real>
 [[nodiscard]] constexpr Real distance_below(Real depth, Real scale) {
   return std::min(depth, depth / scale);
 }
 
-/// [m] Below a cutting and a smooth surface that meet in an edge; outside both it is the distance from the edge.
+/// [m] Depth below two surfaces, one cutting and one smooth, that meet in an edge; outside both, minus the distance
+/// from the edge.
 template <class Real>
 [[nodiscard]] Real depth_below_both(Real one, Real other) {
   return one < 0 && other < 0 ? -std::sqrt(one * one + other * other) : std::min(one, other);
 }
 
-/// The spring at one point, in the meridian plane; `Spring` is the same in space. The depth is that below the surface
-/// whose depth is least, w = min(distance from the cutting surface, beta distance from the smooth one): it is nothing
-/// on the whole surface, and continuous inside, so that forces along its gradient make no energy on any path.
+/// The spring at one point in the meridian plane; see `Spring` for the spring in space. The depth is the smaller of
+/// two: w = min(distance from the cutting surface, beta times distance from the smooth surface). It is zero on the
+/// whole surface and continuous inside, so that forces along its gradient produce no energy on any closed path.
 template <class Real>
 struct MeridianSpring {
-  Real depth;       ///< [m] depth w below the surface; <= 0: outside, no spring; as far outside, if near
+  Real depth;       ///< [m] w below the surface; <= 0: outside, no spring; near the surface, minus the distance
   Real n_radial;    ///< [1] component of n away from the axis
   Real n_axial;     ///< [1] component of n along +z; n is a unit vector from the tool into the material
-  Real smooth = 0;  ///< [m^2] 0: the surface cuts; else it is smooth, and this the square of the way to the next corner
-                    ///< with one that cuts
+  Real smooth = 0;  ///< [m^2] 0: the surface cuts; else it is smooth, and this is the squared distance from the nearest
+                    ///< corner with a cutting surface
 
   [[nodiscard]] bool on_smooth() const { return smooth > 0; }
-  /// [1] as Spring::scale
+  /// [1] Change of w per distance along n, as Spring::scale.
   [[nodiscard]] Real scale() const { return on_smooth() ? Real(kSmoothScale) : Real(1); }
 };
 
-/// [m^2] MeridianSpring::smooth of a point: never zero, so that the corner itself is smooth too.
+/// [m^2] MeridianSpring::smooth of a point at an offset from the corner. It is never zero, so that the corner itself
+/// counts as smooth.
 template <class Real>
 [[nodiscard]] Real square_from_corner(Real along_rho, Real along_z) {
   return along_rho * along_rho + along_z * along_z + Real(1e-24);
@@ -95,8 +97,8 @@ constexpr auto fields_of(Of<ConeHead>) {
 /// How a flat head chooses between its bottom disk and its side wall.
 enum class FlatRule {
   nearest,      ///< the surface with the smaller depth: continuous and conservative (default)
-  bottom_only,  ///< `w = z`, pushing along the axis, wherever the point is in the head: not conservative at the side
-  side_only,    ///< `w = R - rho`, pushing away from the axis, likewise: not conservative at bottom and top
+  bottom_only,  ///< `w = z` everywhere in the head, pushing along the axis: not conservative at the side
+  side_only,    ///< `w = R - rho` everywhere, pushing away from the axis: not conservative at bottom and top
   both          ///< the sum of the two springs
 };
 
@@ -110,8 +112,8 @@ constexpr auto names_of(Of<FlatRule>) {
   };
 }
 
-/// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall; the disk on top is smooth (`nearest`) or
-/// nothing. Frame origin = centre of the bottom disk.
+/// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall. The top disk is smooth with rule `nearest`
+/// and has no spring with the other rules. Frame origin = centre of the bottom disk.
 struct FlatHead {
   double radius;
   double height;
@@ -126,8 +128,8 @@ constexpr auto fields_of(Of<FlatHead>) {
   };
 }
 
-/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of your
-/// own offers the same two functions.
+/// The data of a sphere that the hot loop needs, in the precision of the loop. Each shape has such a struct with the
+/// functions `spring` and `margin`; so must a custom shape.
 template <class Real>
 struct SphereSprings {
   Real radius;
@@ -175,8 +177,8 @@ struct FlatSprings {
     } else if constexpr (kRule == FlatRule::side_only) {
       return {below_top && z > Real(0) ? side : Real(-1), Real(1), Real(0)};
     } else if constexpr (kRule == FlatRule::both) {
-      // Two springs in parallel, side * radial - z * axial, are one of depth |sum| along the sum, with the same stored
-      // energy: side^2/2 + z^2/2.
+      // Two parallel springs, side * radial - z * axial, equal one spring of depth |sum| along the sum with the same
+      // stored energy: side^2/2 + z^2/2.
       const Real depth = std::sqrt(side * side + z * z);
       const Real inverse = Real(1) / std::max(depth, Real(1e-12));
       return {margin(rho, z) > Real(0) ? depth : Real(-1), side * inverse, -z * inverse};

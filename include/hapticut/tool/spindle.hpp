@@ -11,11 +11,12 @@
 
 namespace hapticut {
 
-/// [rad/s] a million turns a minute: twice as fast as the fastest turbine, and where turns a minute were meant.
+/// [rad/s] A million rpm: twice the speed of the fastest turbine. A larger value is most likely an rpm value passed as
+/// rad/s.
 inline constexpr double kMaxSpindleSpeed = 1e6 * units::rpm;
 
-/// The motor that turns the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed whatever the cut
-/// takes; `common_spindle` has those of real handpieces.
+/// The motor that drives the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed under any load;
+/// `common_spindle` gives the limits of real handpieces.
 struct Spindle {
   AngularSpeed speed = {};
   double power_limit = std::numeric_limits<double>::infinity();
@@ -24,7 +25,7 @@ struct Spindle {
   double torque_limit = std::numeric_limits<double>::infinity();
   double rotor_inertia = 0;
 
-  /// Whether a load changes its speed.
+  /// Whether a load changes the speed.
   [[nodiscard]] bool is_limited() const {
     return droop > 0 || rotor_inertia > 0 || std::isfinite(power_limit) || std::isfinite(torque_limit);
   }
@@ -33,25 +34,24 @@ struct Spindle {
 constexpr auto fields_of(Of<Spindle>) {
   return std::tuple{
       field("speed", &Spindle::speed, "rad/s", Range::between(-kMaxSpindleSpeed, kMaxSpindleSpeed),
-            "signed about +z of T; 0: it stands and nothing is cut"),
+            "signed about +z of T; 0: the spindle is at rest and cuts nothing"),
       field("power_limit", &Spindle::power_limit, "W", Range::limit(), "above it the spindle slows down"),
       field("acceleration_limit", &Spindle::acceleration_limit, "rad/s^2", Range::limit(),
-            "a new speed is reached on a ramp of this slope"),
+            "slope of the ramp to a new speed"),
       field("droop", &Spindle::droop, "rad/(s N m)", Range::not_negative(),
-            "speed lost per load torque, as of an air turbine, which stalls at speed/droop"),
+            "speed lost per load torque, as in an air turbine, which stalls at speed/droop"),
       field("torque_limit", &Spindle::torque_limit, "N m", Range::limit(), "a load above it stalls the spindle"),
       field("rotor_inertia", &Spindle::rotor_inertia, "kg m^2", Range::not_negative(),
-            "of all that turns, as the head turns; keeps the speed up for a moment, and runs down with it"),
+            "of all rotating parts, at the speed of the head; delays every change of the speed"),
   };
 }
 
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Spindle& spindle) {
   if (std::abs(spindle.speed) > kMaxSpindleSpeed && std::isfinite(spindle.speed))
-    throw Error(
-        "Spindle::speed [rad/s] = " + format_number(spindle.speed) + "; that is " +
-        format_number(spindle.speed / units::rpm) +
-        " turns a minute, and no spindle is faster than a million. Write 40000 * units::rpm for 40000 turns a minute.");
+    throw Error("Spindle::speed [rad/s] = " + format_number(spindle.speed) + "; that is " +
+                format_number(spindle.speed / units::rpm) +
+                " rpm, and no spindle is faster than a million rpm. Write 40000 * units::rpm for 40000 rpm.");
   require_fields_within(spindle, "Spindle::");
 }
 
@@ -59,10 +59,10 @@ inline void validate(const Spindle& spindle) {
 ///
 ///     J (omega - omega_0)/dt = min((|setting| - omega)/droop, torque_limit, power_limit/omega) - M
 ///
-/// is solved for omega at the end, so that a load meets no more torque and power than the motor has. A load that leaves
-/// less than a thousandth of the setting stalls it, and it stands until the load falls below `stall_torque`. A rise of
-/// the speed, and a new setting, take the ramp of the acceleration limit, through zero where the setting changes sign;
-/// a load slows the spindle down at once, but for the inertia.
+/// is solved for omega at the end of the sub-step, so that the motor never exceeds its torque and power. If the load
+/// leaves less than a thousandth of the setting, the spindle stalls; it is then at rest until the load falls below
+/// `stall_torque`. A rise of the speed, and a new setting, follow the ramp of the acceleration limit, through zero if
+/// the setting changes sign. A load slows the spindle down at once, unless the rotor has inertia.
 class SpindleMotor {
  public:
   explicit SpindleMotor(const Spindle& spindle)
@@ -72,7 +72,7 @@ class SpindleMotor {
         ramped_(spindle.speed),
         speed_(spindle.speed) {}
 
-  /// Asks for a speed. Reached at once without an acceleration limit, a torque limit and inertia.
+  /// Sets the demanded speed [rad/s]. It is reached at once without an acceleration limit and without inertia.
   void set(double setting) noexcept {
     setting_ = setting;
     if (!std::isinf(spindle_.acceleration_limit)) return;
@@ -80,13 +80,13 @@ class SpindleMotor {
     if (spindle_.rotor_inertia == 0) start_ = speed_ = setting, stalled_ = false;
   }
 
-  /// Stands, whatever its ramp; the setting is 0.
+  /// Stops at once, without a ramp; the setting is then 0.
   void halt() noexcept {
     setting_ = start_ = ramped_ = speed_ = 0;
     loaded_ = stalled_ = false;
   }
 
-  /// The speed in a sub-step that takes a torque. May be asked again for the same sub-step with another torque.
+  /// Finds the speed in a sub-step with a load torque. May be called again for the same sub-step with another torque.
   /// @param torque  [N·m] about +z; a load that brakes has the sign of the speed
   /// @param dt      [s] of the sub-step
   /// @realtime no allocation, no lock; O(1)
@@ -99,19 +99,19 @@ class SpindleMotor {
     double speed = target;
     if (spindle_.rotor_inertia > 0) {
       speed = with_inertia(before, load, target, dt);
-    } else if (!runs_down) {  // running down it may be faster than its new setting allows
+    } else if (!runs_down) {  // while running down it may be faster than its new setting
       speed = std::min(target, sustained(load));
     }
     if (load > 0 && !runs_down) {
       const double full = std::min(std::abs(setting_), target);
-      stalled_ = full > 0 && speed <= kStalledShare * full && load > (1 - kStalledShare) * stall_torque();
-      loaded_ = stalled_ || (speed < kLoadedShare * full && before >= speed) || is_at_limit(load, speed);
+      stalled_ = full > 0 && speed <= kStalledFraction * full && load > (1 - kStalledFraction) * stall_torque();
+      loaded_ = stalled_ || (speed < kLoadedFraction * full && before >= speed) || is_at_limit(load, speed);
     }
     speed_ = stalled_ ? 0 : sign * speed;
   }
 
-  /// The sub-step is over, in which the motor had to deliver `torque`: the ramp goes on, and `speed` is that of the
-  /// coming sub-step, if that takes the same.
+  /// Ends a sub-step in which the motor delivered `torque` [N·m]: continues the ramp, and sets `speed` to that of the
+  /// next sub-step for the same torque.
   void advance(double torque, double dt) noexcept {
     start_ = speed_;
     const double reach = spindle_.acceleration_limit * dt;
@@ -119,60 +119,62 @@ class SpindleMotor {
     drive(torque, dt);
   }
 
-  [[nodiscard]] double speed() const { return speed_; }  ///< [rad/s] of the sub-step; 0 where it is stalled
-  [[nodiscard]] AngularSpeed setting() const { return AngularSpeed::in_rad_per_s(setting_); }  ///< asked for
+  [[nodiscard]] double speed() const { return speed_; }  ///< [rad/s] of the sub-step; 0 when stalled
+  [[nodiscard]] AngularSpeed setting() const { return AngularSpeed::in_rad_per_s(setting_); }  ///< demanded speed
   [[nodiscard]] bool is_limited() const { return spindle_.is_limited(); }
 
-  /// Whether it runs at its power or torque limit, or below the half of its setting, where a line of droop has its
-  /// largest power: more load stalls it.
+  /// Whether the motor is at its power or torque limit, or below half of its setting, where a motor with droop has its
+  /// largest power. More load stalls it.
   [[nodiscard]] bool loaded() const { return loaded_; }
-  [[nodiscard]] bool stalled() const { return stalled_; }  ///< the load holds it
+  [[nodiscard]] bool stalled() const { return stalled_; }  ///< the load stops it
 
-  /// [N·m] that it has while it stands; infinite without droop and torque limit.
+  /// [N·m] Torque of the motor at rest; infinite without droop and torque limit.
   [[nodiscard]] double stall_torque() const {
     const double line =
         spindle_.droop > 0 ? std::abs(setting_) / spindle_.droop : std::numeric_limits<double>::infinity();
     return std::min(line, spindle_.torque_limit);
   }
 
-  /// Whether a load of twice `torque` [N·m] would still leave it below its limits, and its speed above the half of the
-  /// setting. Then what it takes now is nearly what it takes a sub-step later, and else it may be far more than it has.
+  /// Whether the motor stays below its limits, and above half of its setting, under twice the load `torque` [N·m]. Then
+  /// the torque of the next sub-step will be close to the present one; otherwise it may exceed the limits by far.
   [[nodiscard]] bool has_reserve(double torque) const {
     const double load = 2 * std::abs(torque), speed = std::abs(setting_) - spindle_.droop * load;
-    return setting_ == 0 || (speed > kLoadedShare * std::abs(setting_) && load < spindle_.torque_limit &&
+    return setting_ == 0 || (speed > kLoadedFraction * std::abs(setting_) && load < spindle_.torque_limit &&
                              load * speed < spindle_.power_limit);
   }
 
-  static constexpr double kStalledShare = 1e-3;  ///< [1] of the setting, below which a load stalls the spindle
-  static constexpr double kLoadedShare = 0.5;    ///< [1] of the setting, where a line of droop has its largest power
+  static constexpr double kStalledFraction = 1e-3;  ///< [1] of the setting; below it a load stalls the spindle
+  static constexpr double kLoadedFraction =
+      0.5;  ///< [1] of the setting; a motor with droop has its largest power there
 
  private:
-  /// [rad/s] at which the motor without inertia has the torque `load`.
+  /// [rad/s] Speed at which the motor, without inertia, balances the torque `load`.
   [[nodiscard]] double sustained(double load) const {
     if (load > spindle_.torque_limit) return 0;
-    const double least = 1e-12;  // [N·m] no load at all
-    return std::max(0.0,
-                    std::min(std::abs(setting_) - spindle_.droop * load, spindle_.power_limit / std::max(load, least)));
+    const double min_load = 1e-12;  // [N·m] practically no load
+    return std::max(
+        0.0, std::min(std::abs(setting_) - spindle_.droop * load, spindle_.power_limit / std::max(load, min_load)));
   }
 
-  /// The same with inertia: the least of where the line, the torque limit and the power limit lead to, for each falls
-  /// with the speed.
+  /// [rad/s] Speed at the end of the sub-step with inertia: the smallest of the speeds that droop, torque limit and
+  /// power limit lead to, since the torque of each falls with the speed.
   [[nodiscard]] double with_inertia(double before, double load, double target, double dt) const {
-    const double inertia = spindle_.rotor_inertia / dt, most = spindle_.torque_limit;  // [N m s]
-    if (before < 0) {  // turns the other way still: motor and load brake it
-      const double line = spindle_.droop > 0 ? (target - before) / spindle_.droop : most;
-      return std::min(0.0, before + (std::min(most, line) + load) / inertia);
+    const double inertia = spindle_.rotor_inertia / dt;  // [N m s]
+    const double max_torque = spindle_.torque_limit;
+    if (before < 0) {  // still rotates in the opposite direction: motor and load brake it
+      const double line = spindle_.droop > 0 ? (target - before) / spindle_.droop : max_torque;
+      return std::min(0.0, before + (std::min(max_torque, line) + load) / inertia);
     }
     const double line = spindle_.droop > 0
                             ? (target - spindle_.droop * (load - inertia * before)) / (1 + spindle_.droop * inertia)
                             : target;
-    const double by_torque = before + (most - load) / inertia;
+    const double by_torque = before + (max_torque - load) / inertia;
     double speed = std::min(line, by_torque);
     if (std::isfinite(spindle_.power_limit)) {
       const double half = 0.5 * (load / inertia - before);
       speed = std::min(speed, -half + std::sqrt(half * half + spindle_.power_limit / inertia));
     }
-    return std::max({0.0, speed, before - (most + load) / inertia});
+    return std::max({0.0, speed, before - (max_torque + load) / inertia});
   }
 
   [[nodiscard]] bool is_at_limit(double load, double speed) const {
@@ -180,7 +182,7 @@ class SpindleMotor {
   }
 
   Spindle spindle_;
-  double setting_, start_, ramped_, speed_;  // [rad/s]; start_: at the end of the sub-step before
+  double setting_, start_, ramped_, speed_;  // [rad/s]; start_: at the end of the previous sub-step
   bool loaded_ = false, stalled_ = false;
 };
 

@@ -14,9 +14,9 @@
 
 namespace hapticut {
 
-/// What a head cuts with where nobody says: a twist drill, where a point cuts and the side above it is smooth, as that
-/// of `twist_drill_head`; else a carbide bur.
-// Not inline, where GCC 12 sees the profile of a ball, and takes it for used without a value.
+/// The default cutter of a head: a twist drill if only a conical point cuts and the side above it is smooth, as in
+/// `twist_drill_head`; else a carbide bur.
+// Not inlined: GCC 12 would otherwise warn that the profile of a ball is used uninitialised.
 [[nodiscard, gnu::noinline]] inline Cutter usual_cutter(const ToolHead& head) {
   const auto* shape = std::get_if<ProfileHead>(&head.shape());
   if (shape == nullptr) return {};
@@ -28,15 +28,15 @@ namespace hapticut {
   return {points && smooth_above ? CutterKind::twist_drill : CutterKind::carbide_bur};
 }
 
-/// What the hand holds: a head on a handle, turned by a spindle. An immutable description, checked when it is made.
+/// The tool in the hand: a head on a handle, driven by a spindle. Immutable; the constructor checks all values.
 class Tool {
  public:
   /// `Tool(SphereHead{1 * mm}, RayHandle{20 * mm}, Spindle{40000 * rpm})`
-  /// @param handle   by default none: the pose of the hand is that of the head, and no lever turns force into torque
-  /// @param spindle  by default it stands: the head presses and rubs, and cuts nothing (StepStatus::spindle_stands)
+  /// @param handle   by default none: the pose of the hand is the pose of the head, and there is no lever arm
+  /// @param spindle  by default at rest: the head presses and rubs, but cuts nothing (StepStatus::spindle_stands)
   /// @param cutter   by default that of `usual_cutter`
-  /// @throws Error when a dimension of the head or handle, a number of the spindle or the lips are out of range, or a
-  /// size must have been meant in millimetres
+  /// @throws Error if a dimension of the head or handle, a value of the spindle or the number of lips is out of range,
+  ///         or if a size must have been meant in millimetres
   explicit Tool(ToolHead head, Handle handle = RayHandle{0}, Spindle spindle = {}, std::optional<Cutter> cutter = {})
       : head_(std::move(head)),
         handle_(handle),
@@ -46,7 +46,7 @@ class Tool {
     validate(spindle_);
     validate(cutter_);
     cutter_.lips = lips_of(cutter_);
-    constexpr double kMaxHandleReach = 5;  // [m] whoever holds it
+    constexpr double kMaxHandleReach = 5;  // [m]
     require_metres(head_.reach(), kMaxHeadReach, "reach of the head [m]");
     require_metres(X_HT_.translation.norm(), kMaxHandleReach, "length of the handle [m]");
   }
@@ -54,7 +54,7 @@ class Tool {
   [[nodiscard]] const ToolHead& head() const { return head_; }
   [[nodiscard]] const Handle& handle() const { return handle_; }
   [[nodiscard]] const Spindle& spindle() const { return spindle_; }
-  [[nodiscard]] const Cutter& cutter() const { return cutter_; }  ///< lips too, where they were not given
+  [[nodiscard]] const Cutter& cutter() const { return cutter_; }  ///< with the number of lips, even if it was not given
   [[nodiscard]] const Pose& X_HT() const { return X_HT_; }        ///< pose of the head in the handle frame
 
  private:

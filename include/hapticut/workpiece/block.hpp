@@ -10,8 +10,8 @@
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
-/// A block: 8 x 8 x 8 voxels, the unit of storage and of work. It is one leaf of the OpenVDB trees that hold the
-/// workpiece, seen without OpenVDB.
+/// A block: 8 x 8 x 8 voxels, the unit of storage and of work. A block is one leaf of the OpenVDB trees that hold the
+/// workpiece; this file describes it without OpenVDB.
 namespace hapticut {
 
 inline constexpr int kBlockEdge = 8;                                       ///< voxels along an edge
@@ -19,13 +19,13 @@ inline constexpr int kBlockVoxels = kBlockEdge * kBlockEdge * kBlockEdge;  ///< 
 
 using VoxelIndex = std::array<int, 3>;
 
-/// Place of voxel (x, y, z) of a block, 0 <= x, y, z < 8, in the block's arrays: z runs fastest.
+/// Place of voxel (x, y, z) of a block, 0 <= x, y, z < 8, in the block's arrays: z is the fastest index.
 [[nodiscard]] constexpr int block_offset(int x, int y, int z) { return (x << 6) | (y << 3) | z; }
 
-/// The other way: (x, y, z) of the voxel at a place of the arrays.
+/// The inverse of `block_offset`: (x, y, z) of the voxel at a place of the arrays.
 [[nodiscard]] constexpr VoxelIndex place_in_block(int voxel) { return {voxel >> 6, voxel >> 3 & 7, voxel & 7}; }
 
-/// Index of a voxel of the block that begins at `origin`.
+/// Index in the grid of a voxel of the block that begins at `origin`.
 [[nodiscard]] constexpr VoxelIndex voxel_at(const VoxelIndex& origin, int voxel) {
   const VoxelIndex place = place_in_block(voxel);
   return {origin[0] + place[0], origin[1] + place[1], origin[2] + place[2]};
@@ -56,9 +56,9 @@ struct GridFrame {
   }
 };
 
-/// Where the filled part of a partly filled voxel has its centroid, relative to the voxel's centre, in steps of 1/1024
-/// of a voxel edge: laws that are asked at points take its force there, to the error of the midpoint rule and without
-/// ripple (docs/decisions/0002-quadrature.md). The default law integrates over the filled part instead.
+/// Centroid of the filled part of a voxel, relative to the voxel's centre, in steps of 1/1024 of a voxel edge. Laws
+/// that are evaluated at points use it as quadrature point: the error is that of the midpoint rule, without ripple
+/// (docs/decisions/0002-quadrature.md). The default law integrates over the filled part instead.
 struct CentroidOffset {
   static constexpr int kSteps = 1024;  ///< steps per voxel edge
   std::array<std::int16_t, 3> steps = {0, 0, 0};
@@ -72,8 +72,7 @@ struct CentroidOffset {
     return {{round(offset.x()), round(offset.y()), round(offset.z())}};
   }
 
-  /// Three 10-bit numbers in one word, as stored; 0 is the centre. Half an edge is clipped by one step at the upper
-  /// end.
+  /// Three 10-bit numbers in one word, as stored; 0 is the centre. An offset of +0.5 is clipped by one step.
   [[nodiscard]] std::uint32_t packed() const {
     const auto field = [](int v) { return std::uint32_t(v > 511 ? 511 : v) & 0x3ffu; };
     return field(steps[0]) | field(steps[1]) << 10 | field(steps[2]) << 20;
@@ -85,14 +84,14 @@ struct CentroidOffset {
   [[nodiscard]] bool operator==(const CentroidOffset&) const = default;
 };
 
-/// Everything that one block holds, written by builders and read back by exporters: plain arrays, 512 entries each.
+/// The content of one block, written by builders and read by exporters: plain arrays, 512 entries each.
 struct BlockContent {
-  std::array<MaterialId, kBlockVoxels> material;      ///< kEmpty where there is nothing
+  std::array<MaterialId, kBlockVoxels> material;      ///< kEmpty in empty voxels
   std::array<float, kBlockVoxels> fill;               ///< [1] filled fraction, 0 ... 1; 0 where material is kEmpty
   std::array<CentroidOffset, kBlockVoxels> centroid;  ///< of the filled part; zero in full and empty voxels
 };
 
-/// What kind of block a builder delivers: a uniform one needs no arrays.
+/// The kind of block that a builder returns: a uniform block needs no arrays.
 struct BlockKind {
   bool uniform = true;           ///< every voxel is full of `material`, or the whole block is empty (kEmpty)
   MaterialId material = kEmpty;  ///< only for uniform blocks
@@ -102,11 +101,11 @@ struct BlockKind {
   [[nodiscard]] static BlockKind mixed() { return {false, kEmpty}; }
 };
 
-/// One block of a workpiece as the step reads it. Null pointers say that all 512 entries are alike, so that homogeneous
-/// interiors need no memory.
+/// One block of a workpiece as the step reads it. A null pointer means that all 512 entries are equal, so that
+/// homogeneous interiors need no memory.
 struct BlockView {
   VoxelIndex origin = {0, 0, 0};           ///< index of the block's first voxel
-  MaterialId uniform_material = kEmpty;    ///< of every voxel, where `material` is null
+  MaterialId uniform_material = kEmpty;    ///< of every voxel, if `material` is null
   const MaterialId* material = nullptr;    ///< [512] or null: uniform
   const std::uint64_t* solid = nullptr;    ///< 8 words, bit `block_offset`: not yet empty; null with `material`
   const float* fill = nullptr;             ///< [512] filled fractions or null: every solid voxel is full
@@ -116,12 +115,12 @@ struct BlockView {
 
   /// Whether voxel `block_offset` is not yet empty.
   [[nodiscard]] bool is_solid(int voxel) const { return solid == nullptr ? !empty() : BlockMask::has(solid, voxel); }
-  /// kEmpty where there is nothing.
+  /// Material of a voxel; kEmpty if the voxel is empty.
   [[nodiscard]] MaterialId material_of(int voxel) const {
     if (!is_solid(voxel)) return kEmpty;
     return material != nullptr ? material[voxel] : uniform_material;
   }
-  /// [1] filled fraction; 0 where there is nothing.
+  /// [1] Filled fraction of a voxel; 0 if the voxel is empty.
   [[nodiscard]] float fill_of(int voxel) const {
     if (fill != nullptr) return fill[voxel];
     return is_solid(voxel) ? 1.0F : 0.0F;
@@ -134,7 +133,7 @@ struct BlockView {
     std::copy_n(solid, mask.words.size(), mask.words.begin());
     return mask;
   }
-  /// Those of them that are filled at least so much.
+  /// The voxels that are not yet empty and filled to at least `min_fill` [1].
   [[nodiscard]] BlockMask filled_voxels(float min_fill) const {
     BlockMask mask = solid_voxels();
     if (fill == nullptr) return mask;
@@ -146,9 +145,9 @@ struct BlockView {
     return mask;
   }
 
-  /// Writes out what every voxel holds.
-  /// @param material_of_each  [512] kEmpty where there is nothing
-  /// @param fill_of_each      [512] 0 where there is nothing
+  /// Copies material and fill of every voxel.
+  /// @param material_of_each  [512] kEmpty in empty voxels
+  /// @param fill_of_each      [512] 0 in empty voxels
   void copy_to(std::array<MaterialId, kBlockVoxels>& material_of_each,
                std::array<float, kBlockVoxels>& fill_of_each) const {
     material_of_each.fill(kEmpty);
@@ -160,10 +159,10 @@ struct BlockView {
   }
 };
 
-/// The same with access to its fills, for code that cuts.
+/// A block with write access to its fills, for code that cuts.
 struct CuttableBlock {
   BlockView view;
-  float* fill = nullptr;  ///< [512] the fills that `view.fill` shows; null where the block has no fills of its own yet
+  float* fill = nullptr;  ///< [512] the fills of `view.fill`; null if the block has no array of fills yet
 };
 
 }  // namespace hapticut

@@ -11,7 +11,7 @@
 
 namespace hapticut {
 
-/// The voxels that both boxes have.
+/// The voxels that are in both boxes.
 [[nodiscard]] inline IndexBox overlap(const IndexBox& a, const IndexBox& b) {
   IndexBox both;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -21,12 +21,12 @@ namespace hapticut {
   return both;
 }
 
-/// Those of the block that begins at `origin`.
+/// The voxels of the block that begins at `origin`.
 [[nodiscard]] constexpr IndexBox voxels_of_block(const VoxelIndex& origin) {
   return {origin, voxel_at(origin, kBlockVoxels - 1)};
 }
 
-/// Calls `function(index)` for each voxel of a box; z runs fastest.
+/// Calls `function(index)` for each voxel of a box; z is the fastest index.
 template <class Function>
 void for_each_voxel(const IndexBox& voxels, const Function& function) {
   for (int i = voxels.min[0]; i <= voxels.max[0]; ++i)
@@ -34,7 +34,7 @@ void for_each_voxel(const IndexBox& voxels, const Function& function) {
       for (int k = voxels.min[2]; k <= voxels.max[2]; ++k) function(VoxelIndex{i, j, k});
 }
 
-/// Calls `function(origin)` for each block that a box of voxels touches; z runs fastest.
+/// Calls `function(origin)` for each block that a box of voxels touches; z is the fastest index.
 template <class Function>
 void for_each_block_origin(const IndexBox& voxels, const Function& function) {
   if (voxels.empty()) return;
@@ -43,7 +43,7 @@ void for_each_block_origin(const IndexBox& voxels, const Function& function) {
       for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) function(VoxelIndex{i, j, k});
 }
 
-/// Some voxels of one block.
+/// A set of voxels of one block.
 struct BlockVoxels {
   VoxelIndex origin = {0, 0, 0};  ///< of the block's first voxel
   BlockMask voxels;
@@ -53,17 +53,17 @@ struct BlockVoxels {
 
 inline constexpr int kSides = 6;  ///< of a block: -x, +x, -y, +y, -z, +z
 
-/// Origin of the block at a side.
+/// Origin of the neighbouring block at a side.
 [[nodiscard]] inline VoxelIndex beside(VoxelIndex origin, int side) noexcept {
   origin[std::size_t(side / 2)] += side % 2 == 0 ? -kBlockEdge : kBlockEdge;
   return origin;
 }
 
-/// The blocks that a box of voxels touches, numbered from 0 in the order of `for_each_block_origin`, for tables of
-/// them.
+/// The blocks that a box of voxels touches, numbered from 0 in the order of `for_each_block_origin`, as index for
+/// tables of blocks.
 class BlockGrid {
  public:
-  BlockGrid() = default;  ///< of no block
+  BlockGrid() = default;  ///< without blocks
   explicit BlockGrid(const IndexBox& voxels) {
     if (voxels.empty()) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -75,10 +75,10 @@ class BlockGrid {
   [[nodiscard]] const VoxelIndex& first() const { return first_; }        ///< origin of the first block
   [[nodiscard]] const std::array<int, 3>& dims() const { return dims_; }  ///< blocks along each axis
 
-  /// How many there are: a number that fits a table only after it was looked at.
+  /// The number of blocks. It is a double, because it may be too large for an index: check it before making a table.
   [[nodiscard]] double count() const { return double(dims_[0]) * dims_[1] * dims_[2]; }
 
-  /// @return nothing for a block that is not among them
+  /// Number of a block.  @return nothing for a block outside the grid
   [[nodiscard]] std::optional<std::size_t> number_of(const VoxelIndex& origin) const noexcept {
     std::size_t number = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -9,7 +9,7 @@
 
 namespace hapticut {
 
-/// Some of the 512 voxels of a block, each named by its `block_offset`, and which of them touch which by a face.
+/// A set of the 512 voxels of a block, each named by its `block_offset`, with operations on voxels that share a face.
 struct BlockMask {
   std::array<std::uint64_t, 8> words = {};  ///< word x, bit 8 y + z
 
@@ -33,7 +33,7 @@ struct BlockMask {
     return voxels;
   }
 
-  /// Calls `function(voxel)` for each, in their order.
+  /// Calls `function(voxel)` for each voxel of the set, in their order.
   template <class Function>
   constexpr void for_each(const Function& function) const {
     for (int x = 0; x < 8; ++x)
@@ -41,7 +41,8 @@ struct BlockMask {
         function(64 * x + std::countr_zero(bits));
   }
 
-  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const = default;  // NOLINT(modernize-use-nullptr): none
+  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const =
+      default;  // NOLINT(modernize-use-nullptr): a false alarm
   [[nodiscard]] friend constexpr BlockMask operator&(BlockMask a, const BlockMask& b) {
     for (std::size_t x = 0; x < 8; ++x) a.words[x] &= b.words[x];
     return a;
@@ -56,7 +57,7 @@ struct BlockMask {
     return rest;
   }
 
-  /// The first voxel alone.  @pre there is one
+  /// The first voxel alone.  @pre the set is not empty
   [[nodiscard]] constexpr BlockMask first() const {
     BlockMask one;
     std::size_t x = 0;
@@ -65,7 +66,7 @@ struct BlockMask {
     return one;
   }
 
-  /// The voxels and those of the same block that share a face with one of them.
+  /// The voxels, and all voxels of the block that share a face with one of them.
   [[nodiscard]] constexpr BlockMask grown() const {
     BlockMask result;
     for (std::size_t x = 0; x < 8; ++x) {
@@ -77,7 +78,7 @@ struct BlockMask {
     return result;
   }
 
-  /// The voxels of `within` that faces join to one of these, inside the block.
+  /// The voxels of `within` that are connected to this set over faces, inside the block.
   [[nodiscard]] constexpr BlockMask joined(const BlockMask& within) const {
     BlockMask reached = *this & within;
     for (;;) {
@@ -87,7 +88,7 @@ struct BlockMask {
     }
   }
 
-  /// What touches the voxels in the block at one of the sides (`beside`), as voxels of that block.
+  /// The voxels of the neighbouring block at a side (`beside`) that touch voxels of this set.
   [[nodiscard]] constexpr BlockMask across(int side) const {
     BlockMask result;
     if (side == 0) result.words[7] = words[0];

@@ -6,8 +6,8 @@
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
-/// Workpieces from shapes. Surfaces are antialiased: a voxel that the surface cuts gets the fraction of it that is
-/// filled and the centroid of that part, by subsampling.
+/// Workpieces from shapes. Surfaces are antialiased: a voxel that the surface cuts gets its filled fraction and the
+/// centroid of the filled part, by subsampling.
 namespace hapticut {
 
 /// An axis-aligned box in W.
@@ -19,31 +19,34 @@ struct Box {
 /// A body described by functions of the position in W.
 struct BodyDescription {
   Box box;  ///< contains the whole body
-  /// [m] negative inside, positive outside; must not change faster than the position does (a distance, or a bound of
-  /// it).
+  /// [m] Signed distance, or a lower bound of its magnitude: negative inside, positive outside. It must change by at
+  /// most 1 m per metre.
   std::function<double(const Vec3& p_WQ)> distance;
-  /// Material at a point inside. Called from several threads at once.
+  /// Material at a point inside. Called from several threads at the same time.
   std::function<MaterialId(const Vec3& p_WQ)> material;
 };
 
 /// Builds any body described by functions.
-/// @param subsamples  rows per voxel edge added up in a voxel that the surface cuts, 1 ... 32; a face along the grid is
-///                    exact from 2 on; 1: voxels are full when their centre is inside, and empty otherwise
-/// @throws Error when the voxel size is not positive, the box is empty or not finite, or there would be too many voxels
+/// @param subsamples  rows per voxel edge that are summed in a voxel that the surface cuts, 1 ... 32. A face along the
+///                    grid is exact with 2 or more. With 1, a voxel is full if its centre is inside, and empty
+///                    otherwise
+/// @throws Error if the voxel size is not positive, the box is empty or not finite, or there would be too many voxels
 [[nodiscard]] Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTable materials,
                                    int subsamples = 8);
 
 /// A solid block. Voxel (i, j, k) is centred at `min + ((i+.5) h, (j+.5) h, (k+.5) h)`; a last row of voxels that the
-/// block fills only partly is filled by that fraction.
+/// block covers only partly is filled to that fraction.
 [[nodiscard]] Workpiece build_block(const Box& box, double voxel_size, Material material);
 
-/// A block made of horizontal layers, from the top down.
+/// One layer of `build_layered_slab`.
 struct Layer {
   Material material;
   double thickness;  ///< [m] > 0
 };
-/// @param top  upper face and horizontal extent: layers go down from `box.max.z`; below the last one there is nothing,
-///             and the box's own lower face cuts what would reach beyond it
+/// A slab of horizontal layers, from the top down.
+/// @param box     horizontal extent and upper face. Layers go down from `box.max.z` and end at `box.min.z`; below the
+///                last layer the slab is empty
+/// @param layers  from the top down
 [[nodiscard]] Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vector<Layer>& layers);
 
 /// A ball.

@@ -9,29 +9,29 @@
 
 namespace hapticut {
 
-/// What a sub-step made of the fills of one block.
+/// How a sub-step changed the fills of one block.
 struct BlockChange {
-  static constexpr int kStrip = 16;  ///< voxels of a strip: two rows, which follow each other in memory
+  static constexpr int kStrip = 16;  ///< voxels of a strip: two rows that are adjacent in memory
 
-  std::uint32_t strips = 0;  ///< bit n: some of the fills `kStrip * n ...` may have changed
-  bool any_emptied = false;  ///< some voxel is empty now
+  std::uint32_t strips = 0;  ///< bit n: fills of strip n, from `kStrip * n` on, may have changed
+  bool any_emptied = false;  ///< at least one voxel became empty
   BlockMask emptied;         ///< the voxels that became empty
 };
 
-/// What a force law left of the samples of one block.
-/// @param fill_after  [512] the fills of the changed strips are written here; may be `block.fill` itself
-/// @param removed     [voxels] filled volume that was removed is added here, by MaterialId
+/// Finds the changes that a force law made to the samples of one block.
+/// @param fill_after  [512] receives the fills of the changed strips; may be `block.fill` itself
+/// @param removed     [voxels] by MaterialId; the removed filled volume is added to it
 /// @realtime no allocation, no lock; O(samples)
 inline BlockChange find_changes(const ContactBlock& contact, const BlockView& block, float* fill_after,
                                 ByMaterial<double>& removed) noexcept {
   BlockChange change;
   for (int row = 0; row < contact.rows; ++row) {
-    float most = 0;
+    float max_removed = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
       const int n = row * kLanes + lane;
-      most = std::max(most, contact.fill[n] - contact.fill_after[n]);
+      max_removed = std::max(max_removed, contact.fill[n] - contact.fill_after[n]);
     }
-    if (!(most > 0)) continue;
+    if (!(max_removed > 0)) continue;
     const int first = contact.row[row] * kLanes, strip = first / BlockChange::kStrip;
     if ((change.strips >> strip & 1U) == 0) {
       change.strips |= 1U << strip;

@@ -13,16 +13,17 @@
 #include "hapticut/workpiece/cut_voxel.hpp"
 
 /// @file
-/// Stage `sample_contact`: the material of one block that lies inside the head, as a structure of arrays that stays in
-/// the first-level cache while the later stages work on it.
+/// Stage `sample_contact`: the material of one block inside the head, as a structure of arrays that fits the
+/// first-level cache during the later stages.
 namespace hapticut {
 
-/// A row: the eight voxels of a block that follow each other along z. All arrays are worked on row by row.
+/// Voxels in a row: the eight voxels of a block along z. All arrays are processed row by row.
 inline constexpr int kLanes = kBlockEdge;
 inline constexpr int kBlockRows = kBlockVoxels / kLanes;  ///< 64
 
-/// The samples of one block inside the head, in the tool frame T: the block's rows that hold any, eight lanes each. A
-/// lane whose voxel is empty or outside the head has fill 0 and depth 0, and so feels nothing and loses nothing.
+/// The samples of one block inside the head, in the tool frame T. The arrays hold the rows of the block that have at
+/// least one sample, eight lanes each. A lane whose voxel is empty or outside the head has fill 0 and depth 0, and
+/// therefore neither force nor removal.
 struct ContactBlock {
   /// One value per lane, aligned for the widest vectors.
   template <class Value>
@@ -33,7 +34,7 @@ struct ContactBlock {
   bool uniform = true;  ///< all samples are of `one_material`
   MaterialId one_material = kEmpty;
   bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is the centre's distance below the surface
-                           ///< whose w is least, and may be negative
+                           ///< with the smallest w, and may be negative
 
   std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
@@ -41,25 +42,25 @@ struct ContactBlock {
   Array<float> x, y, z;                       ///< [m] quadrature point, from the head's origin To
   Array<float> depth;                         ///< [m] w > 0, below the head's surface
   Array<float> normal_x, normal_y, normal_z;  ///< [1] n, from the tool into the material
-  Array<float> smooth;                        ///< [m^2] 0: of a surface that cuts; see MeridianSpring::smooth
+  Array<float> smooth;                        ///< [m^2] 0 at a cutting surface; see MeridianSpring::smooth
   Array<float> fill;                          ///< [1] phi before this sub-step
-  Array<float> top;                           ///< [m] greatest distance of the filled part; only when `sub_voxel`
-  Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
-  Array<float> immersed;                      ///< [1] filled part of the voxel that is inside the head, likewise
-  Array<float> exposed;                       ///< [voxel edges^2] of the head's surface in it; of points about so much
+  Array<float> top;                           ///< [m] largest distance of the filled part; only if `sub_voxel`
+  Array<float> max_component;                 ///< [1] largest |n_i| along the grid's axes; only if `sub_voxel`
+  Array<float> immersed;                      ///< [1] filled fraction inside the head; only if `sub_voxel`
+  Array<float> exposed;                       ///< [voxel edges^2] head surface in the voxel; approximate for points
   Array<MaterialId> material;                 ///< valid only when not `uniform`
 
   Array<float> force_x, force_y, force_z;  ///< [N] on the tool, written by the force law
   Array<float> fill_after;                 ///< [1] phi after this sub-step, written by the force law
 
-  /// Entries of the arrays in use.
+  /// Number of entries of the arrays in use.
   [[nodiscard]] int lanes() const { return rows * kLanes; }
   [[nodiscard]] MaterialId material_of(int n) const { return uniform ? one_material : material[std::size_t(n)]; }
-  /// [1] By how much w changes at entry n per distance along its normal.
+  /// [1] Change of w at entry n per distance along its normal.
   [[nodiscard]] float scale_of(int n) const { return smooth[std::size_t(n)] > 0 ? float(kSmoothScale) : 1.0F; }
 };
 
-/// Where the voxels of a grid are as seen from the head: voxel (i, j, k) is at `origin + i * step_x + ...` in T.
+/// The voxel grid in the frame T of the head: voxel (i, j, k) is at `origin + voxel_steps * (i, j, k)`.
 struct GridInHead {
   Vec3 origin;       ///< [m] centre of voxel (0,0,0) in T
   Mat3 voxel_steps;  ///< [m] columns: from one voxel to the next along i, j, k, in T
@@ -71,12 +72,13 @@ struct GridInHead {
   }
 };
 
-/// Where in a partly filled voxel its force is taken.
+/// How the force of a partly filled voxel is computed.
 enum class Quadrature {
-  automatic,  ///< sub_voxel for laws that integrate over parts of voxels, centroid for those asked at points (default)
-  centroid,   ///< at the centroid of the part that was filled when the workpiece was built
-  voxel_center,  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
-  sub_voxel      ///< integrated over the part that is filled, which the interface cuts off across n (VoxelSection)
+  automatic,     ///< sub_voxel for laws that integrate over parts of voxels, centroid for laws evaluated at points
+                 ///< (default)
+  centroid,      ///< at the centroid of the filled part, as it was when the workpiece was built
+  voxel_center,  ///< at the voxel's centre: equally exact on average, but the force ripples on surfaces along the grid
+  sub_voxel      ///< integrated over the filled part, which ends at a plane across n (VoxelSection)
 };
 
 constexpr auto names_of(Of<Quadrature>) {
@@ -89,7 +91,7 @@ constexpr auto names_of(Of<Quadrature>) {
   };
 }
 
-/// Whether the head may reach into a block at all: false only when it certainly does not.
+/// Whether the head may reach into a block; false only if it certainly does not.
 template <class Springs>
 [[nodiscard]] bool may_touch(const Springs& springs, const GridInHead& grid, const VoxelIndex& block_origin,
                              float voxel_size) {
@@ -101,7 +103,7 @@ template <class Springs>
   return springs.margin(rho, float(c.z())) > -reach;
 }
 
-/// Takes row `row` of the block, whose lanes have been written, into the contact, and notes its materials.
+/// Adds row `row` of the block, whose lanes have been written, to the contact, with its materials.
 inline void keep_row(const BlockView& block, int row, unsigned inside, ContactBlock& out) {
   if (block.material != nullptr) {
     const MaterialId* ids = block.material + row * kLanes;
@@ -159,8 +161,8 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       out.exposed[n] = spring.depth < size ? 1.0F : 0.0F;
       if (sub_voxel) {
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
-        out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kMinMaxNorm, 1.0F);
-        const VoxelSection<float> section(out.largest[n]);
+        out.max_component[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kMinMaxNorm, 1.0F);
+        const VoxelSection<float> section(out.max_component[n]);
         const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
         out.top[n] = is_inside ? top : 0.0F;

@@ -15,17 +15,17 @@
 
 namespace hapticut {
 
-/// Names a material of a workpiece; 0 means empty, materials are 1 ... 255.
+/// Number of a material of a workpiece, 1 ... 255; 0 means empty.
 using MaterialId = std::uint8_t;
 inline constexpr MaterialId kEmpty = 0;
 inline constexpr int kMaxMaterials = 255;
 
-/// One for each MaterialId, kEmpty among them.
+/// One entry for each MaterialId, including kEmpty.
 template <class T>
 using ByMaterial = std::array<T, kMaxMaterials + 1>;
 
-/// What a workpiece is made of. Constants of cutting belong to this material together with this kind of tool.
-/// What each number means, its unit and its range stand in the list below.
+/// A material of a workpiece. The cutting constants are valid for this material with one kind of cutter. The list below
+/// holds the meaning, unit and range of each number.
 struct Material {
   std::string name;
   double relative_stiffness = 1;
@@ -41,45 +41,47 @@ struct Material {
   double tangential_stiffness = 0;
   double density = 1000;
 
-  /// Presets say it, workpieces and recordings keep it, a scene has it from its tool; see StepStatus::other_cutter.
+  /// The kind of cutter that the cutting constants are for. Presets set it, workpieces and recordings keep it, and a
+  /// scene sets it from its tool; see StepStatus::other_cutter.
   std::optional<CutterKind> cutter = {};
 };
 
 namespace detail {
-/// [Pa] or [J/m^3], which are the same: a hundredth of an atmosphere. Less was meant in another unit.
+/// [Pa] or [J/m^3], which are equal units: a hundredth of an atmosphere. Smaller values were meant in another unit.
 inline constexpr double kMinPressure = 1e3;
 }  // namespace detail
 
-/// A new number of a material is a member above and a line here; files, settings, Python and checks follow. In files
-/// that are older than the number it has its default.
+/// To add a number to materials, add a member above and a line here; files, settings, Python and checks follow. A file
+/// that is older than the number gives it its default.
 ///
-/// The contact is computed in single precision: the upper ends are far beyond any material, and what follows from them
-/// is still finite.
+/// The contact is computed in single precision. The upper limits are far beyond any real material, and all results at
+/// the limits are still finite.
 constexpr auto fields_of(Of<Material>) {
   using M = Material;
   return std::tuple{
       field("name", &M::name, "unique within a workpiece, not empty"),
       field("relative_stiffness", &M::relative_stiffness, "1", Range::positive(),
-            "foundation stiffness over the simulation's reference"),
+            "foundation stiffness over the simulation's reference_stiffness"),
       field("damping", &M::damping, "s/m", Range::between(0, 1e6), "Hunt-Crossley factor chi"),
       field("cutting_ratio", &M::cutting_ratio, "1", Range::between(0, 1e6),
             "kappa, tangential over normal force of the spinning head"),
       field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(detail::kMinPressure, 1e18),
             "u, energy to cut away"),
-      field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e, below which nothing is cut"),
+      field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e: below this pressure nothing is cut"),
       field("edge_length", &M::edge_length, "m", Range::between(0, 0.01),
-            "h_e: a lip ploughs with u h_e per length, which takes nothing away"),
+            "h_e: ploughing of a lip costs u h_e per length and removes nothing"),
       field("size_length", &M::size_length, "m", Range::between(0, 0.01),
-            "h_s: chips of thickness h take u sqrt(h_s/h) more energy"),
+            "h_s: chips of thickness h cost u sqrt(h_s/h) more energy"),
       field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
-            "sigma: pressure that crushes it under any head; 0: it is never crushed"),
+            "sigma: pressure that crushes the material under any head; 0: it is never crushed"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),
-            "of the standing spindle, not below dynamic_friction"),
-      field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "of the standing spindle"),
+            "with the spindle at rest, not below dynamic_friction"),
+      field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "with the spindle at rest"),
       field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::not_negative(),
-            "of the sticking anchor; 0: as the contact has along its normals"),
+            "of the sticking anchor; 0: that of the contact along its normals"),
       field("density", &M::density, "kg/m^3", Range::positive(), "mass over volume"),
-      field("cutter", &M::cutter, "kind that the constants of cutting are for; none: not known, and not compared"),
+      field("cutter", &M::cutter,
+            "kind of cutter that the cutting constants are for; none: not known, and not checked"),
   };
 }
 
@@ -91,11 +93,11 @@ inline void validate(const Material& material) {
                                        std::pair("edge_pressure", material.edge_pressure)})
     if (pressure > 0 && pressure < detail::kMinPressure)
       throw Error(prefix + name + " = " + format_number(pressure) + "; must be 0 or at least " +
-                  format_number(detail::kMinPressure) + ", for it is in Pa: 150 MPa are 150e6.");
+                  format_number(detail::kMinPressure) + ". The unit is Pa: 150 MPa are 150e6.");
   const double u = material.specific_cutting_energy;
   if (u > 0 && u < detail::kMinPressure)
     throw Error(prefix + "specific_cutting_energy = " + format_number(u) + "; must be at least " +
-                format_number(detail::kMinPressure) + ", for it is in J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
+                format_number(detail::kMinPressure) + ". The unit is J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
   require_fields_within(material, prefix);
   if (material.dynamic_friction > material.static_friction)
     throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +
@@ -114,11 +116,11 @@ class MaterialTable {
   }
 
   /// Adds a material and returns its id: 1 for the first.
-  /// @throws Error as above
+  /// @throws Error when the material is invalid, its name is in the table already, or the table has 255 materials
   MaterialId add(Material material) {
     validate(material);
     if (materials_.size() >= std::size_t(kMaxMaterials))
-      throw Error("a workpiece can have at most 255 materials; material '" + material.name + "' would be one more.");
+      throw Error("a workpiece can have at most 255 materials; material '" + material.name + "' exceeds that.");
     for (const Material& other : materials_)
       if (other.name == material.name)
         throw Error("material '" + material.name + "' is already in the table; names must be unique.");
@@ -129,12 +131,12 @@ class MaterialTable {
   [[nodiscard]] int size() const { return int(materials_.size()); }
   [[nodiscard]] bool contains(MaterialId id) const noexcept { return id >= 1 && id <= materials_.size(); }
 
-  /// null when there is no such id.
+  /// The material of an id; null when there is no such id.
   [[nodiscard]] const Material* find(MaterialId id) const noexcept {
     return contains(id) ? &materials_[id - 1U] : nullptr;
   }
 
-  /// @throws Error when there is no such id
+  /// The material of an id.  @throws Error when there is no such id
   [[nodiscard]] const Material& operator[](MaterialId id) const {
     if (!contains(id))
       throw Error("there is no material " + std::to_string(int(id)) + "; the table has materials 1 to " +
@@ -142,7 +144,7 @@ class MaterialTable {
     return materials_[id - 1U];
   }
 
-  /// @throws Error when there is no such name
+  /// The id of a name.  @throws Error when there is no such name
   [[nodiscard]] MaterialId id_of(std::string_view name) const {
     std::string known;
     for (std::size_t i = 0; i < materials_.size(); ++i) {
@@ -152,7 +154,7 @@ class MaterialTable {
     throw Error("there is no material '" + std::string(name) + "'; the table has: " + known + ".");
   }
 
-  /// In the order of their ids, from 1.
+  /// All materials in the order of their ids, from 1.
   [[nodiscard]] const std::vector<Material>& all() const { return materials_; }
 
  private:

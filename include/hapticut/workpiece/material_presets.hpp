@@ -9,37 +9,38 @@
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
-/// Ready-made materials, each as a kind of cutter meets it: the kind that the Tool is given too, whose lips make the
-/// chips (`lips_of`). `docs/materials.md` holds the same numbers as tables, where each comes from, how far it
-/// can be trusted, and what it predicts beside what others measured.
+/// Ready-made materials. Cutting constants depend on the kind of cutter: give a preset the kind of the Tool, whose lips
+/// make the chips (`lips_of`). `docs/materials.md` holds the numbers as tables, with their sources and uncertainty, and
+/// compares their predictions with measurements of others.
 ///
-/// Of what is hard, energy is that of dentin under the cutter times a share of the material: so the order of materials
-/// is the same under every cutter, and under burs each goes 1/share times as fast as dentin, whatever the load.
+/// The cutting energy of a hard material is that of dentin under the same cutter times a relative energy of the
+/// material. The order of materials is therefore the same under every cutter, and burs feed 1/(relative energy) times
+/// as fast as in dentin, at any load.
 namespace hapticut {
 namespace presets {
 
-/// Human enamel: 1.8 times dentin.
+/// Human enamel: relative energy 1.8.
 [[nodiscard]] Material enamel(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Human dentin: 1.
+/// Human dentin: relative energy 1.
 [[nodiscard]] Material dentin(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Dental pulp, a soft tissue, the same for each cutter: u = 5 MJ/m^3.
+/// Dental pulp, a soft tissue: u = 5 MJ/m^3 with every cutter.
 [[nodiscard]] Material pulp(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Decayed hard tissue: 0.44 of dentin.
+/// Decayed hard tissue: relative energy 0.44.
 [[nodiscard]] Material caries(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Set high-copper amalgam: 1.27 times dentin.
+/// Set high-copper amalgam: relative energy 1.27.
 [[nodiscard]] Material amalgam(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Cortical bone: as dentin.
+/// Cortical bone: relative energy 1.
 [[nodiscard]] Material cortical_bone(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Trabecular (cancellous) bone with its marrow, as a continuum: a sixth of cortical bone.
+/// Trabecular (cancellous) bone with its marrow, as a continuum: relative energy 1/6.
 [[nodiscard]] Material trabecular_bone(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Modelling clay, for exercises and for comparing devices, the same for each cutter: u = 1 MJ/m^3.
+/// Modelling clay, for exercises and for comparing devices: u = 1 MJ/m^3 with every cutter.
 [[nodiscard]] Material clay(CutterKind cutter = CutterKind::carbide_bur);
 
 }  // namespace presets
@@ -48,12 +49,12 @@ namespace presets {
 /// "trabecular_bone", "clay".
 [[nodiscard]] std::span<const std::string_view> preset_names();
 
-/// A preset by its name, as it is written on a command line or in a settings file.
-/// @param cutter  that it is to be cut with
+/// A preset by its name, as written on a command line or in a settings file.
+/// @param cutter  the kind of cutter that will cut the material
 /// @throws Error listing the known names
 [[nodiscard]] Material find_preset(std::string_view name, CutterKind cutter = CutterKind::carbide_bur);
 
-/// A colour to show a preset in. A matter of taste, without a source.
+/// A display colour for a preset, chosen freely.
 /// @throws Error listing the known names
 [[nodiscard]] Color preset_color(std::string_view name);
 

@@ -17,11 +17,11 @@ namespace hapticut {
 /// A voxel that became empty.
 struct RemovedVoxel {
   std::array<int, 3> index;  ///< in the workpiece's grid
-  MaterialId material;       ///< what it was made of
+  MaterialId material;       ///< its former material
   [[nodiscard]] bool operator==(const RemovedVoxel&) const = default;
 };
 
-/// What was taken away, collected over the sub-steps of one step. Has room for a fixed number of voxels.
+/// The material removed in one step, collected over its sub-steps. Lists a fixed number of voxels at most.
 class RemovalRecord {
  public:
   explicit RemovalRecord(std::size_t capacity) { reserve_touched(voxels_, capacity); }
@@ -42,7 +42,7 @@ class RemovalRecord {
     total_by_material_[material] += volume;
   }
 
-  /// Another list, of another capacity; `voxels` is then the old one. What was counted stays.
+  /// Replaces the list by one of another capacity, and clears it; `voxels` receives the old list. Totals are kept.
   void exchange_list(std::vector<RemovedVoxel>& voxels) noexcept {
     std::swap(voxels_, voxels);
     clear();
@@ -50,9 +50,9 @@ class RemovalRecord {
 
   [[nodiscard]] std::span<const RemovedVoxel> voxels() const { return voxels_; }
   [[nodiscard]] double volume() const { return volume_; }        ///< [m^3] since the last clear
-  [[nodiscard]] bool overflowed() const { return overflowed_; }  ///< some voxels were not listed, though they are gone
+  [[nodiscard]] bool overflowed() const { return overflowed_; }  ///< whether removed voxels are missing in the list
 
-  /// [m^3] taken away since construction, by MaterialId; not reset by `clear`.
+  /// [m^3] Removed since construction, by MaterialId; not reset by `clear`.
   [[nodiscard]] const ByMaterial<double>& total_by_material() const { return total_by_material_; }
 
  private:
@@ -62,8 +62,8 @@ class RemovalRecord {
   ByMaterial<double> total_by_material_ = {};
 };
 
-/// Stage `remove_emptied` for one block: takes its emptied voxels out of the workpiece and lists them.
-/// @param block  as it was before the sub-step
+/// Stage `remove_emptied` for one block: empties its voxels in the workpiece and lists them.
+/// @param block  the block before the sub-step
 /// @realtime no allocation, no lock; O(emptied voxels)
 inline void empty_voxels(const BlockView& block, const BlockMask& emptied, Workpiece& workpiece,
                          RemovalRecord& record) noexcept {

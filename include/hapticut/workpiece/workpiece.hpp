@@ -23,28 +23,28 @@ struct MaterialAmount {
 
 struct SavedBlock;
 
-/// A frozen copy of the state of a workpiece, to return to. Cheap to copy; shares its memory.
+/// An immutable copy of the state of a workpiece, for `Workpiece::restore`. Copies share memory and are cheap.
 class WorkpieceSnapshot {
  private:
   friend class Workpiece;
   std::shared_ptr<const void> state_;
 };
 
-/// What is cut: a sparse OpenVDB grid of material ids and, only where a voxel is partly filled, of filled fractions.
+/// A workpiece: a sparse OpenVDB grid of material ids and, only where a voxel is partly filled, of filled fractions.
 ///
-/// Homogeneous interiors are stored as tiles and cost no memory per voxel. Cutting turns tiles into blocks; the blocks
-/// come from a pool that `reserve_blocks` fills beforehand, so that cutting never allocates. Blocks that become empty
-/// go back to the pool.
+/// Homogeneous interiors are stored as tiles and need no memory per voxel. Cutting converts tiles into blocks from a
+/// pool. `reserve_blocks` fills the pool in advance, so that cutting never allocates. Blocks that become empty return
+/// to the pool.
 ///
-/// A workpiece moves but does not copy by accident: use `clone`. Not thread-safe; a simulation owns its workpiece.
+/// A workpiece is movable but not copyable: use `clone`. Not thread-safe; a simulation owns its workpiece.
 class Workpiece {
  public:
-  /// Fills one block: return its kind and, when it is mixed, write all of `content`. Called from several threads at
-  /// once, once per block, so it must not change shared state.
+  /// Fills one block: returns its kind and, if the block is mixed, writes all of `content`. It is called from several
+  /// threads at the same time, once per block, and must not change shared state.
   using BlockFiller = std::function<BlockKind(const VoxelIndex& block_origin, BlockContent& content)>;
 
   /// Builds a workpiece block by block.
-  /// @param domain  voxels that may be solid; the filler is asked for every block that touches it, and what it writes
+  /// @param domain  voxels that may be solid; the filler is called for every block that touches the domain, and content
   ///                outside the domain is dropped
   /// @throws Error when the voxel size is not positive, the frame is not a pose, the domain has more than 2^40 voxels
   ///         or reaches beyond +-2^30, a material id is not in the table, or a fill is not within 0 ... 1
@@ -57,32 +57,32 @@ class Workpiece {
 
   [[nodiscard]] Workpiece clone() const;  ///< a deep copy with an empty pool
 
-  // --- what it is ---------------------------------------------------------------------------------------------------
+  // --- properties ---------------------------------------------------------------------------------------------------
   [[nodiscard]] const GridFrame& frame() const;
   [[nodiscard]] double voxel_size() const { return frame().voxel_size; }  ///< [m]
   [[nodiscard]] const MaterialTable& materials() const;
   [[nodiscard]] IndexBox bounds() const;                      ///< smallest box around all voxels that are not empty
-  [[nodiscard]] bool empty() const;                           ///< nothing left at all
+  [[nodiscard]] bool empty() const;                           ///< whether no material is left
   [[nodiscard]] std::int64_t solid_voxels() const;            ///< voxels that are not yet empty
   [[nodiscard]] std::size_t memory_bytes() const;             ///< of the trees, without the pool
-  [[nodiscard]] std::size_t pool_bytes() const;               ///< of the blocks held ready for cutting
+  [[nodiscard]] std::size_t pool_bytes() const;               ///< of the blocks reserved for cutting
   [[nodiscard]] std::vector<MaterialAmount> amounts() const;  ///< one entry per material of the table
   [[nodiscard]] MaterialId material_at(const VoxelIndex& index) const;  ///< kEmpty outside
   [[nodiscard]] double fill_at(const VoxelIndex& index) const;          ///< [1] 0 outside
   [[nodiscard]] CentroidOffset centroid_at(const VoxelIndex& index) const;
 
-  /// Calls `function(view)` for every block that is not empty, in a fixed order; uniform regions come block by block.
+  /// Calls `function(view)` for every block that is not empty, in a fixed order; uniform regions are split into blocks.
   void for_each_block(const std::function<void(const BlockView&)>& function) const;
 
-  /// A number that depends on every voxel's material and fill, bit by bit: equal states have equal hashes.
+  /// A hash of every voxel's material and fill, bit by bit: equal states have equal hashes.
   [[nodiscard]] std::uint64_t hash() const;
 
-  /// Changes the constants of the materials, not what is where.
-  /// @throws Error when there are not as many materials as before
+  /// Changes the constants of the materials, but not the material of any voxel.
+  /// @throws Error if the number of materials changes
   void set_materials(MaterialTable materials);
 
-  /// The same between two steps of a loop; `materials` are then those of before.
-  /// @return false, and nothing has changed, when there are not as many
+  /// Exchanges the constants of the materials between two steps of a loop; `materials` receives the old table.
+  /// @return false, without any change, if the number of materials differs
   /// @realtime no allocation, no lock; O(1)
   [[nodiscard]] bool exchange_materials(MaterialTable& materials) noexcept;
 
@@ -92,50 +92,49 @@ class Workpiece {
   /// @throws Error when the snapshot is empty
   void restore(const WorkpieceSnapshot& snapshot);
 
-  // --- undo without an allocation, for a loop that goes on ----------------------------------------------------------
-  /// Set-up only: memory for marks and for `blocks` blocks that are cut after them, 2.7 kB each, and 4 bytes for every
-  /// block that the workpiece's bounds span; 0: no undo. Forgets all marks, as `restore` does.
-  /// @throws Error when the workpiece spans too many blocks, or there is no such memory; then nothing has changed
+  // --- undo without an allocation, for a running loop ----------------------------------------------------------------
+  /// Reserves memory for undo, at set-up only: 2.7 kB for each of `blocks` blocks that are cut after a mark, and 4
+  /// bytes for every block within the workpiece's bounds. 0: no undo. Deletes all marks, as `restore` does.
+  /// @throws Error if the workpiece spans too many blocks or the memory is not available; then nothing has changed
   void reserve_undo(std::size_t blocks);
 
-  [[nodiscard]] std::size_t undo_blocks() const noexcept;  ///< that `reserve_undo` asked for
+  [[nodiscard]] std::size_t undo_blocks() const noexcept;  ///< as given to `reserve_undo`
 
-  /// Marks the present state, to return to it. With more than 64 marks, or where the memory is full, the oldest is
-  /// forgotten.
-  /// @return false: there is no mark, because `reserve_undo` was not called
+  /// Marks the present state for undo. Beyond 64 marks, or when the memory is full, the oldest mark is deleted.
+  /// @return false if no mark was set, because `reserve_undo` was not called
   /// @realtime no allocation, no lock; O(1)
   bool set_mark() noexcept;
 
-  [[nodiscard]] std::size_t marks() const noexcept;       ///< that can be returned to
-  [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo_block` can go forth over
+  [[nodiscard]] std::size_t marks() const noexcept;       ///< marks that can be undone
+  [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone marks that `redo_block` can restore
 
-  /// Puts one block back to what it was at the last mark, and remembers what it was until now.
-  /// @return its origin; nothing when the state is that of the mark, which is then gone
+  /// Restores one block to its state at the last mark, and saves its present state for `redo_block`.
+  /// @return origin of the block; nothing when all blocks are restored; the mark is then removed
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> undo_block() noexcept;
 
-  /// Goes forth again by one block over the mark that was undone last; needs no other memory than the way back.
-  /// @return its origin; nothing when the state is that before the undo, the mark being there again, or when something
-  ///         has been cut since
+  /// Redoes one block of the mark that was undone last. Needs no additional memory.
+  /// @return origin of the block; nothing when the state before the undo is complete and the mark is set again, or when
+  ///         something was cut since the undo
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> redo_block() noexcept;
 
-  // --- cutting: what the step calls ---------------------------------------------------------------------------------
-  /// Set-up only: holds memory ready for `count` blocks to become partly cut.
+  // --- cutting: called by the step -----------------------------------------------------------------------------------
+  /// Reserves memory for `count` blocks that become partly cut. Set-up only.
   void reserve_blocks(std::size_t count);
   [[nodiscard]] std::size_t reserved_blocks() const;  ///< blocks still in the pool
 
   /// The block that starts at `origin` (a multiple of 8 along each axis).  @realtime no allocation, no lock; O(1)
   [[nodiscard]] BlockView block(const VoxelIndex& origin) const noexcept;
 
-  /// The same block, to be cut.  @realtime no allocation, no lock; O(1)
+  /// The block that starts at `origin`, with write access to its fills.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] CuttableBlock cuttable_block(const VoxelIndex& origin) noexcept;
 
-  /// Must be called before fills are written into CuttableBlock::fill: keeps the block for `undo_block`.
+  /// Saves a block for `undo_block`. Must be called before fills are written into CuttableBlock::fill.
   /// @realtime no allocation, no lock; O(512) once a mark, then O(1)
   void remember(const BlockView& block) noexcept;
 
-  /// Must be called when something was cut: there is nothing to go forth to any more.
+  /// Deletes the undone marks. Must be called when something was cut.
   /// @realtime no allocation, no lock; O(1)
   void forget_redo() noexcept;
 
@@ -143,22 +142,22 @@ class Workpiece {
   /// @realtime no allocation, no lock
   [[nodiscard]] bool has_reserve_for(const VoxelIndex& origin) const noexcept;
 
-  /// Writable fill fractions of one block, [512]; a block that was uniform or full gets memory from the pool.
-  /// @return null when the pool is exhausted: the block must stay as it is
+  /// Writable filled fractions of one block, [512]. A block that was uniform or full gets memory from the pool.
+  /// @return null when the pool is exhausted; the block must then stay unchanged
   /// @realtime no allocation, no lock; O(512)
   [[nodiscard]] float* writable_fill(const VoxelIndex& origin) noexcept;
 
-  /// Empties voxels of one block and sets their fill to 0. A block with nothing left goes back to the pool: pointers
-  /// into it are then void.
+  /// Empties voxels of one block and sets their fill to 0. If nothing is left, the block returns to the pool, and
+  /// pointers into it become invalid.
   /// @pre `writable_fill` returned memory for this block
   /// @realtime no allocation, no lock; O(512)
   void empty_voxels(const VoxelIndex& origin, const BlockMask& emptied) noexcept;
 
  private:
-  friend struct WorkpieceAccess;  // the door to the trees, for workpiece/openvdb.hpp and the file formats
+  friend struct WorkpieceAccess;  // access to the trees for workpiece/openvdb.hpp and the file formats
   struct State;
   void exchange_block(SavedBlock& other) noexcept;
-  void put_content(const SavedBlock& content) noexcept;
+  void restore_content(const SavedBlock& content) noexcept;
   explicit Workpiece(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

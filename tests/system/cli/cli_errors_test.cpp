@@ -152,12 +152,12 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
   expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
-  expect(source + "--label dentin=2", kFailed, "leave them out by --unclaimed_labels leave_out.");
+  expect(source + "--label dentin=2", kFailed, "leave them out with --unclaimed_labels leave_out.");
   expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "goes with labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
   const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
-  EXPECT_NE(large.errors.find("say that so much is meant (--large)."), std::string::npos) << large.errors;
+  EXPECT_NE(large.errors.find("lift the limit (--large)."), std::string::npos) << large.errors;
   std::filesystem::create_directory(folder / "slices");
   write_bytes(folder / "slices/s1.png", "");
   expect("inspect " + path("slices"), kFailed, "set --spacing_mm");

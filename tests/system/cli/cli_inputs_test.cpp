@@ -75,7 +75,7 @@ TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
   for (Vec3& v : plate.vertices) v.z() *= 1e-6;
   write_stl(plate, folder / "plate.stl");
   const std::string said = refusal("inspect " + path("plate.stl") + kBone);
-  EXPECT_NE(said.find("encloses nothing that voxels of 0.2 mm can show, and all is 4 mm long; close it"),
+  EXPECT_NE(said.find("encloses nothing that voxels of 0.2 mm can show, and the model is 4 mm long; close it"),
             std::string::npos)
       << said;
   EXPECT_EQ(said.find("unit"), std::string::npos) << said;

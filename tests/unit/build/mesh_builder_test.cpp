@@ -24,7 +24,7 @@ using units::mm3;
 TEST(MeshBuilder, ABallConvergesToTheVolumeOfItsMesh) {
   const TriangleMesh ball = ball_mesh(Vec3(1, 2, 3) * mm, 2 * mm, 48);
   const double exact = test::signed_volume(ball);
-  // The error of subsampling is noise of the lattice; it stays below what the surface's share of voxels allows.
+  // The error of subsampling is noise of the lattice; the fraction of voxels at the surface bounds it.
   for (const auto& [voxel_size, tolerance] : {std::pair{0.4 * mm, 2e-3}, {0.2 * mm, 7e-4}, {0.1 * mm, 2e-4}}) {
     const Workpiece workpiece = build_from_mesh(ball, named("clay"), {voxel_size, 8});
     EXPECT_NEAR(solid_volume(workpiece), exact, tolerance * exact) << "at " << voxel_size / mm << " mm";
@@ -82,7 +82,7 @@ TEST(MeshBuilder, TheLastShellThatEnclosesAPointWins) {
   const double outer = test::signed_volume(ball(3 * mm)), middle = test::signed_volume(ball(2 * mm)),
                inner = test::signed_volume(ball(1 * mm));
   const auto amounts = nested.amounts();
-  // A voxel with two materials counts for the larger share.
+  // A voxel with two materials counts for the material with the larger part.
   EXPECT_NEAR(amounts[0].volume, outer - middle, 0.005 * outer);
   EXPECT_NEAR(amounts[1].volume, middle - inner, 0.005 * middle);
   EXPECT_NEAR(amounts[0].volume + amounts[1].volume, outer - inner, 1e-3 * outer);
@@ -97,7 +97,7 @@ TEST(MeshBuilder, TheResultDoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(build_from_mesh(ball, named("clay"), {0.1 * mm, 4}).hash(), first.hash());
 }
 
-TEST(MeshBuilder, WhatEnclosesNothingIsRefused) {
+TEST(MeshBuilder, ASurfaceThatEnclosesNothingIsRefused) {
   const auto build = [](const TriangleMesh& mesh) { return build_from_mesh(mesh, named("clay"), {0.1 * mm, 4}); };
   EXPECT_THROW((void)build({}), Error);
   TriangleMesh plate = cube_mesh(Vec3::Zero(), 5 * mm, 4);
@@ -106,7 +106,7 @@ TEST(MeshBuilder, WhatEnclosesNothingIsRefused) {
   TriangleMesh flat = cube_mesh(Vec3::Zero(), 5 * mm, 4);
   for (Vec3& v : flat.vertices) v.z() = 0;
   EXPECT_THROW((void)build(flat), Error);
-  TriangleMesh loose;  // triangles that have nothing to do with each other
+  TriangleMesh loose;  // unconnected triangles
   for (int n = 0; n < 100; ++n) {
     const auto first = std::uint32_t(loose.vertices.size());
     for (int k = 0; k < 3; ++k) {

@@ -28,7 +28,7 @@ const Workpiece& coarse_molar() {
 /// [mm^3]
 double volume_of(const Workpiece& molar, MaterialId id) { return molar.amounts().at(id - 1U).volume / units::mm3; }
 
-/// Number of pieces, joined across faces, of the voxels of a box that satisfy `belongs`.
+/// Number of pieces, connected over faces, of the voxels of a box that satisfy `belongs`.
 int pieces(const IndexBox& box, const std::function<bool(const VoxelIndex&)>& belongs) {
   std::set<VoxelIndex> left;
   for_each_voxel(box, [&](const VoxelIndex& index) {
@@ -56,7 +56,7 @@ IndexBox slice(const Workpiece& molar, double z) {
   return box;
 }
 
-/// Height of the surface above (x, y), by walking down from above; NaN beside the tooth.
+/// Height of the surface above (x, y), found from above; NaN beside the tooth.
 double height_above(const BodyDescription& body, double x, double y) {
   for (double z = body.box.max.z(); z > 0;) {
     const double gap = body.distance({x, y, z});
@@ -66,7 +66,7 @@ double height_above(const BodyDescription& body, double x, double y) {
   return std::nan("");
 }
 
-/// Tips: points of the chewing surface above which nothing rises within a millimetre.
+/// Tips: points of the chewing surface that are the highest within a millimetre.
 std::vector<Vec3> cusp_tips(const BodyDescription& body) {
   constexpr double kStep = 0.1 * mm;
   constexpr int kReach = 10;
@@ -89,7 +89,7 @@ std::vector<Vec3> cusp_tips(const BodyDescription& body) {
   return tips;
 }
 
-/// As by default, small and large.
+/// The default, a small and a large molar.
 std::vector<MolarParameters> molars() {
   return {{},
           {.crown_mesiodistal = 9.5 * mm,
@@ -111,8 +111,8 @@ std::vector<MolarParameters> molars() {
            .fissure_half_width = 0.2 * mm}};
 }
 
-// Ranges: two labelled micro-CT molars of unstated origin hold 113 and 188 mm^3 of enamel, 539 and 512 of dentin and,
-// after closing, 22 and 26 of pulp; both are smaller than the average crown of the defaults. Upper ends: assumption.
+// Ranges: two labelled micro-CT molars of unstated origin have 113 and 188 mm^3 of enamel, 539 and 512 of dentin and,
+// after closing, 22 and 26 of pulp; both are smaller than the default crown. The upper limits are assumptions.
 TEST(Molar, HasTheVolumesOfARealTooth) {
   const Workpiece& molar = coarse_molar();
   EXPECT_GT(volume_of(molar, kMolarEnamel), 180);
@@ -126,7 +126,7 @@ TEST(Molar, HasTheVolumesOfARealTooth) {
 TEST(Molar, KeepsItsVolumesWhenTheVoxelsHalve) {
   const Workpiece fine = build_molar(kCoarse / 2);
   for (const MaterialId id : {kMolarEnamel, kMolarDentin, kMolarPulp})
-    // Inner boundaries are decided voxel by voxel, which the thin canals feel most.
+    // Inner boundaries are decided voxel by voxel, which affects the thin canals most.
     EXPECT_NEAR(volume_of(coarse_molar(), id) / volume_of(fine, id), 1, id == kMolarPulp ? 0.04 : 0.01) << int(id);
   // The outer surface is antialiased.
   EXPECT_NEAR(test::solid_volume(coarse_molar()) / test::solid_volume(fine), 1, 5e-4);
@@ -139,8 +139,8 @@ TEST(Molar, IsTheSameBitByBitEveryTime) {
   EXPECT_NE(build_molar(kCoarse, other).hash(), coarse_molar().hash());
 }
 
-TEST(Molar, HasTheSizesThatWereAskedFor) {
-  constexpr double kTolerance = 0.15 * mm;  // rounded seams between lobes and strands move the outline by that much
+TEST(Molar, HasTheRequestedSizes) {
+  constexpr double kTolerance = 0.15 * mm;  // rounded seams between lobes and strands move the outline by up to this
   for (const MolarParameters& p : molars()) {
     const Workpiece molar = build_molar(kCoarse, p);
     const IndexBox bounds = molar.bounds();
@@ -171,7 +171,7 @@ TEST(Molar, LiesWithinItsBox) {
   }
 }
 
-// What build_body needs: the function changes at most as fast as the position does.
+// build_body requires that the function changes by at most one per unit of length.
 TEST(Molar, IsBoundedByTheDistanceToItsSurface) {
   constexpr double kRounding = 1e-12;  // [m]
   for (const MolarParameters& p : molars()) {
@@ -211,7 +211,7 @@ TEST(Molar, KeepsItsPulpClosedIn) {
   }
 }
 
-TEST(Molar, WearsEnamelOnItsCrownOnly) {
+TEST(Molar, HasEnamelOnItsCrownOnly) {
   const Workpiece& molar = coarse_molar();
   int outside = 0, enamel_outside = 0;
   for_each_voxel(molar.bounds(), [&](const VoxelIndex& i) {
@@ -237,7 +237,7 @@ TEST(Molar, HasFiveCuspsOrFour) {
   EXPECT_EQ(cusp_tips(describe_molar(p)).size(), 4u);
 }
 
-TEST(Molar, HasTheEnamelThicknessThatWasAskedForAtEveryCusp) {
+TEST(Molar, HasTheRequestedEnamelThicknessAtEveryCusp) {
   constexpr double kTolerance = 0.3 * mm;  // cusps lean, and the boundary between two thicknesses is gradual
   for (const double thickness : {1.6 * mm, 2.2 * mm, 2.6 * mm}) {
     MolarParameters p;
@@ -270,7 +270,7 @@ TEST(Molar, HasALesionUnderTheFossaOnDemand) {
   p.caries_width = 2 * mm;
   const Workpiece molar = build_molar(kCoarse, p);
   ASSERT_EQ(molar.materials().size(), 4);
-  const double spheroid = units::kPi / 6 * 2.5 * 2 * 2;  // [mm^3] less what stands out of the fossa
+  const double spheroid = units::kPi / 6 * 2.5 * 2 * 2;  // [mm^3] minus the part above the fossa
   EXPECT_GT(volume_of(molar, kMolarCaries), 0.75 * spheroid);
   EXPECT_LT(volume_of(molar, kMolarCaries), 1.02 * spheroid);
   EXPECT_NEAR(test::solid_volume(molar) / test::solid_volume(coarse_molar()), 1, 1e-12) << "it keeps its shape";

@@ -12,17 +12,17 @@
 namespace hapticut::orient_test {
 namespace {
 
-TriangleMesh turned(TriangleMesh mesh) {
+TriangleMesh flipped(TriangleMesh mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
-/// Balls of one centre, the second facing the other way: a shell with a cavity.
+/// Two concentric balls, the second facing inwards: a shell with a cavity.
 TriangleMesh hollow_ball(const Vec3& center) {
-  return test::joined(test::ball_mesh(center, 2e-3, 8), turned(test::ball_mesh(center, 1e-3, 8)));
+  return test::joined(test::ball_mesh(center, 2e-3, 8), flipped(test::ball_mesh(center, 1e-3, 8)));
 }
 
-TEST(Orient, ASurfaceWhoseFacesAreTurnedAtRandomEnclosesWhatItDid) {
+TEST(Orient, ASurfaceWithRandomlyFlippedFacesEnclosesTheSameVolume) {
   const TriangleMesh right = test::ball_mesh(Vec3::Zero(), 2e-3, 8);
   TriangleMesh mixed = right;
   for (std::size_t n = 0; n < mixed.triangles.size(); n += 3) std::swap(mixed.triangles[n][0], mixed.triangles[n][1]);
@@ -32,35 +32,35 @@ TEST(Orient, ASurfaceWhoseFacesAreTurnedAtRandomEnclosesWhatItDid) {
   EXPECT_EQ(build_from_mesh(mixed, bone).hash(), build_from_mesh(right, bone).hash());
 }
 
-TEST(Orient, ASurfaceThatIsRightStaysAsItIs) {
+TEST(Orient, ASurfaceWithRightOrientationDoesNotChange) {
   for (const TriangleMesh& mesh : {test::ball_mesh(Vec3::Zero(), 2e-3, 8), hollow_ball(Vec3::Zero())})
     EXPECT_EQ(oriented(mesh).triangles, mesh.triangles);
 }
 
-TEST(Orient, APieceThatIsInsideOutBesideAnotherIsTurnedWithItsCavity) {
+TEST(Orient, APieceThatIsInsideOutBesideAnotherIsFlippedWithItsCavity) {
   const TriangleMesh one = hollow_ball(Vec3::Zero()), other = hollow_ball(Vec3(7e-3, 0, 0)),
                      both = test::joined(one, other);
   const Material bone = presets::cortical_bone();
   const Workpiece right = build_from_mesh(both, bone);
-  EXPECT_EQ(build_from_mesh(test::joined(one, turned(other)), bone).hash(), right.hash());
+  EXPECT_EQ(build_from_mesh(test::joined(one, flipped(other)), bone).hash(), right.hash());
   const double expected = test::signed_volume(both);
   EXPECT_NEAR(right.amounts().at(0).volume, expected, 0.02 * expected) << "the cavities are empty";
 }
 
-TEST(WorkEstimate, IsToldBeforeTheWorkAndRefusedAboveTheLimitUnlessAskedFor) {
+TEST(WorkEstimate, IsReportedBeforeTheWorkAndRefusedAboveTheLimitUnlessAllowed) {
   const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2e-3, 8);
-  WorkEstimate told;
+  WorkEstimate estimated;
   MeshImport options;
-  options.tell = [&](const WorkEstimate& estimate) { told = estimate; };
+  options.observer = [&](const WorkEstimate& estimate) { estimated = estimate; };
   const Workpiece workpiece = build_from_mesh(ball, presets::cortical_bone(), options);
-  EXPECT_NEAR(told.voxels, 41.0 * 41 * 41, 0.1 * 41 * 41 * 41);
-  EXPECT_GT(told.cut_voxels, 4 * 3.14 * 20 * 20);
-  EXPECT_LT(told.seconds, 1);
-  EXPECT_GT(3 * told.memory_bytes, double(workpiece.memory_bytes()));
-  const WorkEstimate large = {1e12, 1e9, 1.1 * kMaxMemoryUnasked, 10};
+  EXPECT_NEAR(estimated.voxels, 41.0 * 41 * 41, 0.1 * 41 * 41 * 41);
+  EXPECT_GT(estimated.cut_voxels, 4 * 3.14 * 20 * 20);
+  EXPECT_LT(estimated.seconds, 1);
+  EXPECT_GT(3 * estimated.memory_bytes, double(workpiece.memory_bytes()));
+  const WorkEstimate large = {1e12, 1e9, 1.1 * kMaxBuildMemory, 10};
   EXPECT_THROW(require_allowed(large, false), Error);
   EXPECT_NO_THROW(require_allowed(large, true));
-  EXPECT_THROW(require_allowed({1e9, 1e9, 1e9, 1.1 * kMaxSecondsUnasked}, false), Error);
+  EXPECT_THROW(require_allowed({1e9, 1e9, 1e9, 1.1 * kMaxBuildTime}, false), Error);
 }
 
 }  // namespace

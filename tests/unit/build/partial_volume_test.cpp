@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grey values at the border of a body, where a scanner has mixed what is on both sides.
+// Grey values at the border of a body, where a scanner has mixed both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ double blurred_ball(double r, double radius, double sigma) {
          sigma / (r * std::sqrt(2 * kPi)) * (std::exp(-near * near) - std::exp(-far * far));
 }
 
-/// A ball of layers from the outside inwards, as a scanner sees it.
+/// A ball of layers, from the outside to the inside, as scanned.
 struct Ball {
   struct Layer {
     double radius, grey;
@@ -64,7 +64,7 @@ constexpr MaterialId kTrabecularId = 1, kCorticalId = 2;
 
 double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
 
-/// How many voxels with a centre between two distances from the middle are of a material.
+/// Number of voxels of a material with a centre between two distances from the middle.
 int voxels_between(const Workpiece& workpiece, double from, double to, MaterialId material) {
   int count = 0;
   for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
@@ -84,7 +84,7 @@ TEST_P(PartialVolumeOfAShell, IsThatOfTheShell) {
   const auto amounts = build_from_grey(volume, kRanges).amounts();
   const auto by_threshold = build_from_grey(volume, kRanges, {.partial_volume = false}).amounts();
   const double core = ball_volume(inner), shell = ball_volume(outer) - core;
-  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel names one material of a blurred edge
+  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel has one material of a blurred edge
   EXPECT_NEAR(amounts[0].volume / core, 1, kCore);
   EXPECT_NEAR(amounts[1].volume / shell, 1, kShell);
   EXPECT_LT(by_threshold[1].volume / shell, 0.9);
@@ -114,7 +114,7 @@ TEST(PartialVolume, SwitchedOffLeavesEachSampleTheMaterialOfItsValue) {
   });
 }
 
-TEST(PartialVolume, IsSeenInBlocksThatLieInOneRangeToo) {
+TEST(PartialVolume, IsAppliedInBlocksWithinOneRangeToo) {
   // So blurred that a cell of samples is in the trabecular range: two samples, and 24 voxels to a sample.
   const GreyVolume volume = scan({kAir, {{5.45 * mm, kHard}}}, 0.6 * mm, 1.1 * mm);
   const VolumeBuildOptions fine{.voxel_size = 0.025 * mm, .crop = Box{Vec3(6.5, 6.5, 9) * mm, Vec3(7.5, 7.5, 14) * mm}};
@@ -135,7 +135,7 @@ TEST(PartialVolume, LeavesALayerOfTrabecularBoneThatTheScanResolves) {
   EXPECT_NEAR(amounts[1].volume / ball_volume(6 * mm - kLayer), 1, 0.02);
 }
 
-TEST(PartialVolume, OfAHoleIsOfWhatIsAroundIt) {
+TEST(PartialVolume, AtAHoleIsTheMaterialAroundIt) {
   const auto wall = [&](double grey) {
     const GreyVolume volume = scan({kHard, {{6 * mm, grey}, {2 * mm, kMarrow}}}, 0.3 * mm, 0.2 * mm);
     return build_from_grey(volume, bone_from(kMarrow + 150));
@@ -144,7 +144,7 @@ TEST(PartialVolume, OfAHoleIsOfWhatIsAroundIt) {
   EXPECT_EQ(voxels_between(wall(kHard), 0, 5 * mm, kTrabecularId), 0);
 }
 
-TEST(PartialVolume, LeavesWhatMeetsInsideATooth) {
+TEST(PartialVolume, LeavesTheBordersInsideATooth) {
   constexpr double kPulp = 50, kDentin = 1500, kEnamel = 2600, kJunction = 5 * mm, kChamber = 2 * mm;
   const std::vector<GreyRange> ranges = {{750, 2050, named("dentin")}, {2050, kInfinity, named("enamel")}};
   const GreyVolume volume =
@@ -171,7 +171,7 @@ TEST(PartialVolume, OfAGradeIsOfTheGradeBehindIt) {
   EXPECT_LT(softer(true), 0.001);
 }
 
-TEST(PartialVolume, IsNothingToLabels) {
+TEST(PartialVolume, DoesNotAffectLabels) {
   auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, LabelVolume{}.spacing, {});
   for (std::size_t n = 0; n < volume.size(); ++n) volume.values[n] = std::uint16_t(n / 7 % 3);
   const std::vector<LabelMaterial> materials = {{{1}, named("a")}, {{2}, named("b")}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A request for a million million voxels is refused by every builder, before anything is allocated.
+// Every builder refuses a request for 10^12 voxels before it allocates anything.
 #include <gtest/gtest.h>
 
 #include <functional>

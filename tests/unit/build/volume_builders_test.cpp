@@ -100,7 +100,7 @@ TEST(BuildFromLabels, KeepsVolumesAtOtherVoxelSizesAndSpacings) {
     const Workpiece workpiece =
         build_from_labels(volume, {{{9}, named("shell")}, {{7}, named("core")}}, {.voxel_size = voxel * mm});
     const auto amounts = workpiece.amounts();
-    // A voxel names one material, so the inner boundary is a staircase; the outer one is antialiased.
+    // A voxel has one material, so the inner boundary is a staircase; the outer boundary is antialiased.
     EXPECT_NEAR(amounts[1].volume / core, 1, 0.02) << voxel;
     EXPECT_NEAR((amounts[0].volume + amounts[1].volume) / whole, 1, 0.006) << voxel;
   }
@@ -161,8 +161,8 @@ TEST(BuildFromGrey, FillsVoxelsCutByAFlatFaceExactly) {
 
 TEST(BuildFromGrey, ConvergesToTheVolumeAndCenterOfABall) {
   const Vec3 center = Vec3(4.1, 3.9, 4.05) * mm;
-  // Grey values fall linearly across the surface, as a scanner's blur makes them; interpolating a curved field between
-  // samples 0.2 mm apart displaces the surface by about spacing^2 / (8 R) = 2 um, 0.2 % of the volume.
+  // Grey values fall linearly across the surface, as after the blur of a scanner. Interpolation of a curved field
+  // between samples 0.2 mm apart displaces the surface by about spacing^2 / (8 R) = 2 um, 0.2 % of the volume.
   const GreyVolume volume = grey_field({41, 41, 28}, Vec3(0.2, 0.2, 0.3) * mm,
                                        [&](const Vec3& p) { return 500 - 300 * ((p - center).norm() / mm - 3); });
   const double exact = 4 * kPi / 3 * 27e-9;
@@ -220,7 +220,7 @@ TEST(Grade, IsNowhereFurtherFromLinearThanHalfAStep) {
   const GreyVolume volume =
       grey_field({4, 4, 200}, Vec3::Constant(0.1 * mm), [](const Vec3& p) { return 100 * p.z() / mm; });
   const Workpiece workpiece = build_from_grey(volume, grade, {.antialias = false});
-  const double largest = 1.2 / (2 * 50) * (1 + 1e-6);
+  const double max_error = 1.2 / (2 * 50) * (1 + 1e-6);
   int solid = 0;
   for (int k = 0; k < 200; ++k) {
     const MaterialId id = workpiece.material_at({1, 2, k});
@@ -229,7 +229,7 @@ TEST(Grade, IsNowhereFurtherFromLinearThanHalfAStep) {
     if (id == kEmpty) continue;
     ++solid;
     const double exact = 0.1 + 1.2 * std::min((grey - 200) / 1600, 1.0);
-    ASSERT_NEAR(workpiece.materials()[id].relative_stiffness, exact, largest) << grey;
+    ASSERT_NEAR(workpiece.materials()[id].relative_stiffness, exact, max_error) << grey;
   }
   EXPECT_EQ(solid, 180);
   EXPECT_EQ(workpiece.materials().size(), 50);
@@ -246,12 +246,12 @@ TEST(Grade, TakesTheMeanGreyValueOfTheFilledPart) {
   EXPECT_EQ(workpiece.material_at({1, 1, 7}), MaterialId(1450 / 20 + 1));
 }
 
-// With u and h_s linear, each by itself, its middle was 18 % harder than its hard end.
+// If u and h_s were each linear, the middle would be 18 % harder than the hard end.
 TEST(Grade, CutsLinearlyBetweenItsEnds) {
   for (const auto kind : {CutterKind::carbide_bur, CutterKind::coarse_diamond, CutterKind::twist_drill}) {
     Material soft = presets::trabecular_bone(kind), hard = presets::cortical_bone(kind);
     soft.edge_length = 2e-6, hard.edge_length = 30e-6;
-    const auto work = [](const Material& m, double feed) {  // [W/m^2] u V of C35, of 4000 lips a second
+    const auto work = [](const Material& m, double feed) {  // [W/m^2] u V of C35, with 4000 lips per second
       return m.specific_cutting_energy * (feed + std::sqrt(m.size_length * 4000 * feed) + m.edge_length * 4000);
     };
     const std::vector<Material> pieces =
@@ -273,7 +273,7 @@ TEST(Grade, IsForTheCutterOfItsEnds) {
   EXPECT_THROW((void)materials_of({.low = 0, .high = 1, .at_low = other, .at_high = bone}), Error);
 }
 
-TEST(Grade, RefusesWhatIsNoGrade) {
+TEST(Grade, RefusesInvalidGrades) {
   const Material a = named("a");
   EXPECT_THROW((void)materials_of({.low = 5, .high = 5, .at_low = a, .at_high = a}), Error);
   EXPECT_THROW((void)materials_of({.low = 0, .high = 5, .at_low = a, .at_high = a, .steps = 201}), Error);

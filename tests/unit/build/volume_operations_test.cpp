@@ -78,7 +78,7 @@ TEST(CropToABox, KeepsWhatAWorkpieceInTheBoxNeeds) {
       {"lies outside the volume, which reaches from (2.95, "});
 }
 
-TEST(CropToABox, TurnsTheBoxIntoTheGridOfTheVolume) {
+TEST(CropToABox, RotatesTheBoxIntoTheGridOfTheVolume) {
   auto volume = volume_of<std::uint16_t>({40, 40, 40}, Vec3::Constant(0.1 * mm));
   add_ball(volume, {2, 2, 2}, 0.5, 1);
   const Vec3 center = volume.position(20, 20, 20), half = Vec3::Constant(0.5 * mm);
@@ -89,11 +89,11 @@ TEST(CropToABox, TurnsTheBoxIntoTheGridOfTheVolume) {
 
 TEST(BoxOfVolume, ReachesHalfASpacingBeyondTheSamples) {
   auto volume = volume_of<float>({4, 5, 6}, Vec3(0.1, 0.2, 0.3) * mm);
-  const Box turned = box_of_volume(volume);
+  const Box rotated = box_of_volume(volume);
   for (const int i : {0, 3})
     for (const int k : {0, 5}) {
       const Vec3 p = volume.position(i, 4, k);
-      EXPECT_TRUE((p.array() > turned.min.array()).all() && (p.array() < turned.max.array()).all());
+      EXPECT_TRUE((p.array() > rotated.min.array()).all() && (p.array() < rotated.max.array()).all());
     }
   volume.X_WG = Pose::from_translation(Vec3(1, 2, 3) * mm);
   const Box box = box_of_volume(volume);
@@ -101,7 +101,7 @@ TEST(BoxOfVolume, ReachesHalfASpacingBeyondTheSamples) {
   EXPECT_LT((box.max - Vec3(1.35, 2.9, 4.65) * mm).norm(), 1e-15);
 }
 
-TEST(GreyRange, IsThatOfTheSamplesThatAreNumbers) {
+TEST(GreyRange, IgnoresSamplesThatAreNotNumbers) {
   auto volume = volume_of<float>({3, 1, 2}, Vec3::Constant(1 * mm));
   const float nan = std::numeric_limits<float>::quiet_NaN();
   volume.values = {nan, 0, nan, 5, -2, nan};
@@ -112,7 +112,7 @@ TEST(GreyRange, IsThatOfTheSamplesThatAreNumbers) {
   EXPECT_THROW((void)grey_range(volume), Error);
 }
 
-TEST(CountLabels, CountsWhatMayBeLabels) {
+TEST(CountLabels, CountsValuesThatMayBeLabels) {
   auto grey = volume_of<float>({3, 1, 2}, Vec3::Constant(1 * mm));
   grey.values = {0, 3, 3, 65535, 0, 0};
   const std::map<int, std::size_t> expected = {{0, 3}, {3, 2}, {65535, 1}};
@@ -130,7 +130,7 @@ TEST(CountLabels, CountsWhatMayBeLabels) {
   EXPECT_EQ(unused_label(labels), 65535);
 }
 
-TEST(KeepLargestComponent, DropsSpecksAndWhatTouchesByAnEdgeOnly) {
+TEST(KeepLargestComponent, DropsSpecksAndBodiesThatShareOnlyAnEdge) {
   auto volume = volume_of<std::uint16_t>({30, 30, 30}, Vec3::Constant(0.1 * mm));
   add_ball(volume, {1, 1, 1}, 0.601, 1);
   add_ball(volume, {1, 1, 1}, 0.3, 2);  // another label of the same body
@@ -143,7 +143,7 @@ TEST(KeepLargestComponent, DropsSpecksAndWhatTouchesByAnEdgeOnly) {
   EXPECT_THROW((void)keep_largest_component(volume_of<std::uint16_t>({3, 3, 3}, Vec3::Constant(1 * mm))), Error);
 }
 
-TEST(KeepLargestComponent, OfGreyValuesLeavesWhatIsBelowTheThreshold) {
+TEST(KeepLargestComponent, OfGreyValuesLeavesSamplesBelowTheThreshold) {
   auto volume = volume_of<float>({9, 3, 3}, Vec3::Constant(1 * mm));
   volume.values.assign(volume.size(), -5);
   for (const int i : {0, 1, 2, 5, 8}) volume.at(i, 1, 1) = 300;
@@ -156,7 +156,7 @@ TEST(KeepLargestComponent, OfGreyValuesLeavesWhatIsBelowTheThreshold) {
   EXPECT_THROW((void)keep_largest_component(volume, 301), Error);
 }
 
-/// The samples from which a path over faces and samples of 0 leads to sample `from`, by walking it.
+/// The samples from which a path over faces and samples of 0 leads to sample `from`, found step by step.
 std::vector<bool> reached(const LabelVolume& volume, const std::vector<VoxelIndex>& from, bool empty) {
   std::vector<bool> seen(volume.size(), false);
   std::vector<VoxelIndex> stack = from;
@@ -176,13 +176,13 @@ std::vector<bool> reached(const LabelVolume& volume, const std::vector<VoxelInde
   return seen;
 }
 
-TEST(Components, AreThoseThatAWalkFromSampleToSampleFinds) {
+TEST(Components, EqualThoseOfASearchSampleBySample) {
   std::mt19937 random(3);
   for (int round = 0; round < 60; ++round) {
     auto volume = volume_of<std::uint16_t>({1 + int(random() % 12), 1 + int(random() % 12), 1 + int(random() % 12)},
                                            Vec3::Constant(0.1 * mm));
-    const unsigned share = 2 + unsigned(random() % 9);  // of samples that are empty, in tenths or so
-    for (std::uint16_t& value : volume.values) value = random() % 11 < share ? 0 : 1;
+    const unsigned tenths = 2 + unsigned(random() % 9);  // approximate fraction of empty samples
+    for (std::uint16_t& value : volume.values) value = random() % 11 < tenths ? 0 : 1;
     if (count(volume, 1) == 0) continue;
     std::vector<VoxelIndex> border;
     std::vector<bool> largest;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms C20-C38 and C42 of docs/model.md against integrals of the equations that they come from. No voxel
-// and no step: what is integrated is the pressure of the cut on every point of the head's surface, or the layer that it
-// decays in.
+// The closed forms C20-C38 and C42 of docs/model.md against integrals of their equations, without voxels and steps. The
+// tests integrate the pressure of the cut over the head's surface, or the layer in which the material decays.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -21,19 +20,19 @@ constexpr double kStiffness = 1e12;  // [N/m^4] of C33
 constexpr double kR = 1 * mm;
 constexpr SteadyCut kCut{3e8, 0.5, 1000, 5e-3};
 
-constexpr double kLine = 1e-5;   // [1] of an integral over a line or a surface on thousands of points
-constexpr double kRoots = 5e-5;  // the same where a root of the cosine begins at the end
+constexpr double kLine = 1e-5;   // [1] error of an integral over a line or surface with thousands of points
+constexpr double kRoots = 5e-5;  // [1] error of an integral with a root of the cosine at its end
 constexpr double kRounding = 1e-12;
 
-/// A point of a meridian: distance from the axis, the normal out of the head, and the length that it stands for.
+/// A point of a meridian: distance from the axis, the normal out of the head, and the length that it represents.
 struct MeridianPoint {
   double rho, n_radial, n_axial, length;
 };
 
-/// A cut is steady where the surface of the material keeps up with the head: the power of the pressure there, kappa p
-/// s, pays for what goes, u V . n; so `p = p_e + u (V . n)/(kappa s)`, s = omega rho, wherever V . n > 0. With chips
-/// their energy, u (1 + h_e f_z/(V . n) + sqrt(h_s f_z/(V . n))), is in the place of u. The tool
-/// feels -p n and, against the slip, kappa p.
+/// In a steady cut the surface of the material recedes with the head. The power of the pressure, kappa p s, pays for
+/// the removal, u V . n; so `p = p_e + u (V . n)/(kappa s)`, s = omega rho, wherever V . n > 0. With chips, their
+/// energy u (1 + h_e f_z/(V . n) + sqrt(h_s f_z/(V . n))) takes the place of u. The force per area on the tool is -p n
+/// and, against the slip, kappa p.
 /// @param feed  [1] direction of V
 /// @param from, to  [rad] of the engaged angles, from +x towards +y
 Wrench integrate(const SteadyCut& cut, const std::vector<MeridianPoint>& meridian, const Vec3& feed, double from = 0,
@@ -90,7 +89,7 @@ TEST(CuttingForms, C20C22OfAFlatHeadAreTheIntegralOfItsPressure) {
   }
 }
 
-/// [Pa, m] pressure and filled depth at one distance from the axis: a point that goes up through the springs at the
+/// [Pa, m] pressure and filled depth at one distance from the axis: a point that moves up through the springs at the
 /// feed speed is cut by their power, dphi/dw = -kappa k_v w s phi/(price v_f).
 struct Layer {
   double pressure = 0, filled = 0, one_over_e = 0;
@@ -115,7 +114,7 @@ Layer layer_at(const SteadyCut& cut, double k_v, double rho, bool elastic_releas
 }
 
 TEST(CuttingForms, C21OfLawGIsTheIntegralOfItsLayerForAnyStiffness) {
-  // So fast a feed that elastic release matters: the rim is only 20 times faster.
+  // The feed is fast enough for elastic release to matter: the rim is only 20 times faster.
   const SteadyCut cut{3e8, 0.5, 200, 5e-3};
   for (const double k_v : {1e14, 1e16}) {
     double thrust = 0;
@@ -133,7 +132,7 @@ TEST(CuttingForms, C34IsTheLayerThatTheDecayLeaves) {
   double filled = 0;
   constexpr int kRings = 400;
   for (int i = 0; i < kRings; ++i) {
-    // Rings that get narrower towards the axis, where the layer is thickest.
+    // The rings are narrower towards the axis, where the layer is thickest.
     const double rho = kR * std::pow((i + 0.5) / kRings, 2), width = 2 * kR * (i + 0.5) / (kRings * kRings);
     filled += layer_at(kCut, k_v, rho, false).filled * 2 * kPi * rho * width;
   }
@@ -209,7 +208,7 @@ TEST(CuttingForms, C29OfAConeIsTheIntegralOfItsPressure) {
   expect_force(integrate(kCut, points, -Vec3::UnitZ()), forms::cone_plunge_wrench(kCut, angle, depth));
 }
 
-TEST(CuttingForms, C30EveryTorquePaysForTheVolumeThatGoes) {
+TEST(CuttingForms, C30EveryTorquePaysForTheRemovedVolume) {
   const double h = 0.5 * mm, v = kCut.feed_speed;
   const auto expect_paid = [&](double torque, double section) {
     EXPECT_NEAR(-torque * kCut.spin / forms::cutting_power(kCut, section * v), 1, kRounding);
@@ -254,7 +253,8 @@ TEST(CuttingForms, C33StepsAddUpToTheHeadAndPushLikeThePressureOfTheirLayer) {
   }
   EXPECT_NEAR(cone / (kPi / 3 * 1e-9), 1, 1e-9);
   EXPECT_NEAR(ball / (2 * kPi / 3 * 1e-9), 1, 1e-9);
-  // The layer that a step presses is D times the sine of the slope thick, and pushes up with k_v/2 of its square.
+  // The layer that a step presses has a thickness of D times the sine of the slope, and a pressure of k_v/2 times its
+  // square.
   const double depth = 0.7 * kR;
   double sum = 0;
   for (const MeridianPoint& p : meridian_of_a_ball(0, std::acos(1 - depth / kR)))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms C1-C19 of docs/model.md against integrals of the equations that they come from. No voxel and no
-// step: what is integrated is the springs of every point in the head.
+// The closed forms C1-C19 of docs/model.md against integrals of their equations, without voxels and steps. The tests
+// integrate the springs of all points in the head.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,11 +18,12 @@ using units::mm;
 constexpr double kStiffness = 1e12;  // [N/m^4]
 constexpr double kR = 1 * mm;
 
-constexpr double kVolume = 4e-3;  // [1] of a volume integral on 120 points across, some springs of which end at a face
-constexpr double kLine = 1e-5;    // [1] of an integral over a line on thousands of points
+constexpr double kVolume =
+    4e-3;  // [1] error of a volume integral with 120 points across, where some springs end at a face
+constexpr double kLine = 1e-5;  // [1] error of an integral over a line with thousands of points
 constexpr double kRounding = 1e-12;
 
-/// A head with its springs, and what it stands in; all in T, whose axes are those of W here.
+/// A head with its springs, and the stiffness around it; all in T, whose axes are those of W here.
 struct Contact {
   std::function<MeridianSpring<double>(double rho, double z)> spring;
   std::function<double(const Vec3& p)> stiffness;                         // [N/m^4]; 0: no material
@@ -58,7 +59,7 @@ Springs integrate(const Contact& contact) {
   return sum;
 }
 
-/// Upright in the half space below `surface` in T.
+/// A head upright in the half space below `surface` in T.
 Contact in_half_space(const std::function<MeridianSpring<double>(double, double)>& spring, double reach, double low,
                       double surface) {
   return {spring, [](const Vec3&) { return kStiffness; }, [](double) { return 1.0; }, Vec3(-reach, -reach, low),
@@ -143,7 +144,7 @@ TEST(StandingForms, C9OverAnEdgeIsTheSumOfItsSprings) {
 }
 
 TEST(StandingForms, C10C12OfLayersAndGradesAreTheSumOfTheirSprings) {
-  const double d = 0.8 * kR, t = 0.32 * kR, surface = d - kR;  // layers meet on the face of a box
+  const double d = 0.8 * kR, t = 0.32 * kR, surface = d - kR;  // the layers meet on the face of a box
   Contact layers = ball(d);
   layers.stiffness = [=](const Vec3& p) { return p.z() > surface - t ? kStiffness : 0.3 * kStiffness; };
   EXPECT_NEAR(integrate(layers).wrench.force.z() / forms::layered_cap_force(kStiffness, 0.3 * kStiffness, t, kR, d), 1,

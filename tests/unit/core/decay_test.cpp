@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kClaimed = 4e-7;  // relative error that decay.hpp promises
 
-/// 0, and 20 000 numbers spread over the sizes from 1e-30 to 1e6.
+/// 0, and 20 000 numbers with sizes from 1e-30 to 1e6.
 std::vector<float> exponents() {
   std::vector<float> all = {0.0F};
   for (int n = 0; n <= 20000; ++n) all.push_back(float(std::pow(10.0, -30 + 36.0 * n / 20000)));

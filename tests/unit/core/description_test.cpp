@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What structs and enumerations say of themselves is complete: a member without a line, and a value without a name, are
-// found here.
+// Descriptions of structs and enumerations are complete: these tests find a member without a line and a value without a
+// name.
 #include "hapticut/core/description.hpp"
 
 #include <gtest/gtest.h>
@@ -28,10 +28,10 @@
 
 namespace hapticut::description_test {
 
-/// Becomes whatever a member needs.
+/// Converts to the type of any member.
 struct Anything {
   template <class T>
-  operator T() const;  // NOLINT(google-explicit-constructor): that is what it is for
+  operator T() const;  // NOLINT(google-explicit-constructor): intended
 };
 
 namespace {
@@ -39,14 +39,14 @@ namespace {
 // --- how many members a struct has ----------------------------------------------------------------------------------
 
 template <class S, std::size_t... kIndices>
-constexpr bool takes(std::index_sequence<kIndices...>) {
+constexpr bool accepts(std::index_sequence<kIndices...>) {
   return requires { S{((void)kIndices, Anything{})...}; };
 }
 
-/// The number of members of a plain struct: the most that its braces take.
+/// The number of members of a plain struct: the largest number of initialisers in braces.
 template <class S, std::size_t kCount = 40>
 constexpr std::size_t members_of() {
-  if constexpr (kCount == 0 || takes<S>(std::make_index_sequence<kCount>()))
+  if constexpr (kCount == 0 || accepts<S>(std::make_index_sequence<kCount>()))
     return kCount;
   else
     return members_of<S, kCount - 1>();
@@ -64,7 +64,7 @@ struct DescribedStruct : testing::Test {};
 template <class... Structs, class... Commands>
 auto together(testing::Types<Structs...>, std::tuple<Commands...>) -> testing::Types<Structs..., Commands...>;
 
-/// Those that have a list of fields.
+/// The structs that have a list of fields.
 template <class... Commands>
 auto described(std::variant<Commands...>) -> decltype(std::tuple_cat(
     std::declval<std::conditional_t<Described<Commands>, std::tuple<Commands>, std::tuple<>>>()...));
@@ -86,13 +86,13 @@ TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {
   EXPECT_EQ(kFieldsOf<TypeParam>, members_of<TypeParam>()) << "a member without a line in fields_of, or the reverse";
 }
 
-TYPED_TEST(DescribedStruct, SaysEachThingOnceInTheOrderOfItsMembers) {
+TYPED_TEST(DescribedStruct, ListsEachMemberOnceInOrder) {
   const TypeParam object{};
   const char* last = nullptr;
   std::set<std::string> names;
   for_each_field<TypeParam>([&](const auto& field) {
     const char* at = reinterpret_cast<const char*>(&(object.*field.member));
-    EXPECT_TRUE(last == nullptr || at > last) << field.name << " is out of order, or stands for another member";
+    EXPECT_TRUE(last == nullptr || at > last) << field.name << " is out of order, or has the wrong member";
     last = at;
     EXPECT_TRUE(names.insert(field.name).second) << field.name;
     EXPECT_GT(std::string(field.text).size(), 1U) << field.name;
@@ -117,7 +117,7 @@ TEST(EnergyLedger, CountsEachTermOnceInItsRole) {
 
 // --- which values an enumeration has --------------------------------------------------------------------------------
 
-/// How the compiler calls a value: by its name where it has one.
+/// The compiler's text for a value: its name, if it has one.
 template <auto kValue>
 std::string name_by_compiler() {
   const std::string all = __PRETTY_FUNCTION__;
@@ -147,7 +147,7 @@ TYPED_TEST_SUITE(NamedEnumeration, Enumerations);
 TYPED_TEST(NamedEnumeration, NamesEachOfItsValuesAsCppDoes) {
   constexpr bool kBits = std::is_same_v<TypeParam, StepStatus> || std::is_same_v<TypeParam, OutputChange>;
   std::set<std::string> expected = values_of<TypeParam, kBits>(std::make_index_sequence < kBits ? 32 : 64 > ());
-  expected.erase("count");  // how many there are
+  expected.erase("count");  // the number of values
   std::set<std::string> found;
   for (const auto& one : names_of(Of<TypeParam>{})) {
     found.insert(one.name);
@@ -165,7 +165,7 @@ std::string refusal(double value, const Range& range) {
   return test::refusal([&] { require_within(value, range, "x [m]"); });
 }
 
-TEST(RangeOfAField, HoldsItsEndsAsItSays) {
+TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(1e-300, Range::positive()), "");
   EXPECT_EQ(refusal(0, Range::positive()), "x [m] = 0; must be a finite number > 0.");

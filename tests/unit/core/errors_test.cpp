@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sentence of an error can be shown anywhere: on a terminal, in a page, as a string of Python.
+// The sentence of an error is safe to show on a terminal, in a page, or as a Python string.
 #include "hapticut/core/errors.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Errors, KeepTheirSentenceOnOneLine) {
   EXPECT_EQ(shown(""), "");
 }
 
-TEST(Errors, KeepWhatIsUtf8) {
+TEST(Errors, KeepValidUtf8) {
   for (const char* text :
        {"Zähne/Backenzahn.vdb", "奥歯", "\xf0\x9f\xa6\xb7", "\xc2\xa0", "\xf4\x8f\xbf\xbf", "\xed\x9f\xbf"})
     EXPECT_EQ(shown(text), text);

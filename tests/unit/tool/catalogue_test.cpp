@@ -62,7 +62,7 @@ TEST(Catalogue, RoundEndsTouchTheirWallsWithoutAnEdge) {
   EXPECT_NEAR(pear.max_radius(), 0.7 * mm, kRounding * mm);
 }
 
-TEST(Catalogue, TheFlameIsWidestWhereItIsSaidToBe) {
+TEST(Catalogue, TheFlameIsWidestAtItsWidestHeight) {
   const ToolHead flame = flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2.2 * mm);
   EXPECT_NEAR(flame.max_radius(), 0.7 * mm, kRounding * mm);
   EXPECT_GT(margin_at(flame, 0.6999 * mm, 2.2 * mm), 0);
@@ -99,7 +99,7 @@ TEST_P(CatalogueShape, IsTheSameAsAProfile) {
 INSTANTIATE_TEST_SUITE_P(Heads, CatalogueShape, testing::ValuesIn(test::catalogue_heads()),
                          [](const auto& h) { return h.param.name; });
 
-// It had six lips, and pressed with nearly three times the force of a drill.
+// Once a drill had six lips, and pressed with nearly three times the right force.
 TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
   const Tool drill(twist_drill_head(2 * mm, 5 * mm));
   EXPECT_EQ(drill.cutter().kind, CutterKind::twist_drill);
@@ -164,7 +164,7 @@ struct Place {
   }
 };
 
-/// To a point, along an edge.
+/// SVG path from the previous point along an edge.
 std::string along(const ProfileEdge& edge, const std::string& to) {
   if (edge.radius == 0) return "L " + to;
   const std::string radius = px(std::abs(edge.radius) / mm * kScale);

@@ -40,11 +40,11 @@ TEST(LHandle, TheElbowIsANecksLengthAboveTheHeadOnItsAxisAndALengthBelowTheHand)
   }
 }
 
-// Without a length the hand would be in the middle of the bur, and feel no torque.
+// With a length of 0 by default the hand would be at the middle of the bur and feel no torque.
 TEST(Handles, MustSayHowLongTheyAre) {
   const auto message = [](const Handle& handle) { return test::refusal([&] { (void)head_in_handle(handle); }); };
   EXPECT_EQ(message(RayHandle{}),
-            "RayHandle::length [m] must be given: from Ho to To, along -z_H. 0.02 is 20 mm; 0 puts the hand into the "
+            "RayHandle::length [m] must be given: from Ho to To, along -z_H. 0.02 is 20 mm; 0 puts the hand at the "
             "head.");
   EXPECT_EQ(message(LHandle{}).find("LHandle::length [m] must be given"), 0U);
   EXPECT_EQ(message(LHandle{20 * mm}).find("LHandle::neck [m] must be given"), 0U);
@@ -52,7 +52,7 @@ TEST(Handles, MustSayHowLongTheyAre) {
   EXPECT_EQ(message(LHandle{0, 0}), "");
 }
 
-TEST(Handles, RefuseNegativeLengthsAndBendsBeyondHalfATurn) {
+TEST(Handles, RefuseNegativeLengthsAndBendsBeyond180Degrees) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {-1e-6, nan, infinity}) {
     EXPECT_THROW((void)head_in_handle(RayHandle{bad}), Error) << bad;
@@ -68,8 +68,8 @@ TEST(ThesisHandleTorque, OfARayIsTheTorqueOfTheSpindleAboutTheStylusAndNothingEl
   EXPECT_EQ(torque, Vec3(0, 0, 0.02));
 }
 
-// With the head straight below the hand the offset is along -z: pitch and roll are the lateral forces times its length.
-// Proves: handles of the thesis.
+// If the head is straight below the hand, the offset is along -z: pitch and roll are the lateral forces times its
+// length. Proves: handles of the thesis.
 TEST(ThesisHandleTorque, OfAnLIsItsOffsetTimesTheLateralForcesAndTheYawBySineOfTheBend) {
   const double zeta = 0.7, length = 0.1, bend = 0.5;
   const LHandle no_neck{length, 0, bend};
@@ -80,7 +80,7 @@ TEST(ThesisHandleTorque, OfAnLIsItsOffsetTimesTheLateralForcesAndTheYawBySineOfT
   EXPECT_EQ(thesis_handle_torque(LHandle{0, 0, 1}, Vec3(1, 2, 3), 0.02, zeta), Vec3(0, 0, 0));
 }
 
-// What the literal formulas lose: the exact torque of a force at the head of an L differs only in its yaw.
+// The formulas of the thesis lose only the yaw: pitch and roll of a force at the head of an L are exact.
 TEST(ThesisHandleTorque, AgreesWithTheFullWrenchInPitchAndRollForAScaleOfOne) {
   const LHandle handle{0.1, 0.02, 1.2};
   const Vec3 force(1, -2, 0.5), offset = head_in_handle(handle).translation;

@@ -39,8 +39,8 @@ TEST_P(Heads, BoxVolumeReachAndRadiusAreExact) {
   EXPECT_DOUBLE_EQ(e.head.max_radius(), e.max.x());
 }
 
-// The volume is the share of random points of the box that have a spring; 4e5 points know it to 0.1 %, four standard
-// deviations are 0.4 %. Where they are, the box is touched to 2 %.
+// The volume is the fraction of random points of the box that have a spring. 4e5 points give it to 0.1 %; four standard
+// deviations are 0.4 %. The points with a spring reach the sides of the box to within 2 %.
 TEST_P(Heads, SpringsFillTheVolumeAndTouchTheBox) {
   const Expected& e = GetParam();
   test::RandomPoses random(3);
@@ -59,9 +59,9 @@ TEST_P(Heads, SpringsFillTheVolumeAndTouchTheBox) {
     high = high.cwiseMax(p);
     farthest = std::max(farthest, p.norm());
   }
-  const double share = double(inside) / kPoints;
-  const double deviation = std::sqrt((1 - share) / (share * kPoints));
-  EXPECT_NEAR(share * edges.prod() / e.volume, 1, 4 * deviation);
+  const double fraction = double(inside) / kPoints;
+  const double deviation = std::sqrt((1 - fraction) / (fraction * kPoints));
+  EXPECT_NEAR(fraction * edges.prod() / e.volume, 1, 4 * deviation);
   EXPECT_TRUE((low.array() >= e.min.array()).all() && (high.array() <= e.max.array()).all());
   EXPECT_LT((low - e.min).maxCoeff(), 0.05 * e.reach);
   EXPECT_LT((e.max - high).maxCoeff(), 0.05 * e.reach);

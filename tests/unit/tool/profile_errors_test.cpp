@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a profile must not be.
+// Invalid profiles are refused.
 #include <gtest/gtest.h>
 
 #include <limits>

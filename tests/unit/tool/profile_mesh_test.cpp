@@ -30,7 +30,7 @@ TriangleMesh moved(TriangleMesh mesh, const Pose& X) {
   return mesh;
 }
 
-/// Every triangle with vertices of its own, as in an STL file, rounded to single precision.
+/// A mesh in which every triangle has separate vertices, as in an STL file, rounded to single precision.
 TriangleMesh soup(const TriangleMesh& mesh) {
   TriangleMesh out;
   for (const auto& triangle : mesh.triangles) {
@@ -86,23 +86,23 @@ double difference_of_forces(const ToolHead& a, const ToolHead& b, double tip_of_
   Simulation with_a(workpiece.clone(), Tool(a), test::static_config());
   Simulation with_b(workpiece.clone(), Tool(b), test::static_config());
   test::RandomPoses random(3);
-  double most = 0, worst = 0;
+  double max_force = 0, worst = 0;
   for (int n = 0; n < 20; ++n) {
     const Mat3 R = rotation_from_vector(random.vector(1.2));
     const Vec3 tip = Vec3(0, 0, -0.5 * size) + random.vector(0.2 * size);
     const StepResult in_a = test::hold_well(with_a, Pose{R, tip - tip_of_a * R.col(2)});
     const StepResult in_b = test::hold_well(with_b, Pose{R, tip - tip_of_b * R.col(2)});
-    most = std::max(most, in_a.force.norm());
+    max_force = std::max(max_force, in_a.force.norm());
     worst = std::max(worst, (in_a.force - in_b.force).norm());
   }
-  EXPECT_GT(most, 0);
-  return worst / most;
+  EXPECT_GT(max_force, 0);
+  return worst / max_force;
 }
 
 TEST_P(Recognized, FeelsTheForcesOfItsProfileWithinOnePercent) {
   const TriangleMesh mesh = mesh_of_revolution(GetParam().profile, 96);
   const RecognizedProfile found = profile_from_mesh(mesh);
-  // The mesh does not know which edges cut; a flat end on the shank's side is taken to be smooth.
+  // The mesh does not tell which edges cut; a flat end on the shank's side counts as smooth.
   Profile original = GetParam().profile;
   const ProfileEdge& last = found.profile.edges.back();
   for (ProfileEdge& e : original.edges) e.kind = EdgeKind::cutting;
@@ -125,13 +125,13 @@ TEST(RecognizedProfile, KeepsArcsAsArcs) {
   EXPECT_EQ(found.profile.edges[2].kind, EdgeKind::smooth);
 }
 
-TEST(RecognizedProfile, TurnsTheAxisTowardsTheShank) {
+TEST(RecognizedProfile, OrientsTheAxisTowardsTheShank) {
   const TriangleMesh mesh = mesh_of_revolution(tapered_head(0.8 * mm, 1.6 * mm, 3 * mm).profile(), 60);
   EXPECT_LT(profile_from_mesh(mesh).profile.edges[0].rho, 0.41 * mm);
   EXPECT_GT(profile_from_mesh(mesh, -Vec3::UnitZ()).profile.edges[0].rho, 0.79 * mm);
 }
 
-// --- what is not a body of revolution -------------------------------------------------------------------------------
+// --- not a body of revolution ---------------------------------------------------------------------------------------
 
 void expect_no_body_of_revolution(const TriangleMesh& mesh, std::initializer_list<std::string> words) {
   test::expect_refused([&] { (void)profile_from_mesh(mesh); }, words);
@@ -140,8 +140,8 @@ void expect_no_body_of_revolution(const TriangleMesh& mesh, std::initializer_lis
 TEST(RecognizedProfile, SaysHowFarAMeshIsOff) {
   // A square prism: its corners are at sqrt(2) of the distance of its faces, 29 % of the largest radius.
   const TriangleMesh prism = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 4);
-  expect_no_body_of_revolution(prism,
-                               {"not a body of revolution", "mm off", "% of its radius", "at most 2 %", "more facets"});
+  expect_no_body_of_revolution(
+      prism, {"not a body of revolution", "mm off", "% of its radius", "at most 2 %", "more facets"});
 
   TriangleMesh oval = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 90);
   for (Vec3& v : oval.vertices) v.x() *= 1.2;
@@ -181,11 +181,10 @@ TEST(RecognizedProfile, RefusesADirectionOrToleranceOutOfRange) {
   EXPECT_THROW((void)mesh_of_revolution(test::ball_profile(1 * mm), 2), Error);
 }
 
-// --- a bur that somebody else made -----------------------------------------------------------------------------------
+// --- a bur from another program -- -----------------------------------------------------------------------------------
 
 #ifdef HAPTICUT_HAS_IO
-/// The rings of the bur as a profile, taken from its vertices and nothing else: they are monotone in z, but for the
-/// disk at the top.
+/// The rings of the bur as a profile, from its vertices alone. They are monotone in z, except for the disk at the top.
 Profile rings_of(const TriangleMesh& mesh, const Vec3& center) {
   std::vector<Eigen::Vector2d> rings;
   for (const Vec3& v : mesh.vertices) {

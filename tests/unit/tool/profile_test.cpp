@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Twins{"BluntCone", ConeHead{70 * deg, 1 * mm}, test::cone_profile(70 * deg, 1 * mm)}),
     [](const auto& twins) { return std::string(twins.param.name); });
 
-TEST(ProfileHead, WithSmoothSidesOrASmoothBottomHasTheDepthBelowWhatCutsUntilWhatIsSmoothIsNearer) {
+TEST(ProfileHead, WithSmoothSidesOrASmoothBottomHasTheDepthOfTheCuttingSurfaceUntilTheSmoothOneIsNearer) {
   constexpr double kR = 0.8 * mm, kTop = 2 * mm;
   for (const bool bottom_cuts : {true, false}) {
     const EdgeKind bottom = bottom_cuts ? EdgeKind::cutting : kSmooth, side = bottom_cuts ? kSmooth : EdgeKind::cutting;
@@ -122,7 +122,7 @@ TEST_P(AnyProfile, TableIsWithinItsBoundAndItsBoundWithinTheTolerance) {
     const ProfileTable& table = head.table();
     ASSERT_LE(table.error, tolerance * std::min(table.radius, table.top - table.bottom));
     const ProfileSprings<double> springs(table);
-    const double rounding = 1e-6 * mm;  // of the circle that stands for a hollow corner
+    const double rounding = 1e-6 * mm;  // of the circle that represents a hollow corner
     double sum = 0;
     constexpr int kPoints = 200000;
     for_points(head, kPoints, [&](double rho, double z) {
@@ -157,7 +157,7 @@ TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
 INSTANTIATE_TEST_SUITE_P(Profiles, AnyProfile, testing::ValuesIn(test::all_profiles()),
                          [](const auto& p) { return p.param.name; });
 
-/// Points along a meridian, by its definition and nothing else: edges are straight, or arcs of a radius to the left.
+/// Points along a meridian, directly from its definition: edges are straight, or arcs of a radius to the left.
 std::vector<Eigen::Vector2d> points_of(const Profile& profile, double spacing) {
   std::vector<Eigen::Vector2d> points;
   Eigen::Vector2d from(0, profile.tip);
@@ -165,14 +165,14 @@ std::vector<Eigen::Vector2d> points_of(const Profile& profile, double spacing) {
     const Eigen::Vector2d to(e.rho, e.z), chord = to - from;
     const int count = 2 + int(2 * chord.norm() / spacing);
     for (int n = 0; n <= count; ++n) {
-      const double share = double(n) / count;
-      Eigen::Vector2d p = from + share * chord;
+      const double part = double(n) / count;
+      Eigen::Vector2d p = from + part * chord;
       if (e.radius != 0) {
         const Eigen::Vector2d left = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
         const double half = chord.norm() / 2, R = std::abs(e.radius);
         const double bend = std::sqrt(std::max(0.0, R * R - half * half));
         const Eigen::Vector2d center = (from + to) / 2 + (e.radius > 0 ? bend : -bend) * left;
-        const double angle = 2 * std::asin(std::min(1.0, half / R)) * share * (e.radius > 0 ? 1 : -1);
+        const double angle = 2 * std::asin(std::min(1.0, half / R)) * part * (e.radius > 0 ? 1 : -1);
         p = center + Eigen::Rotation2Dd(angle) * (from - center);
       }
       points.push_back(p);
@@ -211,7 +211,7 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
   const Profile& profile = GetParam().profile;
   const ToolHead head = ProfileHead(profile, 0.002);
   const double spacing = 0.002 * mm;
-  // The points of each edge are those of a profile that has it alone.
+  // The points of each edge come from a profile that contains only this edge.
   std::vector<Eigen::Vector2d> cutting, smooth;
   for (std::size_t i = 0; i < profile.edges.size(); ++i) {
     const Profile begun = {profile.tip, {profile.edges.begin(), profile.edges.begin() + int(i) + 1}};
@@ -232,7 +232,7 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
     const double expected = std::min(distance(cutting, rho, z), kSmoothScale * distance(smooth, rho, z));
     ++inside;
     on_smooth += s.on_smooth();
-    // The line of a straight cutting edge goes on, and is a little nearer than its end.
+    // The line of a straight cutting edge is extended, and is slightly nearer than its end.
     const double nearer = GetParam().name == "SafeTip" ? 0.1 * mm : 0;
     ASSERT_LT(s.depth, expected + kSmoothScale * spacing + 0.003 * mm) << rho << " " << z;
     ASSERT_GT(s.depth, expected - nearer - kSmoothScale * spacing - 0.003 * mm) << rho << " " << z;
@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, SmoothProfile, testing::ValuesIn(test::profil
                          [](const auto& p) { return p.param.name; });
 
 TEST(ProfileHead, ASmoothPointCutsTheSideOffExactly) {
-  // Its slope passes through points that the table is made from.
+  // The slope passes through sample points of the table.
   const ProfileHead head({0, {{1 * mm, 0.6 * mm, 0, kSmooth}, {1 * mm, 5 * mm}, {0, 5 * mm, 0, kSmooth}}});
   EXPECT_NE(head.table().everywhere, 0U);
   for_points(head, 20000, [&](double rho, double z) {
@@ -272,15 +272,15 @@ TEST_P(AnyProfile, SlabsHoldTheHeadAndLittleMore) {
   const ProfileTable& t = head.table();
   const ProfileSprings<double> springs(t);
   const double height = (t.top - t.bottom) / ProfileTable::kSlabs;
-  std::array<double, ProfileTable::kSlabs> most = {};
+  std::array<double, ProfileTable::kSlabs> max_rho = {};
   for_points(head, 200000, [&](double rho, double z) {
     if (springs.margin(rho, z) <= 0) return;
     const std::size_t slab = std::min<std::size_t>(std::size_t((z - t.bottom) / height), ProfileTable::kSlabs - 1);
-    most[slab] = std::max(most[slab], rho);
+    max_rho[slab] = std::max(max_rho[slab], rho);
     ASSERT_LT(rho * rho, t.slab_radius_squared[slab]);
   });
   for (std::size_t slab = 0; slab < ProfileTable::kSlabs; ++slab)
-    EXPECT_NEAR(std::sqrt(double(t.slab_radius_squared[slab])), most[slab], t.error + 0.03 * t.radius) << slab;
+    EXPECT_NEAR(std::sqrt(double(t.slab_radius_squared[slab])), max_rho[slab], t.error + 0.03 * t.radius) << slab;
 }
 
 TEST(ProfileHead, TheRuleForEverywhereIsRightEverywhere) {
@@ -298,7 +298,7 @@ TEST(ProfileHead, TheRuleForEverywhereIsRightEverywhere) {
       if (!(rho < table.radius && z > table.bottom && z < table.top)) return;
       if (std::abs(springs.margin(rho, z)) < kRounding * mm) return;
       const MeridianSpring<double> got = springs.decide(table.everywhere, rho, z), want = head.exact_spring(rho, z);
-      // The table has a circle in the place of a corner.
+      // The table represents a corner by a circle.
       ASSERT_NEAR(std::max(0.0, got.depth), std::max(0.0, want.depth), 2e-7 * head.reach()) << rho << " " << z;
     });
   }
@@ -320,7 +320,7 @@ TEST(ProfileHead, WhichHeadsNeedNoTable) {
   expect_rule(CellRule::first, two_arcs_of_a_ball);
   expect_rule(CellRule::nearer, test::flat_profile(1 * mm, 2 * mm));
   expect_rule(CellRule::sides, pear_head(1.4 * mm, 2.6 * mm, 0.8 * mm).profile());
-  // Chamfered at the rim, by less than the samples of a cell see.
+  // Chamfered at the rim, by less than the samples of a cell resolve.
   EXPECT_EQ(rule_of({0, {{0.992 * mm, 0}, {1 * mm, 0.008 * mm}, {1 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}}), 0U);
 }
 

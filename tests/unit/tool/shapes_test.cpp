@@ -45,7 +45,7 @@ RC_GTEST_PROP(Shapes, MarginIsPositiveExactlyInside, ()) {
   RC_ASSERT((margin > 0) == is_inside(head, rho, z));
 }
 
-// The springs push down the slope of their depth: with one spring per point, its scale times n is -grad w.
+// The springs push along the negative gradient of the depth: with one spring per point, scale times n is -grad w.
 RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
   const ToolHead head = *arbitrary_head();
   if (const auto* flat = std::get_if<FlatHead>(&head.shape())) RC_PRE(flat->rule != FlatRule::both);
@@ -57,10 +57,10 @@ RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
   const double radial = (spring_at(head, rho + kStep, z).depth - spring_at(head, rho - kStep, z).depth) / (2 * kStep);
   const double axial = (spring_at(head, rho, z + kStep).depth - spring_at(head, rho, z - kStep).depth) / (2 * kStep);
   const MeridianSpring<double> s = spring_at(head, rho, z);
-  for (int side = -1; side <= 1; side += 2)  // where the smooth end is as near
+  for (int side = -1; side <= 1; side += 2)  // where the smooth end is equally near
     RC_PRE(spring_at(head, rho + side * kStep, z).on_smooth() == s.on_smooth() &&
            spring_at(head, rho, z + side * kStep).on_smooth() == s.on_smooth());
-  // Differences of numbers of 1e-3 over 2e-9, and the curvature 1/rho of the ball over the step.
+  // Error: rounding of numbers of 1e-3 divided by 2e-9, and the curvature 1/rho of the ball over the step.
   RC_ASSERT(std::abs(s.scale() * s.n_radial + radial) < 2e-6 + kStep / rho);
   RC_ASSERT(std::abs(s.scale() * s.n_axial + axial) < 2e-6 + kStep / rho);
 }
@@ -84,7 +84,7 @@ RC_GTEST_PROP(Shapes, NearestIsTheShallowestOfBottomSideAndTop, ()) {
   RC_ASSERT(at(FlatRule::nearest) == std::min(cutting, top));
 }
 
-// A corner of 90 degrees between a cutting and a smooth surface, whose distances are independent there.
+// At a corner of 90 degrees between a cutting and a smooth surface, the two distances are independent.
 TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   const auto below = [](double cutting, double smooth) {
     return depth_below_both(depth_below(cutting, 1.0), depth_below(smooth, kSmoothScale));
@@ -97,7 +97,7 @@ TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   EXPECT_NEAR(below(-1e-9, -4), below(1e-9, -4), 1e-8) << "continuous";
   for (const double distance : {-2.0, 0.0, 0.7})
     EXPECT_DOUBLE_EQ(distance_below(depth_below(distance, kSmoothScale), kSmoothScale), distance);
-  // The same of a cone, past the rim of its base.
+  // A cone, past the rim of its base.
   const ConeHead cone = {30 * kPi / 180, 1 * mm};
   const double rho = cone.height * std::tan(cone.half_angle) + 0.2 * mm, z = cone.height + 0.1 * mm;
   const double side = z * std::sin(cone.half_angle) - rho * std::cos(cone.half_angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motor by itself: ramps, power limit and droop, in both directions.
+// The motor alone: ramps, power limit and droop, in both directions.
 #include "hapticut/tool/spindle.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverThe
 }
 
 // Proves: ramp.
-TEST_P(SpindleDirection, TurnsTheOtherWayThroughZero) {
+TEST_P(SpindleDirection, ReversesThroughZero) {
   SpindleMotor motor(Spindle{sign * 500 * units::rad_per_s, std::numeric_limits<double>::infinity(), 1e4});
   motor.set(-sign * 500);
   double time = 0, before = sign * motor.speed();
@@ -99,9 +99,9 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
     for (const double dt : {1e-3, 2.5e-4}) {
       SpindleMotor motor(turbine(sign, inertia));
       EXPECT_NEAR(motor.stall_torque(), kStall, 1e-15);
-      const double rise = 2;  // [s] slow beside a run-up of 15 ms
+      const double rise = 2;  // [s] slow compared to a run-up of 15 ms
       double stalled_at = 0, ran_at = 0, before = motor.speed();
-      int turns = 0;
+      int reversals = 0;
       for (double time = 0; time < 2 * rise; time += dt) {
         const double load = 1.5 * kStall * (time < rise ? time : 2 * rise - time) / rise;
         motor.drive(sign * load, dt);
@@ -109,16 +109,16 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
         if (stalled_at == 0 && motor.stalled()) stalled_at = load;
         if (stalled_at > 0 && ran_at == 0 && !motor.stalled()) ran_at = load;
         const bool falls = sign * (motor.speed() - before) < 0;
-        turns += (falls && time >= rise) || (sign * (motor.speed() - before) > 1e-9 * kFree && time < rise);
+        reversals += (falls && time >= rise) || (sign * (motor.speed() - before) > 1e-9 * kFree && time < rise);
         before = motor.speed();
         const double line = kStall * (1 - sign * motor.speed() / kFree);
         if (inertia == 0 && !motor.stalled()) {
           ASSERT_LE(load, line * (1 + 1e-9));
         }
       }
-      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor goes on a little";
+      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor continues a little";
       EXPECT_NEAR(ran_at / kStall, 1, 2e-3);
-      EXPECT_EQ(turns, 0);
+      EXPECT_EQ(reversals, 0);
     }
 }
 
@@ -151,7 +151,7 @@ TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
     EXPECT_TRUE(motor.loaded());
     EXPECT_EQ(motor.speed(), 0);
     for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
-    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it starts again";
+    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again";
   }
 }
 
@@ -170,7 +170,7 @@ TEST_P(SpindleDirection, ARotorSettlesAtThePowerLimit) {
 }
 
 // Proves: inertia.
-TEST_P(SpindleDirection, AMotorWithInertiaTurnsTheOtherWayThroughZero) {
+TEST_P(SpindleDirection, AMotorWithInertiaReversesThroughZero) {
   constexpr double kInertia = 1e-6;  // 0.1 s from full speed to none
   SpindleMotor motor({.speed = sign * 1000 * units::rad_per_s, .torque_limit = 0.01, .rotor_inertia = kInertia});
   motor.set(-sign * 1000);
@@ -219,8 +219,8 @@ concept IsASpeedToSet = requires(Simulation& simulation, Argument speed) {
   commands::SetSpindleSpeed{speed};
 };
 
-// 40000 turns a minute without their unit were 40000 rad/s, and forces nine times too large.
-TEST_P(SpindleDirection, HasOneUnitEverywhereAndTurnsAMinuteAreRefusedAsRadiansASecond) {
+// 40000 rpm without a unit would be read as 40000 rad/s; forces were then nine times too large.
+TEST_P(SpindleDirection, HasOneUnitEverywhereAndRpmAreRefusedAsRadiansPerSecond) {
   static_assert(MakesASpindle<AngularSpeed> && MakesASpindle<MotorKind, AngularSpeed>);
   static_assert(!MakesASpindle<int> && !MakesASpindle<MotorKind, int>);
   static_assert(!MakesASpindle<double> && !MakesASpindle<MotorKind, double>);
@@ -228,13 +228,13 @@ TEST_P(SpindleDirection, HasOneUnitEverywhereAndTurnsAMinuteAreRefusedAsRadiansA
   static_assert(!IsASpindle<int> && !IsASpindle<double> && !IsASpindle<double, double>);
   static_assert(!IsASpeedToSet<int> && !IsASpeedToSet<double>);
   static_assert(-(40000 * units::rpm) == -40000 * units::rpm && 2 * units::rad_per_s == 2 && AngularSpeed{} == 0);
-  const AngularSpeed turns = sign * 40000 * units::rpm;
-  EXPECT_EQ(common_spindle(turns).speed, turns);
-  EXPECT_EQ(common_motor(turns), MotorKind::electric);
+  const AngularSpeed speed = sign * 40000 * units::rpm;
+  EXPECT_EQ(common_spindle(speed).speed, speed);
+  EXPECT_EQ(common_motor(speed), MotorKind::electric);
   for (const MotorKind motor : {MotorKind::electric, MotorKind::surgical_drill, MotorKind::air_turbine}) {
-    const double fastest = max_speed(motor);
-    EXPECT_EQ(std::abs(common_spindle(motor, sign * fastest * units::rad_per_s).speed), fastest);
-    test::expect_refused([&] { (void)common_spindle(motor, sign * 1.01 * fastest * units::rad_per_s); },
+    const double limit = max_speed(motor);
+    EXPECT_EQ(std::abs(common_spindle(motor, sign * limit * units::rad_per_s).speed), limit);
+    test::expect_refused([&] { (void)common_spindle(motor, sign * 1.01 * limit * units::rad_per_s); },
                          {"Write 40000 * units::rpm"});
   }
   EXPECT_THROW((void)common_spindle(MotorKind::electric, sign * 40000 * units::rad_per_s), Error);

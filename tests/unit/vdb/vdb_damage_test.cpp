@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damaged .vdb files: every byte of one may be wrong, and the answer is a workpiece or a sentence.
+// Damaged .vdb files: whichever byte is wrong, the result is a workpiece or an Error.
 #include <gtest/gtest.h>
 
 #include <openvdb/io/Stream.h>
@@ -26,7 +26,7 @@ using units::mm;
 
 enum class Answer { workpiece, refused };
 
-/// Reads bytes as a file of ours or of another program; anything but a workpiece or an Error ends the test.
+/// Reads bytes as a hapticut file or a file of another program; any result but a workpiece or an Error ends the test.
 Answer answer_to(const std::string& bytes, const TemporaryFolder& folder, const VdbImport* import = nullptr) {
   test::write_bytes(folder / "a.vdb", bytes);
   const std::string refusal = test::refusal([&] {
@@ -43,7 +43,7 @@ std::string small_file(const TemporaryFolder& folder) {
   return test::read_bytes(folder / "small.vdb");
 }
 
-/// What other programs write: a level set of half floats, or of another encoding, and grids that are of no use here.
+/// Files like those of other programs: a level set of half floats or of another encoding, with unrelated grids.
 std::string foreign_file(std::uint32_t compression, bool half, bool with_others) {
   openvdb::initialize();
   auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1.0F, openvdb::Vec3f(0, 0, 0), 0.2F);
@@ -75,12 +75,12 @@ std::string foreign_file(std::uint32_t compression, bool half, bool with_others)
 
 VdbImport the_ball() { return {test::named("clay"), "ball", 1, VdbImport::Kind::level_set}; }
 
-/// The bytes from `begin` to the nodes of the next grid: names, metadata, and the transform, which stands last.
+/// The bytes from `begin` to the nodes of the next grid: names, metadata, and last the transform.
 std::size_t end_of_head(const std::string& bytes, std::size_t begin) {
   return bytes.find("UniformScale", begin) + std::strlen("UniformScaleTranslateMap") + 6 * 3 * sizeof(double);
 }
 
-/// Sets each byte of a part of the file wrong in several ways.  @return how many of these files were refused
+/// Damages each byte of a part of the file in several ways.  @return number of files that were refused
 int flip_every_byte(const std::string& bytes, std::size_t begin, std::size_t end, const TemporaryFolder& folder) {
   std::mt19937 random(1);
   int refused = 0;
@@ -169,7 +169,7 @@ TEST(DamagedVdb, LengthsBeyondTheFileAreNotBelieved) {
   }
 }
 
-/// Places of the chunks that Blosc has packed: 8 bytes of length, then a head of 16 bytes that ends with it.
+/// Positions of chunks compressed by Blosc: 8 bytes of length, then a header of 16 bytes that ends with the length.
 std::vector<std::size_t> packed_chunks(const std::string& bytes) {
   constexpr std::size_t kLength = 8, kLengthInHead = 12, kHead = 16;
   std::vector<std::size_t> places;
@@ -184,7 +184,7 @@ std::vector<std::size_t> packed_chunks(const std::string& bytes) {
   return places;
 }
 
-// OpenVDB refuses them as well, and loses the memory of the node, so it must not see them.
+// OpenVDB refuses such values too, but leaks the memory of the node, so the reader must refuse them first.
 TEST(DamagedVdb, ValuesOfANodeThatCannotBeUnpackedAreRefusedBeforeOpenVdb) {
   const TemporaryFolder folder;
   save_vdb(build_block({Vec3::Zero(), Vec3::Constant(3 * mm)}, 0.15 * mm, test::named("clay")), folder / "a.vdb");

@@ -172,7 +172,7 @@ TEST(Vdb, AFileThatIsCutOffAnywhereIsRefused) {
   EXPECT_THROW((void)load_vdb(folder / "cut.vdb"), Error);
 }
 
-TEST(Vdb, AFileOfAnotherFormatIsRefusedAndSaysWhatReadsIt) {
+TEST(Vdb, AFileOfAnotherFormatIsRefusedNamingItsReader) {
   const TemporaryFolder folder;
   save_vdb(build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay")), folder / "a.vdb");
   for (const int format : {1, 3}) {
@@ -213,7 +213,7 @@ TEST(Vdb, AFullDiskIsReportedAndTheOldFileStays) {
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
-TEST(Vdb, WhatCannotBeWrittenIsReported) {
+TEST(Vdb, AFailureToWriteIsReported) {
   const TemporaryFolder folder;
   const Workpiece ball = build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay"));
   EXPECT_THROW(save_vdb(ball, folder / "no" / "such" / "folder.vdb"), Error);
@@ -230,7 +230,7 @@ TEST(Vdb, ALevelSetOfAnotherProgramGivesItsBall) {
   VdbImport import{named("clay"), "", 1, VdbImport::Kind::from_class};
   const Workpiece ball = load_vdb(test::data_path("vdb/sphere.vdb"), import);
   EXPECT_NEAR(ball.voxel_size(), 0.05 * mm, 1e-12);
-  // The grid is a ball of radius 3 mm; its half-float distances are good to 1e-3 of the volume.
+  // The grid is a ball of radius 3 mm; its half-float distances give the volume to 1e-3.
   EXPECT_NEAR(ball.amounts()[0].volume / mm3, 4.0 / 3 * units::kPi * 27, 1e-3 * 113.1);
   EXPECT_EQ(ball.fill_at({0, 0, 0}), 1.0);
   EXPECT_EQ(ball.fill_at({61, 0, 0}), 0.0);
@@ -251,10 +251,10 @@ TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
       [] {
         return load_vdb(test::data_path("vdb/smoke.vdb"), {named("smoke"), "density"});
       },
-      "but values of a fog volume are filled fractions, 0 to 1. Scale them");
+      "but values of a fog volume are filled fractions, 0 to 1. Scale the values");
 }
 
-TEST(Vdb, GridsThatCannotBeTakenAreRefusedWithWhatHelps) {
+TEST(Vdb, UnsuitableGridsAreRefusedWithTheCure) {
   openvdb::initialize();
   const TemporaryFolder folder;
   const auto refused = [&](const openvdb::GridPtrVec& grids, const std::string& grid, const std::string& part) {

@@ -64,7 +64,7 @@ double worst_fill(const BodyDescription& body, const Workpiece& workpiece) {
 
 MaterialId only_material(const Vec3&) { return 1; }
 
-// Counting finds a face along the grid to half the distance of its points; that of the builder adds little to it.
+// Counting finds a face along the grid to half the distance of its points; the error of the builder is small beside it.
 constexpr double kMiscounted = 0.5 / kPoints + 0.005;
 
 TEST(BuildBody, AntialiasesASmoothSurfaceLikeItsDefinition) {
@@ -99,15 +99,15 @@ TEST(BuildBody, PutsFacesAlongTheGridWhereTheyAre) {
         middle[axis] = fill > 1e-6 && fill < 1 - 1e-6 ? (upper ? -1 : 1) * (1 - fill) / 2 : 0;
         EXPECT_LT((test::centroid_of(workpiece, index) - middle).norm(), kPacked) << "axis " << axis;
       }
-    const double kEdges = 1e-4;  // cells that two faces cut at once
+    const double kEdges = 1e-4;  // cells that two faces cut
     EXPECT_NEAR(workpiece.amounts()[0].volume / (high - low).prod(), 1, kEdges) << shift;
   }
 }
 
 TEST(BuildBody, KeepsEdgesCornersAndThinSheets) {
-  const Mat3 turned = rotation_from_vector({0.3, 0.5, -0.2});
-  const auto box = [turned](const Vec3& p, const Vec3& half) {
-    const Vec3 q = (turned * p).cwiseAbs() - half;
+  const Mat3 rotation = rotation_from_vector({0.3, 0.5, -0.2});
+  const auto box = [rotation](const Vec3& p, const Vec3& half) {
+    const Vec3 q = (rotation * p).cwiseAbs() - half;
     return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
   };
   const Box around = {Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)};
@@ -135,7 +135,7 @@ TEST(BuildBody, AsksTheFunctionOfASmoothBodyOnlyAFewTimesForEachVoxelOfItsSurfac
                                 only_material};
   (void)build_body(ball, 0.1 * mm, MaterialTable({named("clay")}));
   const double surface_voxels = 4 * kPi * 49 * 49;
-  // The centres of whole blocks included; point by point it would be 900.
+  // Includes the centres of whole blocks; point by point it would be 900.
   EXPECT_LT(double(calls), 30 * surface_voxels);
 }
 

@@ -51,7 +51,7 @@ TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
   }
 }
 
-TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
+TEST(MaterialPresets, HaveATableOfAllTheFieldsOfAMaterial) {
   std::string expected = "| name |";
   for_each_number<Material>(
       [&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
@@ -61,27 +61,27 @@ TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
   EXPECT_EQ(line, expected);
 }
 
-TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
-  const auto cutters = documented_under("By cutter"), shares = documented_under("By material");
+TEST(MaterialPresets, AreThoseOfTheTablesForEachCutter) {
+  const auto cutters = documented_under("By cutter"), relative_energies = documented_under("By material");
   EXPECT_EQ(cutters.size(), names_of(Of<CutterKind>{}).size());
   for (const auto& kind : names_of(Of<CutterKind>{}))
     for (const std::string_view name : preset_names()) {
       const Material m = find_preset(name, kind.value);
       EXPECT_EQ(m.name, name);
       EXPECT_NO_THROW(validate(m));
-      if (!shares.contains(m.name)) {
-        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": the same for each cutter";
+      if (!relative_energies.contains(m.name)) {
+        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": equal for each cutter";
         continue;
       }
       const std::vector<double>& of = cutters.at(kind.name);
-      const double share = shares.at(m.name).at(0);
+      const double relative_energy = relative_energies.at(m.name).at(0);
       const double found[] = {m.cutting_ratio, m.specific_cutting_energy, m.edge_length, m.size_length};
-      const double expected[] = {of.at(0), of.at(1) * share, of.at(2), of.at(3) / share};
+      const double expected[] = {of.at(0), of.at(1) * relative_energy, of.at(2), of.at(3) / relative_energy};
       for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(found[n], expected[n], 0.006 * found[n]) << name << kind.name;
     }
 }
 
-/// [m^3/s] that a ball takes, plunged deeper than its radius under a load (C38).
+/// [m^3/s] Volume rate of a ball that is plunged deeper than its radius under a load (C38).
 double rate_of(CutterKind kind, const Material& m, double load, double radius = 1 * units::mm) {
   constexpr double kSpin = 8000;  // [rad/s]
   closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, kSpin, 0};
@@ -117,12 +117,12 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
   using enum CutterKind;
   struct Pair {
     CutterKind blades, grains;
-    double largest;  // [m] radius
+    double max_radius;  // [m]
   };
   for (const Pair& pair :
        {Pair{mastoid_cutting_bur, mastoid_diamond_bur, 3.5 * units::mm},
         Pair{carbide_bur, fine_diamond, 1.2 * units::mm}, Pair{carbide_bur, coarse_diamond, 1.2 * units::mm}})
-    for (const double radius : {0.5 * units::mm, pair.largest})
+    for (const double radius : {0.5 * units::mm, pair.max_radius})
       for (const char* bone : {"cortical_bone", "trabecular_bone"})
         for (const double load : {1.5, 3.0, 10.0})
           EXPECT_GT(rate_of(pair.blades, find_preset(bone, pair.blades), load, radius),
@@ -131,7 +131,7 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
 }
 
 // docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
-TEST(MaterialPresets, AreCrushedFromTheDepthOnThatThePageSays) {
+TEST(MaterialPresets, AreCrushedFromTheDepthOfThePage) {
   const double k_v = stiffness_for_head(SphereHead{1 * units::mm});
   const auto depth = [&](const Material& m) {
     return std::sqrt(2 * m.compressive_strength / (k_v * m.relative_stiffness));
@@ -145,7 +145,7 @@ TEST(MaterialPresets, RefuseAnUnknownNameAndListTheKnownOnes) {
   EXPECT_THROW((void)preset_color("granite"), Error);
 }
 
-// What people take from a page whose units are J/mm^3, mm and MPa.
+// Values copied from a page in J/mm^3, mm and MPa.
 TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   const auto expect = [](double Material::*member, double value, const char* words) {
     Material bone = presets::cortical_bone();
@@ -157,10 +157,10 @@ TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   expect(&Material::edge_length, 0.018, "must be between");
   expect(&Material::size_length, 0.18, "must be between");
   expect(&Material::compressive_strength, 150, "150 MPa are 150e6");
-  expect(&Material::edge_pressure, 2, "in Pa");
+  expect(&Material::edge_pressure, 2, "The unit is Pa");
 }
 
-TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
+TEST(MaterialPresets, HaveDistinctColors) {
   for (const std::string_view a : preset_names())
     for (const std::string_view b : preset_names()) {
       if (a >= b) continue;

@@ -32,7 +32,7 @@ FloatGrid::Ptr ball_of_level_set() {
   return openvdb::tools::createLevelSetSphere<FloatGrid>(float(kBallRadius_mm), openvdb::Vec3f(0.013F, 0, 0), 0.05F);
 }
 
-/// Ids of a slab below and one above the plane k = 0, everywhere around the ball; the upper one is a tile.
+/// Ids of two slabs, below and above the plane k = 0, around the whole ball; the upper slab is a tile.
 Int32Grid::Ptr two_layers(const FloatGrid& ball) {
   auto ids = Int32Grid::create(0);
   ids->setTransform(ball.transform().copy());
@@ -76,7 +76,7 @@ TEST(WorkpieceFromGrids, TakesFractionsFromAFogVolume) {
   EXPECT_EQ(workpiece.voxel_size(), 1.0);
 }
 
-TEST(WorkpieceFromGrids, TakesBackWhatAWorkpieceGaveAway) {
+TEST(WorkpieceFromGrids, RestoresAWorkpieceFromItsGrids) {
   const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 1 * mm, 0.1 * mm, named("clay"));
   const auto density = density_grid(ball, mm);
   const auto ids = material_grid(ball, mm);
@@ -103,7 +103,7 @@ TEST(WorkpieceFromGrids, RefusesGridsOfDifferentPlaces) {
                  {"different transforms"});
 }
 
-TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
+TEST(WorkpieceFromGrid, RefusesGridsWithoutASolid) {
   const auto refused = [](const FloatGrid& grid, const char* reason, GridImport import = {}) {
     expect_refused([&] { (void)workpiece_from_grid(grid, named("clay"), import); }, {reason});
   };
@@ -142,12 +142,12 @@ TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
 
   FloatGrid other_unit(*ball);
   other_unit.setTransform(openvdb::math::Transform::createLinearTransform(1.0));
-  refused(other_unit, "knows distances up to 0.15, but its voxels are 1 wide. Save it with distances in the unit");
+  refused(other_unit, "stores distances up to 0.15, but its voxels are 1 wide. Save it with distances in the unit");
 
   FloatGrid smoke(0.0F);
   smoke.setGridClass(openvdb::GRID_FOG_VOLUME);
   smoke.fill({{0, 0, 0}, {15, 15, 15}}, 10.0F);
-  refused(smoke, "has the value 10, but values of a fog volume are filled fractions, 0 to 1. Scale them");
+  refused(smoke, "has the value 10, but values of a fog volume are filled fractions, 0 to 1. Scale the values");
   smoke.fill({{0, 0, 0}, {15, 15, 15}}, 1.0F);
   smoke.tree().setValue({3, 4, 5}, 1.01F);
   refused(smoke, "has the value 1.01");

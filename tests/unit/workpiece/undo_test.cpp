@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks and the way back to them, without an allocation, while a simulation goes on.
+// Marks, undo and redo, without an allocation, while a simulation runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ Simulation slab(std::size_t undo_blocks) {
   return simulation;
 }
 
-/// Steps of a ball that wanders about in the slab, from a place of its own.
+/// Steps of a ball on a random path in the slab, from its own start.
 class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
   void cut(Simulation& simulation, int steps) {
-    if (simulation.starts_afresh()) begin_anew();  // or it would wait where it is
+    if (simulation.starts_afresh()) begin_anew();  // or the tool would wait where it is
     for (int n = 0; n < steps; ++n) {
       position_ += 2e-5 * direction_;
       if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
@@ -55,14 +55,14 @@ class Wandering {
   Vec3 position_, direction_;
 };
 
-void undo_by(Simulation& simulation, std::size_t most) {
-  while (!simulation.undo(most)) {
-    EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+void undo_by(Simulation& simulation, std::size_t max_blocks) {
+  while (!simulation.undo(max_blocks)) {
+    EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
     EXPECT_TRUE(simulation.changed_blocks().complete);
   }
 }
-void redo_by(Simulation& simulation, std::size_t most) {
-  while (!simulation.redo(most)) EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+void redo_by(Simulation& simulation, std::size_t max_blocks) {
+  while (!simulation.redo(max_blocks)) EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
 }
 
 TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
@@ -83,7 +83,7 @@ TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   EXPECT_TRUE(simulation.undo(1)) << "there is no mark left";
 }
 
-TEST(Undo, NamesEveryBlockThatItPutsBack) {
+TEST(Undo, ReportsEveryBlockThatItRestores) {
   Simulation simulation = slab(4000);
   std::set<VoxelIndex> cut, named;
   simulation.set_undo_mark();
@@ -102,7 +102,7 @@ TEST(Undo, NamesEveryBlockThatItPutsBack) {
   EXPECT_TRUE(std::includes(named.begin(), named.end(), cut.begin(), cut.end()));
 }
 
-TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFullAndRedoNeedsNoneOfItsOwn) {
+TEST(Undo, DeletesTheOldestMarkWhenTheMemoryIsFullAndRedoNeedsNoMemory) {
   Simulation simulation = slab(100);
   Wandering tool(6);
   std::vector<std::uint64_t> hashes;
@@ -130,7 +130,7 @@ TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFullAndRedoNeedsNoneOfItsOwn) {
   EXPECT_TRUE(tiny.undo(1));
 }
 
-TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
+TEST(Undo, DoesNothingWithoutMemoryAndBeginsAfreshAfterARestore) {
   Simulation without = slab(0);
   EXPECT_FALSE(without.set_undo_mark()) << "or `undo` would seem to go back to it";
   EXPECT_EQ(without.undo_marks(), 0U);
@@ -154,7 +154,7 @@ TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
 }
 
 TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
-  for (const std::size_t most : {std::size_t(0), ~std::size_t(0)}) {
+  for (const std::size_t max_blocks : {std::size_t(0), ~std::size_t(0)}) {
     Simulation simulation = slab(4000);
     const std::uint64_t hash = simulation.workpiece().hash();
     simulation.set_undo_mark();
@@ -162,9 +162,9 @@ TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
     tool.cut(simulation, 2000);
     EXPECT_NE(simulation.workpiece().hash(), hash);
     int calls = 1;
-    while (!simulation.undo(most) && calls < 10000) ++calls;
-    EXPECT_EQ(simulation.workpiece().hash(), hash) << most;
-    if (most == 0) {
+    while (!simulation.undo(max_blocks) && calls < 10000) ++calls;
+    EXPECT_EQ(simulation.workpiece().hash(), hash) << max_blocks;
+    if (max_blocks == 0) {
       EXPECT_GT(calls, 100) << "one block a call";
     } else {
       EXPECT_EQ(calls, 1);
@@ -188,7 +188,7 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   undo_by(simulation, 10);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 
-  // A workpiece that brings its own memory keeps it where the simulation had none.
+  // A workpiece with reserved memory keeps it if the simulation had none.
   Simulation without = slab(0);
   Workpiece own = fresh.clone();
   own.reserve_undo(7);
@@ -196,7 +196,7 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   EXPECT_EQ(without.workpiece().undo_blocks(), 7U);
 }
 
-TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
+TEST(Undo, RefusesImpossibleMemoryAndChangesNothingThen) {
   Simulation simulation = slab(100);
   simulation.set_undo_mark();
   for (const std::size_t blocks : {~std::size_t(0), std::size_t(1) << 40, (std::size_t(1) << 22) + 1}) {
@@ -207,9 +207,9 @@ TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
-// The states between marks, in a row; cuts, marks, steps back and forth at random. What is reached is bit by bit what
-// it was, and what the pool had then it has again.
-TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
+// Cuts, marks, undo and redo at random. Each state that is reached equals the saved state bit by bit, and the pool has
+// as many blocks as then.
+TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
   struct State {
     std::uint64_t hash;
     std::size_t free_blocks;
@@ -222,7 +222,7 @@ TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
     const auto state = [&] { return State{workpiece.hash(), workpiece.reserved_blocks(), workpiece.solid_voxels()}; };
     Wandering tool(seed);
     std::mt19937 random(100 + seed);
-    std::vector<State> states;  // at each mark, and where we are, and undone ones after it
+    std::vector<State> states;  // at each mark, at present, and after each undone mark
     std::size_t here = 0;
     int back = 0, forth = 0;
     states.push_back(state());
@@ -252,7 +252,7 @@ TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
   }
 }
 
-TEST(Redo, IsGoneAfterACutAndOnlyThen) {
+TEST(Redo, EndsWithACutAndOnlyThen) {
   Simulation simulation = slab(4000);
   simulation.set_undo_mark();
   Wandering(11).cut(simulation, 300);
@@ -271,14 +271,14 @@ TEST(Redo, IsGoneAfterACutAndOnlyThen) {
   EXPECT_TRUE(simulation.redo(16));
 }
 
-TEST(Redo, TurnsAroundHalfWay) {
+TEST(Redo, ReversesHalfWay) {
   Simulation simulation = slab(4000);
   const std::uint64_t whole = simulation.workpiece().hash();
   simulation.set_undo_mark();
   Wandering(13).cut(simulation, 600);
   const std::uint64_t cut = simulation.workpiece().hash();
   EXPECT_FALSE(simulation.undo(5));
-  EXPECT_EQ(simulation.redo_marks(), 1U) << "what is half undone can be redone";
+  EXPECT_EQ(simulation.redo_marks(), 1U) << "a mark that is half undone can be redone";
   redo_by(simulation, 3);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
   undo_by(simulation, 100);

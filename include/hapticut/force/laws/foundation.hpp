@@ -192,7 +192,7 @@ class FoundationLaw final : public ForceLaw {
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
-      const VoxelSection<float> section(b.largest[n]);
+      const VoxelSection<float> section(b.max_component[n]);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
       const float full_height = b.top[n] / l - far_plane;
       const bool crushed = m.crushes && b.top[n] > crushing_depth;
@@ -218,13 +218,12 @@ class FoundationLaw final : public ForceLaw {
       float refused = 0;  // [1] fill whose work was done, but which rounding did not remove; or the reverse
       if (cutting && cut_depth.excess > 0 && phi > 0) {
         float rate = power / price,
-              share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
-        if (m.removal ==
-            RemovalLaw::elastic_release) {  // helped by the energy stored at the mean depth of the layer's top
-          const float w0 = cut_depth.least, squared = w0 * w0 + share * cut_depth.excess;
+              share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).fraction;
+        if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
+          const float w0 = cut_depth.threshold, squared = w0 * w0 + share * cut_depth.excess;
           price = std::max(u - 0.5F * k * squared, kMinEnergyShare * u);
           rate = power / price,
-          share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
+          share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).fraction;
         }
         const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kMaxExponent);
         const float mean = mean_of_decay(exponent);
