@@ -27,7 +27,7 @@ options = io.RecorderOptions(wait_when_full=True)
 with io.Recorder(file, simulation, options, driven_by=device):
     def tick(state):
         """One millisecond: from the reading to the force."""
-        interlock.turn(simulation, device.arming)  # nothing is cut that the hand does not feel
+        interlock.update(simulation, device.arming)  # nothing is cut that the hand does not feel
         result = simulation.step(state.X_BS, state.velocity, 1e-3)
         return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 

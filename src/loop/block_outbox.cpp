@@ -30,7 +30,7 @@ BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_
                  "the capacity of a BlockOutbox [blocks]");
   const double blocks = blocks_.count();
   if (blocks > kMaxBlocks)
-    throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at most " +
+    throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at max_blocks " +
                 format_number(kMaxBlocks) + " are possible. Give it only the voxels that may be cut.");
   is_marked_.resize(std::size_t(blocks), false);
   order_.resize(std::size_t(blocks));
@@ -51,8 +51,8 @@ bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
   return true;
 }
 
-void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept {
-  const std::size_t sent = std::min({most, count_, queue_->blocks.write_available()});
+void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept {
+  const std::size_t sent = std::min({max_blocks, count_, queue_->blocks.write_available()});
   for (std::size_t n = 0; n < sent; ++n) {
     const std::uint32_t number = order_[head_];
     scratch_.origin = blocks_.origin_of(number);

@@ -112,7 +112,7 @@ struct SimulationModel::Commands {
   }
 
   bool apply(const commands::OpenClutch&) noexcept {
-    m.map_.release(m.X_BS_);
+    m.map_.disengage(m.X_BS_);
     return true;
   }
 

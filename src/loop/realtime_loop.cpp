@@ -108,7 +108,7 @@ RealtimeLoop::~RealtimeLoop() {
 
 void RealtimeLoop::start() {
   if (state_->thread.joinable()) throw Error("The loop runs already; call wait or stop before starting it again.");
-  if (state_->feed) state_->feed->follow();
+  if (state_->feed) state_->feed->attach();
   state_->ticks = 0;
   state_->exception = nullptr;
   state_->running.store(true);
@@ -126,7 +126,7 @@ void RealtimeLoop::start() {
 RunReport RealtimeLoop::wait() {
   if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
   state_->thread.join();
-  if (state_->feed) state_->feed->leave();
+  if (state_->feed) state_->feed->detach();
   state_->free_replaced();
   if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
   return std::move(state_->report);

@@ -44,7 +44,7 @@ void WorkspaceMap::latch(const Pose& X_BS, const Pose& X_WS) noexcept {
   X_BS_latch_ = X_BS;
 }
 
-void WorkspaceMap::release(const Pose& X_BS) noexcept {
+void WorkspaceMap::disengage(const Pose& X_BS) noexcept {
   if (!engaged_) return;
   latch(X_BS, stylus_in_world(X_BS));
   engaged_ = false;

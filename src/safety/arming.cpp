@@ -30,9 +30,10 @@ void Arming::wait_free(SafetyLog& log) noexcept {
 
 void Arming::interrupt(SafetyEvent reason, bool short_ramp, SafetyLog& log, double value) noexcept {
   log.report(reason, value);
-  const bool waits = state_ == ArmingState::wait_free || state_ == ArmingState::ramp || state_ == ArmingState::on;
-  if (!waits) return;
-  // A long ramp that is due, or under way, is not cut short.
+  const bool interruptible =
+      state_ == ArmingState::wait_free || state_ == ArmingState::ramp || state_ == ArmingState::on;
+  if (!interruptible) return;
+  // A pending or running long fade-in stays long.
   if (state_ == ArmingState::on)
     short_ramp_ = short_ramp;
   else

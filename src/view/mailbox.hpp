@@ -75,7 +75,7 @@ class Mailbox {
     for (Newest& newest : slots_) newest.message.reset();
     return !std::exchange(woken_, true);
   }
-  std::optional<ViewCommand> take_command() {
+  std::optional<ViewCommand> pop_command() {
     const std::lock_guard lock(mutex_);
     if (commands_.empty()) return std::nullopt;
     std::optional<ViewCommand> command(std::move(commands_.front()));
@@ -85,7 +85,7 @@ class Mailbox {
 
   // --- from the server ----------------------------------------------------------------------------------------------
   /// Pages that are new since the last call.
-  std::vector<VoxelIndex> take_news() {
+  std::vector<VoxelIndex> drain_news() {
     const std::lock_guard lock(mutex_);
     woken_ = false;
     is_new_.clear();

@@ -167,7 +167,7 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
     long last = tested.commands() - 1;
     while (last > before && tested.command(last - 1).force.isZero(0)) --last;
     ASSERT_GT(last, before + 20);
-    const auto ticks = int(std::lround(Servo::kFarewell / GuardOptions{}.period));
+    const auto ticks = int(std::lround(Servo::kFadeOut / GuardOptions{}.period));
     const double full = tested.command(last - ticks).force.x();
     EXPECT_GT(full, 0.5);
     for (int n = 0; n < ticks; ++n) EXPECT_NEAR(tested.command(last - n).force.x(), full * n / ticks, 1e-9) << n;

@@ -123,10 +123,10 @@ def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
 def test_a_loop_of_ones_own_cuts_nothing_before_there_is_a_force(coupled):
     interlock = h.loop.SpindleInterlock()
     states, speed = h.safety.ArmingState, coupled.spindle_setting
-    interlock.turn(coupled, states.wait_free)
+    interlock.update(coupled, states.wait_free)
     assert coupled.spindle_is_held and coupled.spindle_setting == speed != 0
     assert not interlock.admits(states.ramp, True) and interlock.admits(states.ramp, False)
-    interlock.turn(coupled, states.on)
+    interlock.update(coupled, states.on)
     assert not coupled.spindle_is_held
     interlock.interrupt()
     assert not interlock.admits(states.on, True)

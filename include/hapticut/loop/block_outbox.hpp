@@ -49,10 +49,11 @@ class BlockOutbox {
   /// @realtime no allocation, no lock; O(1)
   bool mark(const VoxelIndex& origin) noexcept;
 
-  /// Sends marked blocks as they are now, oldest mark first, at most `most` of them and as many as there is room for.
+  /// Sends marked blocks as they are now, oldest mark first, at max_blocks `max_blocks` of them and as many as there is
+  /// room for.
   /// @param workpiece_number  ChangedBlock::workpiece
-  /// @realtime no allocation, no lock; O(most)
-  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept;
+  /// @realtime no allocation, no lock; O(max_blocks)
+  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept;
 
   /// The blocks that may be marked.
   [[nodiscard]] const BlockGrid& blocks() const noexcept { return blocks_; }

@@ -20,7 +20,7 @@ constexpr auto fields_of(Of<ChangeFeedOptions>) {
   using O = ChangeFeedOptions;
   return std::tuple{
       field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "under way at once; 2.6 kB each"),
-      field("blocks_per_step", &O::blocks_per_step, "blocks", Range::positive(), "sent at most; 0.5 us each"),
+      field("blocks_per_step", &O::blocks_per_step, "blocks", Range::positive(), "sent at max_blocks; 0.5 us each"),
   };
 }
 
@@ -35,7 +35,7 @@ class ChangeFeed final : public StepObserver {
   /// @throws Error as BlockOutbox, or when an option is out of range or the simulation has too many observers
   explicit ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options = {});
 
-  /// For a loop that says from when on it is to `follow`, and sends by `tick` alone.
+  /// For a loop that says from when on it is to `attach`, and sends by `tick` alone.
   /// @param region  voxels whose blocks are sent
   /// @throws Error as BlockOutbox
   ChangeFeed(Simulation& simulation, const IndexBox& region, std::size_t block_capacity);
@@ -43,16 +43,16 @@ class ChangeFeed final : public StepObserver {
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 
-  /// From now on, until `leave`. While no step is made.
+  /// From now on, until `detach`. While no step is made.
   /// @throws Error when the simulation has too many observers
-  void follow();
-  void leave() noexcept;
+  void attach();
+  void detach() noexcept;
 
   /// Sends what has changed, with a step or without.
-  /// @param most              blocks
+  /// @param max_blocks              blocks
   /// @param workpiece_number  ChangedBlock::workpiece
-  /// @realtime no allocation, no lock; O(most)
-  void tick(std::size_t most, std::uint32_t workpiece_number) noexcept;
+  /// @realtime no allocation, no lock; O(max_blocks)
+  void tick(std::size_t max_blocks, std::uint32_t workpiece_number) noexcept;
 
   /// Blocks that are still to be sent. For the thread that makes the steps.
   [[nodiscard]] std::size_t waiting() const noexcept { return outbox_.marked() + all_ - swept_; }

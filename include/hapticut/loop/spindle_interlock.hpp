@@ -11,7 +11,7 @@ namespace hapticut {
 ///
 ///     SpindleInterlock interlock;
 ///     device->run([&](const DeviceState& state) {
-///       interlock.turn(simulation, device->last_arming());
+///       interlock.update(simulation, device->last_arming());
 ///       return DeviceCommand{coupling.step(state.X_BS, state.velocity, device->period()).hand};
 ///     });
 ///
@@ -33,7 +33,7 @@ class SpindleInterlock {
   void interrupt() noexcept { admits_ = false; }
 
   /// Lets the spindle of a simulation turn in its coming step, as it was asked to, or holds it.
-  void turn(Simulation& simulation, ArmingState arming) noexcept {
+  void update(Simulation& simulation, ArmingState arming) noexcept {
     const StepResult& last = simulation.last_result();
     const bool touches =
         simulation.steps() == 0 || last.contact.voxels > 0 || has_any(last.status, kRejected | StepStatus::tool_waits);

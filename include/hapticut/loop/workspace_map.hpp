@@ -56,7 +56,7 @@ class WorkspaceMap {
   explicit WorkspaceMap(const WorkspaceMapOptions& options);
 
   /// Opens the clutch: from now on the tool stays at its pose.
-  void release(const Pose& X_BS) noexcept;
+  void disengage(const Pose& X_BS) noexcept;
 
   /// Closes the clutch where the hand is now; nothing moves.
   void engage(const Pose& X_BS) noexcept;

@@ -82,7 +82,7 @@ struct TraceSample {
 };
 
 /// What a notice is about.
-enum class Severity : std::uint32_t { tells = 0, warns = 1, failed = 2 };
+enum class Severity : std::uint32_t { info = 0, warning = 1, error = 2 };
 
 /// What a page shows beside the scene.
 struct Instruments {

@@ -20,8 +20,8 @@ struct ViewServerOptions {
   std::filesystem::path page;
   std::size_t max_connections = 16;
   double commands_per_second = 2000;
-  std::size_t commands_waiting = 4096;
-  std::function<void(const ViewCommand&)> at_once;
+  std::size_t max_waiting_commands = 4096;
+  std::function<void(const ViewCommand&)> on_urgent;
 };
 
 constexpr auto fields_of(Of<ViewServerOptions>) {
@@ -32,9 +32,9 @@ constexpr auto fields_of(Of<ViewServerOptions>) {
       field("max_connections", &O::max_connections, "1", Range::between(1, 1000), "at once; more are closed"),
       field("commands_per_second", &O::commands_per_second, "1/s", Range::positive(),
             "of a page, over a second; more close its connection"),
-      field("commands_waiting", &O::commands_waiting, "1", Range::between(1, 1e6),
+      field("max_waiting_commands", &O::max_waiting_commands, "1", Range::between(1, 1e6),
             "that nobody has taken; beyond that the oldest is forgotten, but never a Stop"),
-      field("at_once", &O::at_once,
+      field("on_urgent", &O::on_urgent,
             "called with each Stop and WriterLeft in the thread of the server, before `receive` gives it, so that it "
             "waits for nothing that the program does meanwhile; null: nothing is called"),
   };

@@ -136,7 +136,7 @@ TEST(MockDevice, GivesTheSameReadingsOnEveryRun) {
 TEST(MockDevice, EndsWhenItsScriptEnds) {
   const RunReport report = open_device("mock:line,seconds=0.5")->run(wall, simulated(0));
   EXPECT_EQ(report.ticks, 500U);
-  EXPECT_EQ(report.end, "the device has nothing more to tell");
+  EXPECT_EQ(report.end, "the device has no more readings");
 }
 
 TEST(Device, AnEmergencyStopWhileTheForceFadesOutEndsItAtOnce) {

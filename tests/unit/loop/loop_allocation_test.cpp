@@ -75,7 +75,7 @@ struct UndoingLoop {
 TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAndForth) {
   for (const bool coupled : {false, true}) {
     UndoingLoop loop(coupled);
-    loop.feed.follow();
+    loop.feed.attach();
     RunOptions options = quick();
     options.simulated_time = true;
     (void)loop.device->run([&](const DeviceState& state) { return loop.tick(state); }, options);

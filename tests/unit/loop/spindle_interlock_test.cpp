@@ -27,7 +27,7 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
                                : n < 2500 ? -2e-3
                                           : 1e-5 * std::min(n - 2500, 100);
           const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
-          if (interlocked) interlock.turn(simulation, device->last_arming());
+          if (interlocked) interlock.update(simulation, device->last_arming());
           const CoupledResult& result = coupling.step(pose, {}, device->period());
           (n < 300 ? unfelt : felt) += result.removed_volume;
           (void)state;
@@ -61,16 +61,16 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   const auto speed_of_step = [&] {
     return simulation.step(Pose::from_translation(Vec3(0, 0, 5e-3)), {}, 1e-3).spindle.speed;
   };
-  interlock.turn(simulation, ArmingState::wait_free);
+  interlock.update(simulation, ArmingState::wait_free);
   EXPECT_TRUE(simulation.spindle_is_held());
   EXPECT_EQ(speed_of_step(), 0);
   EXPECT_EQ(simulation.spindle_setting(), speed);
   simulation.set_spindle_speed(0.5 * speed);
   EXPECT_EQ(speed_of_step(), 0);
-  interlock.turn(simulation, ArmingState::on);
+  interlock.update(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), 0.5 * speed) << "what was asked meanwhile";
   simulation.set_spindle_speed(speed);
-  interlock.turn(simulation, ArmingState::on);
+  interlock.update(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), speed) << "nobody takes it back";
   simulation.hold_spindle(true);
   simulation.set_tool(ball());

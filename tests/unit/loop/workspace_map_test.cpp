@@ -50,12 +50,12 @@ TEST(WorkspaceMap, AClutchMovesNothingHoweverOftenItIsUsed) {
   WorkspaceMap map(tilted());
   for (int n = 0; n < 1000; ++n) {
     const Pose before = map.to_world(kStylus);
-    map.release(kStylus);
+    map.disengage(kStylus);
     expect_same(map.to_world(kElsewhere), before);
     map.engage(kElsewhere);
     expect_same(map.to_world(kElsewhere), before);
     const Pose there = map.to_world(kElsewhere);
-    map.release(kElsewhere);
+    map.disengage(kElsewhere);
     map.engage(kStylus);
     expect_same(map.to_world(kStylus), there);
   }
@@ -64,7 +64,7 @@ TEST(WorkspaceMap, AClutchMovesNothingHoweverOftenItIsUsed) {
 
 TEST(WorkspaceMap, AfterAClutchTheToolFollowsTheHandAsBefore) {
   WorkspaceMap map(tilted());
-  map.release(kStylus);
+  map.disengage(kStylus);
   map.engage(kElsewhere);
   const Pose before = map.to_world(kElsewhere);
   const Vec3 step(1e-3, -2e-3, 0.5e-3), turn(0.02, 0.01, -0.03);
@@ -79,7 +79,7 @@ TEST(WorkspaceMap, AfterAClutchTheToolFollowsTheHandAsBefore) {
 
 TEST(WorkspaceMap, GivesTheHandNothingWhileTheClutchIsOpen) {
   WorkspaceMap map(tilted());
-  map.release(kStylus);
+  map.disengage(kStylus);
   EXPECT_FALSE(map.engaged());
   EXPECT_TRUE(map.to_device(kStylus, {Vec3(1, 2, 3), Vec3(4, 5, 6)}).force.isZero(0));
   EXPECT_TRUE(map.to_world(kStylus, Twist{Vec3(1, 2, 3), Vec3(4, 5, 6)}).linear.isZero(0));
@@ -112,7 +112,7 @@ TEST(WorkspaceMap, PreservesPowerWhenTheForceScaleIsTheScale) {
   WorkspaceMapOptions options = tilted(0.3);
   options.force_scale = 0.3;
   WorkspaceMap map(options);
-  map.release(kStylus);
+  map.disengage(kStylus);
   map.engage(kElsewhere);
   const Twist hand{Vec3(0.1, -0.2, 0.05), Vec3(1, 2, -0.5)};
   // Power is that of the scaled hand: turns are not scaled, so force and torque are looked at one by one.

@@ -52,7 +52,7 @@ Pressed press(PassivityController& controller, double stiffness, int late) {
     applied = control(controller, force, Vec3::Zero(), applied, motion);
     under_way.pop_front();
     under_way.push_back(applied);
-    seen.taken = std::max(seen.taken, controller.taken());
+    seen.taken = std::max(seen.taken, controller.damping_force());
     seen.pulled = std::max(seen.pulled, -applied.z());
     last = height;
   }
@@ -97,7 +97,7 @@ TEST(PassivityController, LeavesWeightAndVibrationOutOfTheAccount) {
     double taken = 0;
     for (int n = 0; n < 50; ++n) {  // the hand gives way to the weight
       applied = control(controller, weight + touch, says ? weight : Vec3(Vec3::Zero()), applied, Vec3(0, 0, -1e-4));
-      taken = std::max(taken, controller.taken());
+      taken = std::max(taken, controller.damping_force());
     }
     EXPECT_EQ(taken == 0, says);
   }
@@ -120,7 +120,7 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
       given += applied.dot(motion);
       applied = control(controller, resists, Vec3::Zero(), applied, motion, stored);
     }
-    EXPECT_EQ(controller.taken() > 0, says);
+    EXPECT_EQ(controller.damping_force() > 0, says);
     if (says) {
       EXPECT_LT(given, 4e-3);
     } else {
@@ -163,7 +163,7 @@ TEST(PassivityController, LeavesTheStepsOfEncodersAlone) {
       tool += kTick * tool_speed;
       applied = control(controller, Vec3(-force, 0, 0), Vec3::Zero(), applied, Vec3(hand - before, 0, 0),
                         0.5 * kStiffness * (hand - tool) * (hand - tool) + 0.5 * kMass * tool_speed * tool_speed);
-      taken = std::max(taken, controller.taken());
+      taken = std::max(taken, controller.damping_force());
       before = hand;
     }
     EXPECT_LT(taken, 1e-9) << speed;
@@ -178,7 +178,7 @@ TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
   Wrench held{Vec3(1, 0, 0), Vec3(0, -kLength, 0)};  // of a force that acts at the tip
   for (int n = 0; n < 500; ++n) {
     const Wrench given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
-    EXPECT_EQ(controller.taken(), 0);
+    EXPECT_EQ(controller.damping_force(), 0);
     EXPECT_TRUE(given.force == held.force && given.torque == held.torque);
   }
   held.torque.setZero();  // now it pushes the hand on

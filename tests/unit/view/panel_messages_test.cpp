@@ -58,7 +58,7 @@ TEST(PanelMessages, ATraceIsSixNumbersATick) {
 }
 
 TEST(PanelMessages, ANoticeIsASentenceAndHowBadItIs) {
-  const Message message = encode_notice(Severity::failed, "No.");
+  const Message message = encode_notice(Severity::error, "No.");
   ASSERT_EQ(message.size(), 15U);
   EXPECT_EQ(message[0], 8);
   EXPECT_EQ(number_at<std::uint32_t>(message, 4), 2U);

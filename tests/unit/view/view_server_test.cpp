@@ -157,7 +157,7 @@ TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
 TEST(ViewServer, CallsForAStopAndForALeaderThatHasGoneBeforeAnybodyReceivesThem) {
   std::atomic<int> stops{0}, left{0}, others{0};
   ViewServerOptions options;
-  options.at_once = [&](const ViewCommand& command) {
+  options.on_urgent = [&](const ViewCommand& command) {
     ++(std::holds_alternative<Stop>(command) ? stops : std::holds_alternative<WriterLeft>(command) ? left : others);
   };
   ViewServer server(scene(), options);
@@ -205,7 +205,7 @@ TEST(ViewServer, ThrowsOutWhoTalksTooMuch) {
 
 TEST(ViewServer, KeepsTheStopAndTheNewestPlaceOfTheHand) {
   ViewServerOptions options;
-  options.commands_waiting = 5;
+  options.max_waiting_commands = 5;
   ViewServer server(scene(), options);
   Page page(server);
   ASSERT_TRUE(page.read());

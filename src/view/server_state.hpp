@@ -37,16 +37,16 @@ inline bool is_same(std::string_view a, std::string_view b) {
 /// What all connections share; only the server's thread touches it, but for the counts.
 struct ServerState {
   ServerState(Scene scene, const ViewServerOptions& given)
-      : options(given), mailbox(std::move(scene), given.commands_waiting), files(read_page_files(given.page)) {}
+      : options(given), mailbox(std::move(scene), given.max_waiting_commands), files(read_page_files(given.page)) {}
 
   [[nodiscard]] bool is_our_host(std::string_view host) const {
     const std::string at = ":" + std::to_string(port);
     return host == "127.0.0.1" + at || host == "localhost" + at;
   }
 
-  void take(ViewCommand command) {
+  void accept(ViewCommand command) {
     const bool is_urgent = std::holds_alternative<Stop>(command) || std::holds_alternative<WriterLeft>(command);
-    if (is_urgent && options.at_once) options.at_once(command);
+    if (is_urgent && options.on_urgent) options.on_urgent(command);
     mailbox.put_command(std::move(command));
   }
 
