@@ -11,7 +11,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxBlocks = 64e6;  // 8 bits of mark and 4 bytes of order each: 264 MB
+constexpr double kMaxBlocks = 64e6;  // 1 bit and 4 bytes each: 264 MB
 
 }  // namespace
 
@@ -30,7 +30,7 @@ BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_
                  "the capacity of a BlockOutbox [blocks]");
   const double blocks = blocks_.count();
   if (blocks > kMaxBlocks)
-    throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at max_blocks " +
+    throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at most " +
                 format_number(kMaxBlocks) + " are possible. Give it only the voxels that may be cut.");
   is_marked_.resize(std::size_t(blocks), false);
   order_.resize(std::size_t(blocks));
@@ -59,7 +59,7 @@ void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_numbe
     scratch_.version = ++version_;
     scratch_.workpiece = workpiece_number;
     copy_block(workpiece, scratch_);
-    // There is room: only this thread takes any.
+    // There is room, because only this thread pushes.
     (void)queue_->blocks.push(scratch_);
     is_marked_[number] = false;
     head_ = (head_ + 1) % order_.size();

@@ -158,7 +158,7 @@ def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
         after = loop.latest().tick + 2
         while loop.latest().tick < after:
             time.sleep(1e-4)
-    with pytest.raises(h.Error, match="sent already"):
+    with pytest.raises(h.Error, match="already sent"):
         loop.send(commands[0])
     with pytest.raises(h.Error, match="SetScale"):
         loop.send(h.loop.commands.SetScale(-1.0))

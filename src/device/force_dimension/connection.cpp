@@ -64,7 +64,7 @@ std::string last_error() {
          std::to_string(code) + ")";
 }
 
-Reply reply(int result) noexcept {
+Reply reply_of(int result) noexcept {
   Reply a;
   a.saturated = result == DHD_MOTOR_SATURATED;
   if (result >= 0) return a;
@@ -207,7 +207,7 @@ void Connection::begin() {
   warnings_.resize(opening_warnings_);
   begun_ = true;
   const auto require = [this](int result, const char* what) {
-    if (reply(result).ok) return;
+    if (reply_of(result).ok) return;
     throw Error("The device " + capabilities_.model + " cannot " + what + ": " + last_error() +
                 "; check its power and its lights, and that no other program uses it.");
   };
@@ -223,12 +223,12 @@ void Connection::begin() {
     (void)write({});  // a command must exist when the forces are switched on
     const ExpertMode expert{std::unique_lock(expert_mutex)};
     Status status;
-    const Reply asked = ask(status);
+    const Reply asked = read_status(status);
     require(asked.ok ? 0 : -1, "report its status");
     if (status.calibrated) {
       const int on = dhdEnableForce(DHD_ON, id_);
       // For example a button that is not pressed: the loop runs without forces and reports it.
-      if (on >= 0 || reply(on).fault != DeviceFault::none) require(on, "switch its forces on");
+      if (on >= 0 || reply_of(on).fault != DeviceFault::none) require(on, "switch its forces on");
     }
     if (dhdSetWatchdog(static_cast<unsigned char>(std::lround(options_.watchdog / kWatchdogUnit)), id_) < 0)
       complain("has no watchdog, so it keeps its last force when a debugger or SIGKILL stops this program");
@@ -251,19 +251,19 @@ void Connection::end() noexcept {
 Reply Connection::read(DeviceState& state) noexcept {
   std::array<double, 3> p{}, v{}, w{};
   double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Reply pose = reply(has_wrist_ ? dhdGetPositionAndOrientationFrame(&p[0], &p[1], &p[2], m, id_)
-                                      : dhdGetPosition(&p[0], &p[1], &p[2], id_));
+  const Reply pose = reply_of(has_wrist_ ? dhdGetPositionAndOrientationFrame(&p[0], &p[1], &p[2], m, id_)
+                                         : dhdGetPosition(&p[0], &p[1], &p[2], id_));
   if (!pose.ok) return pose;
   state.X_BS.translation = to_base(Vec3(p[0], p[1], p[2]));
   Mat3 R_D;
   R_D << m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2];
   state.X_BS.rotation = orthonormalized(to_base(R_D));
 
-  const Reply moving = reply(dhdGetLinearVelocity(&v[0], &v[1], &v[2], id_));
+  const Reply moving = reply_of(dhdGetLinearVelocity(&v[0], &v[1], &v[2], id_));
   if (moving.fault != DeviceFault::none) return moving;
   state.velocity.linear = moving.ok ? to_base(Vec3(v[0], v[1], v[2])) : Vec3::Zero();
   if (reports_angular_velocity_) {
-    const Reply turning = reply(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
+    const Reply turning = reply_of(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
     if (turning.fault != DeviceFault::none) return turning;
     state.velocity.angular = turning.ok ? to_base(Vec3(w[0], w[1], w[2])) : Vec3::Zero();
   }
@@ -273,14 +273,14 @@ Reply Connection::read(DeviceState& state) noexcept {
 
 Reply Connection::write(const Wrench& wrench) noexcept {
   const Vec3 f = to_library(wrench.force);
-  if (!active_wrist_) return reply(dhdSetForce(f.x(), f.y(), f.z(), id_));
+  if (!active_wrist_) return reply_of(dhdSetForce(f.x(), f.y(), f.z(), id_));
   const Vec3 t = to_library(wrench.torque);
-  return reply(dhdSetForceAndTorqueAndGripperForce(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), 0, id_));
+  return reply_of(dhdSetForceAndTorqueAndGripperForce(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), 0, id_));
 }
 
-Reply Connection::ask(Status& status) noexcept {
+Reply Connection::read_status(Status& status) noexcept {
   std::array<int, kStatusEntries> entries{};
-  const Reply asked = reply(dhdGetStatus(entries.data(), id_));
+  const Reply asked = reply_of(dhdGetStatus(entries.data(), id_));
   if (!asked.ok) return asked;
   status.force = entries[kForce] != 0;
   const bool wrist_unknown = has_wrist_ && entries[kWristDetected] != 0 && entries[kWristInitialised] == 0;
@@ -294,7 +294,7 @@ Reply Connection::switch_on() noexcept {
   const ExpertMode expert{std::unique_lock(expert_mutex, std::try_to_lock)};
   if (!expert.is_on()) return {false, false, error::kBusy, DeviceFault::none};
   (void)dhdSetBrakes(DHD_OFF, id_);
-  return reply(dhdEnableForce(DHD_ON, id_));
+  return reply_of(dhdEnableForce(DHD_ON, id_));
 }
 
 void Connection::copy_last_error(std::array<char, 128>& words) noexcept {

@@ -54,7 +54,7 @@ class Connection {
   [[nodiscard]] Reply read(DeviceState& state) noexcept;
   [[nodiscard]] bool reports_angular_velocity() const noexcept { return reports_angular_velocity_; }
   [[nodiscard]] Reply write(const Wrench& wrench) noexcept;
-  [[nodiscard]] Reply ask(Status& status) noexcept;
+  [[nodiscard]] Reply read_status(Status& status) noexcept;
   /// Switches the forces on. Does nothing, and is not `ok`, when another thread is in expert mode.
   [[nodiscard]] Reply switch_on() noexcept;
   /// Copies the library's text of the last error of this thread.

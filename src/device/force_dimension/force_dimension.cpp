@@ -22,7 +22,7 @@ using force_dimension::Status;
 
 constexpr double kStatusTime = 10e-3;  // [s] between two polls of the status
 constexpr double kRecoveryTime = 0.1;  // [s] between two attempts to switch the forces on again
-constexpr int kMaxFailures = 100;      // calls in a row after which a device that does not reply is lost
+constexpr int kMaxFailures = 100;      // failed calls in a row after which a device counts as lost
 
 class ForceDimensionDevice final : public PolledDevice {
  public:
@@ -43,7 +43,7 @@ class ForceDimensionDevice final : public PolledDevice {
 
  private:
   void poll_status() noexcept;
-  void note(const Reply& reply) noexcept;
+  void record(const Reply& reply) noexcept;
 
   ForceDimensionOptions options_;
   bool simulated_ = bool(options_.clock);  // the options have a custom clock
@@ -93,7 +93,7 @@ void ForceDimensionDevice::begin_run(const RunOptions& options) {
 }
 
 // Records an error, and whether it ends the run.
-void ForceDimensionDevice::note(const Reply& reply) noexcept {
+void ForceDimensionDevice::record(const Reply& reply) noexcept {
   if (reply.saturated) ++saturated_;
   if (reply.ok || fatal_ != DeviceFault::none) return;
   fatal_ = reply.fault;
@@ -106,8 +106,8 @@ void ForceDimensionDevice::note(const Reply& reply) noexcept {
 // Polls whether the device has switched its forces off, and whether it is calibrated.
 void ForceDimensionDevice::poll_status() noexcept {
   Status status;
-  const Reply asked = connection_.ask(status);
-  note(asked);
+  const Reply asked = connection_.read_status(status);
+  record(asked);
   if (!asked.ok) return;
   if (!status.calibrated) {
     calibrated_ = on_ = false;
@@ -139,7 +139,7 @@ bool ForceDimensionDevice::read(DeviceState& state) noexcept {
   last_read_ = now;
 
   const Reply pose = connection_.read(state);
-  note(pose);
+  record(pose);
   answered_ = pose.ok;
   if (tick_ % ticks_in(kStatusTime, period_) == 0 || too_late) poll_status();
   ++tick_;
@@ -166,7 +166,7 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
   const Reply written = connection_.write(wrench);
   // If a user action or a missing calibration keeps the forces off, a refused command is no error.
   const bool counts = on_ || (calibrated_ && !enable_pending_ && can_reenable(cause_));
-  if (counts) note(written);
+  if (counts) record(written);
   if (answered_ && (written.ok || !counts)) failures_ = 0;
   // After a failed command the device keeps the one before, unless it is disconnected. Forces that are switched on
   // again start from zero.
@@ -177,8 +177,8 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
   return rendered_;
 }
 
-// While the loop does not reply: a smaller share of its last force, which also feeds the device's watchdog and carries
-// the arm. A loop that comes back at this very moment overwrites it one tick later.
+// While the loop does not answer: writes a fraction of its last force, which also feeds the device's watchdog and keeps
+// the weight of the arm compensated. If the loop resumes at this moment, it overwrites this force one tick later.
 void ForceDimensionDevice::scale_output(double scale) noexcept {
   if (scale >= 1) return;  // late, but not yet fading: the device still renders that force
   const auto part = [&](std::size_t n) { return scale * written_[n].load(std::memory_order_relaxed); };

@@ -128,7 +128,7 @@ TEST_F(ForceDimension, IsCarefulWithADeviceThatItDoesNotKnow) {
   EXPECT_EQ(device->capabilities().output_degrees_of_freedom, 3);
   EXPECT_LE(device->capabilities().stiffness, 500);
   const RunReport report = run(*device, push_for(300, {Vec3(9, 0, 0), Vec3::Zero()}));
-  EXPECT_TRUE(says(report.warnings, "(type 91) is not known"));
+  EXPECT_TRUE(says(report.warnings, "(type 91) is unknown"));
   EXPECT_NEAR(let_through(0, 299).force.norm(), 1, 1e-12);
   EXPECT_EQ(dhdsim_get_counters(0).max_force, 1);
 }
