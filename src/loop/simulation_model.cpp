@@ -30,7 +30,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
-  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
+  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).park(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
     simulation.reserve_undo(options.undo_blocks);  // a new reserve would drop existing marks
 }
@@ -43,12 +43,11 @@ void SimulationModel::require_renderable(double contact_stiffness, const Simulat
   const double renders = device_stiffness_ / (scale * first_map_.force_scale);      // [N/m] in the world
   const double max_stiffness = renders / (contact_stiffness * relative_stiffness);  // [N/m^4]
   if (config.reference_stiffness <= kRounding * max_stiffness) return;
-  throw Error(
-      "the device renders " + format_number(renders) + " N/m, but the contact has up to " +
-      format_number(renders * config.reference_stiffness / max_stiffness) +
-      " N/m, so the device would buzz. Add a virtual coupling (SimulationModelOptions::coupling with contact_time = "
-      "end), or lower the reference stiffness to " +
-      format_number(max_stiffness) + " N/m^4.");
+  throw Error("the device renders " + format_number(renders) + " N/m, but driven directly it would meet up to " +
+              format_number(renders * config.reference_stiffness / max_stiffness) +
+              " N/m, and buzz. Add a virtual coupling (SimulationModelOptions::coupling with contact_time = "
+              "end), or lower the reference stiffness to " +
+              format_number(max_stiffness) + " N/m^4.");
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {

@@ -40,8 +40,7 @@ Pose WorkspaceMap::stylus_in_world(const Pose& X_BS) const noexcept {
 }
 
 void WorkspaceMap::latch(const Pose& X_BS, const Pose& X_WS) noexcept {
-  X_WS_home_ = {orthonormalized(X_WS.rotation),
-                X_WS.translation};  // rounding errors of many clutches must not accumulate
+  X_WS_home_ = {orthonormalized(X_WS.rotation), X_WS.translation};  // rounding errors must not accumulate
   X_BS_latch_ = X_BS;
 }
 

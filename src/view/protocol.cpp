@@ -9,7 +9,7 @@
 namespace hapticut::view {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they are stored");
 
 constexpr double kRotationTolerance = 1e-3;  // of a matrix in single precision
 
@@ -32,7 +32,7 @@ class Writer {
     message_.insert(message_.end(), first, first + count);
     return *this;
   }
-  /// With its length before it, of 16 bits.
+  /// Adds a text after its length of 16 bits.
   Writer& add_text(std::string_view text) {
     const auto length = std::uint16_t(std::min<std::size_t>(text.size(), 65535));
     return add(length).add_bytes(text.data(), length);
@@ -44,7 +44,7 @@ class Writer {
   Message message_;
 };
 
-/// Value, name and sentence of each that has one.
+/// Adds value, name and sentence of each enumerator that has a sentence.
 template <NamedEnum E>
 void add_sentences(Writer& message) {
   const auto all = names_of(Of<E>{});
@@ -58,7 +58,7 @@ class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// 0 where the message has ended, which `is_complete` then denies.
+  /// Reads a number. After the end of the message it is 0, and `is_complete` is false.
   template <class Number>
   Number read() {
     Number number = 0;
@@ -97,7 +97,7 @@ class Reader {
     const Mat3 excess = pose.rotation * pose.rotation.transpose() - Mat3::Identity();
     refuse_if(!(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0));
   }
-  /// All that is left.
+  /// Reads the rest of the message.
   void read(std::string& text, const Range& /*range*/) {
     const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
     at_ = bytes_.size();

@@ -30,13 +30,13 @@ using ErrorCode = beast::error_code;
 using Clock = std::chrono::steady_clock;
 using Request = http::request<http::empty_body>;
 
-constexpr auto kPatience = std::chrono::seconds(10);  // for a request, and for whoever does not answer a ping
-constexpr unsigned kMaxHead = 8192;                   // bytes of a request
+constexpr auto kTimeout = std::chrono::seconds(10);  // for a request, and for the response to a ping
+constexpr unsigned kMaxHeader = 8192;                // [bytes] of a request's header
 constexpr const char* kWrongToken = "the token is wrong; open the address that the program has printed.";
 
 std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }
 
-/// A page that is connected.
+/// A connected page.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(ServerState& server, beast::tcp_stream&& stream, std::list<std::weak_ptr<Connection>>& all)
@@ -54,11 +54,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void accept(const Request& request) {
     beast::get_lowest_layer(socket_).expires_never();
-    websocket::stream_base::timeout patience{};
-    patience.handshake_timeout = kPatience;
-    patience.idle_timeout = kPatience;
-    patience.keep_alive_pings = true;
-    socket_.set_option(patience);
+    websocket::stream_base::timeout timeouts{};
+    timeouts.handshake_timeout = kTimeout;
+    timeouts.idle_timeout = kTimeout;
+    timeouts.keep_alive_pings = true;
+    socket_.set_option(timeouts);
     socket_.read_message_max(kMaxCommand);
     socket_.binary(true);
     socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
@@ -69,7 +69,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void announce(const std::vector<VoxelIndex>& pages) {
     for (const VoxelIndex& origin : pages)
       if (is_due_.insert(origin).second) due_.push_back(origin);
-    pump();
+    send_next();
   }
 
  private:
@@ -77,7 +77,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     accepted_ = true;
     ++server_.connected;
     writer_ = !std::exchange(server_.has_writer, true);
-    last_piece_ = server_.mailbox.last_piece();
+    last_timed_ = server_.mailbox.last_timed();
     all_.push_back(weak_from_this());
     read();
     announce(server_.mailbox.all_pages());
@@ -120,7 +120,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     beast::get_lowest_layer(socket_).close();
   }
 
-  /// The next message: what the page must know first, then in turn what is newest of the loop and of the surface.
+  /// The next message: first the scene, then timed messages, then in turn the newest of the loop and of the surface.
   SharedMessage next() {
     if (const std::uint64_t scenes = server_.mailbox.scenes(); scenes != scene_) {
       const auto [number, scene] = server_.mailbox.scene();
@@ -130,9 +130,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
         if (is_due_.insert(origin).second) due_.push_back(origin);
       return std::make_shared<const Message>(encode_hello(scene, writer_));
     }
-    if (const auto piece = server_.mailbox.piece_after(last_piece_)) {
-      last_piece_ = piece->number;
-      return piece->message;
+    if (const auto timed = server_.mailbox.timed_after(last_timed_)) {
+      last_timed_ = timed->number;
+      return timed->message;
     }
     if (due_.empty() || !was_newest_)
       if (SharedMessage message = next_newest()) {
@@ -144,14 +144,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
       const VoxelIndex origin = due_.front();
       due_.pop_front();
       is_due_.erase(origin);
-      // A page that is told of while its newest version is under way is that version.
+      // A page that changes while its newest version is being sent may already have this number.
       if (const auto [number, page] = server_.mailbox.page(origin); page != nullptr)
         if (std::exchange(sent_pages_[origin], number) != number) return page;
     }
     return nullptr;
   }
 
-  /// Of what only the newest matters, one after the other.
+  /// The next new message of the kinds of Slot, in turn.
   SharedMessage next_newest() {
     for (std::size_t n = 0; n < kSlots; ++n) {
       slot_ = (slot_ + 1) % kSlots;
@@ -163,7 +163,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     return nullptr;
   }
 
-  void pump() {
+  void send_next() {
     if (writing_ || closing_ || !accepted_) return;
     SharedMessage message = next();
     if (message == nullptr) return;
@@ -171,7 +171,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     socket_.async_write(asio::buffer(*message), [self = shared_from_this(), message](ErrorCode error, std::size_t) {
       self->writing_ = false;
       if (error) return self->drop();
-      self->pump();
+      self->send_next();
     });
   }
 
@@ -180,17 +180,17 @@ class Connection : public std::enable_shared_from_this<Connection> {
   websocket::stream<beast::tcp_stream> socket_;
   beast::flat_buffer buffer_;
   bool accepted_ = false, writer_ = false, writing_ = false, closing_ = false, was_newest_ = false;
-  std::deque<VoxelIndex> due_;  // pages that it does not have in their newest version
+  std::deque<VoxelIndex> due_;  // pages whose newest version is not yet sent
   std::set<VoxelIndex> is_due_;
-  std::map<VoxelIndex, std::uint64_t> sent_pages_;  // their numbers
-  std::uint64_t scene_ = 0, last_piece_ = 0;        // the last that were sent
+  std::map<VoxelIndex, std::uint64_t> sent_pages_;  // numbers of the sent versions
+  std::uint64_t scene_ = 0, last_timed_ = 0;        // numbers of the last sent
   std::array<std::uint64_t, kSlots> sent_{};
   std::size_t slot_ = 0;
-  double tokens_;  // commands that it may send at once
+  double tokens_;  // [commands] that the page may send at once
   Clock::time_point last_ = Clock::now();
 };
 
-/// One request: a file, or the beginning of a connection.
+/// One HTTP request: for a file, or for a connection.
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
   HttpSession(ServerState& server, Tcp::socket&& socket, std::list<std::weak_ptr<Connection>>& all)
@@ -204,24 +204,24 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   HttpSession& operator=(const HttpSession&) = delete;
 
   void begin() {
-    parser_.header_limit(kMaxHead);
+    parser_.header_limit(kMaxHeader);
     parser_.body_limit(0);
-    stream_.expires_after(kPatience);
+    stream_.expires_after(kTimeout);
     http::async_read(stream_, buffer_, parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
-      if (!error) self->answer();
+      if (!error) self->handle_request();
     });
   }
 
  private:
-  void answer() {
+  void handle_request() {
     const Request& request = parser_.get();
     const std::string_view target = view_of_text(request.target());
     const std::string_view path = target.substr(0, target.find('?'));
     if (!server_.is_our_host(view_of_text(request[http::field::host])))
-      return refuse(http::status::forbidden, "this server answers to 127.0.0.1 and localhost alone.");
+      return refuse(http::status::forbidden, "this server only answers requests to 127.0.0.1 and localhost.");
     if (websocket::is_upgrade(request)) return connect(request, path, target);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
-      return refuse(http::status::method_not_allowed, "only GET and HEAD are answered.");
+      return refuse(http::status::method_not_allowed, "only GET and HEAD are allowed.");
     const auto file = server_.files.find(path);
     if (file == server_.files.end())
       return reply(http::status::not_found, "text/plain",
@@ -231,7 +231,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     reply(http::status::ok, file->second.type, file->second.content);
   }
 
-  /// @param rest  of a target, behind its path
+  /// @param rest  the part of a target behind its path
   [[nodiscard]] bool has_token(std::string_view rest) const {
     constexpr std::string_view kToken = "?token=";
     return rest.substr(0, kToken.size()) == kToken && is_same(rest.substr(kToken.size()), server_.token);
@@ -291,14 +291,14 @@ struct ViewServer::State {
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)
       throw Error("the page cannot be served at port " + std::to_string(options.port) +
-                  " of 127.0.0.1: " + error.message() + ". Choose another port, or 0 for any that is free.");
+                  " of 127.0.0.1: " + error.message() + ". Choose another port, or 0 for any free port.");
     server.port = acceptor.local_endpoint().port();
     listen();
     thread = std::thread([this] {
       while (!context.stopped()) {
         try {
           context.run();
-        } catch (const std::exception&) {  // no memory for one message: that one is lost
+        } catch (const std::exception&) {  // no memory for a message: that message is lost
         }
       }
     });
@@ -322,7 +322,7 @@ struct ViewServer::State {
     });
   }
 
-  /// Where the system has no socket left it would say so at once, again and again.
+  /// Without the pause, a system without free sockets would report the error in a busy loop.
   void listen_later() {
     pause.expires_after(std::chrono::milliseconds(100));
     pause.async_wait([this](ErrorCode error) {
@@ -332,16 +332,16 @@ struct ViewServer::State {
 
   void wake() {
     asio::post(context, [this] {
-      const std::vector<VoxelIndex> news = server.mailbox.drain_news();
+      const std::vector<VoxelIndex> changed = server.mailbox.drain_changed();
       for (auto one = all.begin(); one != all.end();) {
         const auto connection = one->lock();
-        if (connection != nullptr) connection->announce(news);
+        if (connection != nullptr) connection->announce(changed);
         one = connection != nullptr ? std::next(one) : all.erase(one);
       }
     });
   }
 
-  ServerState server;  // outlives the connections, which the context keeps
+  ServerState server;  // outlives the connections, which the context owns
   std::list<std::weak_ptr<Connection>> all;
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};
@@ -377,15 +377,15 @@ void ViewServer::send(const Instruments& instruments) {
 void ViewServer::send_sound(std::span<const float> samples, std::uint32_t sample_rate) {
   if (samples.empty() || sample_rate == 0) return;
   const double seconds = double(samples.size()) / sample_rate;
-  if (state_->server.mailbox.put_piece(encode_sound(samples, sample_rate), seconds)) state_->wake();
+  if (state_->server.mailbox.put_timed(encode_sound(samples, sample_rate), seconds)) state_->wake();
 }
 void ViewServer::send_trace(std::uint64_t first, std::span<const TraceSample> samples, double rate) {
   if (samples.empty() || !(rate > 0)) return;
-  if (state_->server.mailbox.put_piece(encode_trace(first, samples), double(samples.size()) / rate)) state_->wake();
+  if (state_->server.mailbox.put_timed(encode_trace(first, samples), double(samples.size()) / rate)) state_->wake();
 }
 void ViewServer::send_notice(Severity severity, std::string_view text) {
-  constexpr double kShare = 0.02;  // [s] so that many of them do not stay for ever
-  if (state_->server.mailbox.put_piece(encode_notice(severity, text), kShare)) state_->wake();
+  constexpr double kSeconds = 0.02;  // [s] so that many notices drop old ones
+  if (state_->server.mailbox.put_timed(encode_notice(severity, text), kSeconds)) state_->wake();
 }
 void ViewServer::show(Scene scene) {
   if (state_->server.mailbox.put(std::move(scene))) state_->wake();

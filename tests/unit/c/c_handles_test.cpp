@@ -177,7 +177,7 @@ TEST(CHandles, AreStaleOnceTheyAreReleased) {
   const All others;  // in the same slots
   for (const auto& [kind, handle] : stale) {
     EXPECT_EQ(hapticut_release(handle), HAPTICUT_ERROR_HANDLE) << kind;
-    EXPECT_NE(std::string(hapticut_last_error()).find(kind + " was released already"), std::string::npos)
+    EXPECT_NE(std::string(hapticut_last_error()).find(kind + " was already released"), std::string::npos)
         << hapticut_last_error();
   }
   for (const Function& function : functions()) {

@@ -304,9 +304,10 @@ TEST(CInterface, SpeaksOfItselfAndOfItsStatus) {
   EXPECT_STREQ(hapticut_last_error(), "tool:2: tool.radius_mm: must be a number > 0, not -1.");
   EXPECT_EQ(hapticut_set_tool(simulation.get(), (kOtherTool + "cutter = \"coarse_diamond\"\n").c_str()),
             HAPTICUT_ERROR_REFUSED);
-  EXPECT_STREQ(hapticut_last_error(),
-               "tool.cutter = coarse_diamond; the materials of this scene have the constants of carbide_bur, and would "
-               "cut wrongly. Keep the cutter, or make a scene with the other one.");
+  EXPECT_STREQ(
+      hapticut_last_error(),
+      "tool.cutter = coarse_diamond; but the materials of this scene have the constants of carbide_bur, so the "
+      "forces would be wrong. Keep the cutter, or make another scene.");
 }
 
 }  // namespace
