@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bindings/unity uses of the engine, declared for a compiler and done just as far as the test looks.
+// The part of the engine that bindings/unity uses, implemented as far as the test needs it.
 using System;
 using System.Collections.Generic;
 
