@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Byte by byte what the panels of a page are told.
+// The bytes of the messages for the panels of a page.
 #include <gtest/gtest.h>
 
 #include <string>
