@@ -67,7 +67,7 @@ void bind_runs(py::module_& m) {
   using R = RunReport;
   bind_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks), member("missed", &R::missed),
                  member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
-                 member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
+                 member("fault", &R::fault), member("arming", &R::arming), member("log", &R::log),
                  member("warnings", &R::warnings))
       .def_property_readonly(
           "events",

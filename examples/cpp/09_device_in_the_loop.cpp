@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   const RunReport report = loop.wait();
-  std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name_of(report.guard)
+  std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name_of(report.arming)
             << ", removed " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most "
             << loop.latest().max_applied << " N, " << blocks << " changed blocks\n";
 

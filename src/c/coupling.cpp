@@ -53,7 +53,7 @@ int hapticut_coupling_open(hapticut_simulation simulation, const hapticut_coupli
     if (const int code = read_struct_if_given(gains, "gains", own); code != HAPTICUT_OK) return code;
     const IdleSimulation use(simulation);
     if (!use) return use.code();
-    *coupling = add_object(Kind::coupling, std::make_shared<CouplingObject>(use.share(), gains_of(own)));
+    *coupling = add_object(Kind::coupling, std::make_shared<CouplingObject>(use.pointer(), gains_of(own)));
     return HAPTICUT_OK;
   });
 }

@@ -80,7 +80,7 @@ class Use {
   explicit operator bool() const noexcept { return shared_ != nullptr; }
   [[nodiscard]] int code() const noexcept { return code_; }
   T* operator->() const noexcept { return static_cast<T*>(shared_->get()); }
-  [[nodiscard]] std::shared_ptr<T> share() const { return std::static_pointer_cast<T>(*shared_); }
+  [[nodiscard]] std::shared_ptr<T> pointer() const { return std::static_pointer_cast<T>(*shared_); }
 
  private:
   hapticut_handle handle_;

@@ -99,7 +99,7 @@ void put_report(const RunReport& report, hapticut_loop_report& own) {
   own.compute_max = report.compute.max();
   own.wake_up_p99 = report.wake_up.quantile(0.99);
   own.wake_up_max = report.wake_up.max();
-  own.arming = std::uint32_t(report.guard);
+  own.arming = std::uint32_t(report.arming);
   copy_text(report.end, own.end, sizeof own.end);
   std::string warnings;
   for (const std::string& one : report.warnings) {
@@ -167,10 +167,10 @@ int hapticut_loop_start(hapticut_simulation simulation, hapticut_device device, 
     if (!hand) return hand.code();
     if (hand->driven.load())
       return fail(HAPTICUT_ERROR_BUSY, "Another loop drives this device; call hapticut_loop_stop first.");
-    idle.share()->sweep();
+    idle.pointer()->sweep();
     Claim claim(idle->driven, hand->driven);
     const std::shared_ptr<LoopObject> object = std::make_shared<LoopObject>(
-        idle.share(), hand.share(), model_of(own, *idle.share(), hand->device->capabilities()),
+        idle.pointer(), hand.pointer(), model_of(own, *idle.pointer(), hand->device->capabilities()),
         loop_of(own, idle->rate));
     claim.keep();
     *loop = add_object(Kind::loop, object);

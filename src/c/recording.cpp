@@ -60,15 +60,15 @@ int hapticut_recording_start(hapticut_simulation simulation, hapticut_device dev
     if (device != 0) {
       const Use<DeviceObject> held(device);
       if (!held) return held.code();
-      hand = held.share();
+      hand = held.pointer();
     }
 #ifdef HAPTICUT_HAS_IO
-    use.share()->sweep();
+    use.pointer()->sweep();
     RecorderOptions options;
     options.driven_by = hand ? hand->device.get() : nullptr;
     options.wait_when_full = hand == nullptr;
-    auto active = std::make_shared<RecorderWithDevice>(hand, *use.share(), path, options);
-    *recording = add_object(Kind::recording, std::make_shared<RecordingObject>(use.share(), std::move(active)));
+    auto active = std::make_shared<RecorderWithDevice>(hand, *use.pointer(), path, options);
+    *recording = add_object(Kind::recording, std::make_shared<RecordingObject>(use.pointer(), std::move(active)));
     return HAPTICUT_OK;
 #else
     throw Error(

@@ -60,7 +60,7 @@ class IdleSimulation {
   explicit operator bool() const noexcept { return code_ == HAPTICUT_OK; }
   [[nodiscard]] int code() const noexcept { return code_; }
   SimulationObject* operator->() const noexcept { return use_.operator->(); }
-  [[nodiscard]] std::shared_ptr<SimulationObject> share() const { return use_.share(); }
+  [[nodiscard]] std::shared_ptr<SimulationObject> pointer() const { return use_.pointer(); }
 
  private:
   Use<SimulationObject> use_;

@@ -147,14 +147,14 @@ int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s)
 int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(snapshot, "snapshot");
-    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.share()));
+    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.pointer()));
   });
 }
 
 int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot snapshot) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     return within(Use<SnapshotObject>(snapshot), [&](const auto& state) {
-      if (state->simulation.lock() != use.share())
+      if (state->simulation.lock() != use.pointer())
         throw Refusal(HAPTICUT_ERROR_REFUSED,
                       "The snapshot is of another simulation; use a snapshot of this simulation.");
       use->simulation.restore(state->state);

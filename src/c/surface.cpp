@@ -81,8 +81,8 @@ extern "C" {
 int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(surface, "surface");
-    use.share()->sweep();
-    *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.share()));
+    use.pointer()->sweep();
+    *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.pointer()));
   });
 }
 

@@ -112,7 +112,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);
-  if (guard_->state() != ArmingState::off) report.guard = guard_->state();  // there was no last tick
+  if (guard_->state() != ArmingState::off) report.arming = guard_->state();  // there was no last tick
   for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
   report.log = guard_->log().drain();
   if (servo.exception_) std::rethrow_exception(servo.exception_);

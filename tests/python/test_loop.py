@@ -213,7 +213,7 @@ def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
         time.sleep(1e-3)
     report = loop.stop()
     assert report.events.get("emergency_stop", 0) > 0 and report.wake_up.count > 0 and report.missed >= 0
-    assert report.guard in (h.safety.ArmingState.fault, h.safety.ArmingState.off)
+    assert report.arming in (h.safety.ArmingState.fault, h.safety.ArmingState.off)
     coupled.step(np.eye(4), np.zeros(6), 1e-3)  # ours again
     forgotten = h.loop.RealtimeLoop(driven(coupled, device))
     forgotten.start()

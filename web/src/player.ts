@@ -46,9 +46,9 @@ function play(player: Player, byId: ById) {
   };
   time.oninput = () => seek(() => player.seek(Number(time.value)));
   byId("back").onclick = () => seek(() => player.step(-1));
-  byId("forth").onclick = () => seek(() => player.step(1));
+  byId("forward").onclick = () => seek(() => player.step(1));
   addEventListener("keydown", (event) => {
-    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forth" } as Record<string, string>)[event.key];
+    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forward" } as Record<string, string>)[event.key];
     if (name && isForTheScene(event)) byId(name).click();
   });
   const speed = byId<HTMLSelectElement>("speed");

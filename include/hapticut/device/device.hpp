@@ -68,7 +68,7 @@ struct RunReport {
   LatencyHistogram compute;  ///< duration of callback and guard
   std::string end;           ///< why the run ended, in words
   DeviceFault fault = DeviceFault::none;              ///< that ended the run
-  ArmingState guard = ArmingState::off;               ///< state of the guard when the run ended
+  ArmingState arming = ArmingState::off;              ///< state of the guard when the run ended
   std::array<std::uint64_t, kSafetyEvents> events{};  ///< number of ticks, by SafetyEvent
   std::vector<SafetyLogEntry> log;                    ///< entries that were not drained during the run
   std::vector<std::string> warnings;  ///< settings that were not permitted, and complaints of the driver
@@ -85,7 +85,7 @@ class Servo;
 /// One thread calls `run`. Any thread may call the other functions, also during a run.
 class Device {
  public:
-  /// Closes the device.  @pre no run is under way
+  /// Closes the device.  @pre no run is in progress
   virtual ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -190,7 +190,7 @@ class Servo {
 
   /// Reports that the last force is written and is zero. What follows may take any time.
   void finish() noexcept {
-    report_.guard = guard_.state();
+    report_.arming = guard_.state();
     guard_.finish();
   }
 

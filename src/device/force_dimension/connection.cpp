@@ -263,9 +263,9 @@ Reply Connection::read(DeviceState& state) noexcept {
   if (moving.fault != DeviceFault::none) return moving;
   state.velocity.linear = moving.ok ? to_base(Vec3(v[0], v[1], v[2])) : Vec3::Zero();
   if (reports_angular_velocity_) {
-    const Reply turning = reply_of(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
-    if (turning.fault != DeviceFault::none) return turning;
-    state.velocity.angular = turning.ok ? to_base(Vec3(w[0], w[1], w[2])) : Vec3::Zero();
+    const Reply rotating = reply_of(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
+    if (rotating.fault != DeviceFault::none) return rotating;
+    state.velocity.angular = rotating.ok ? to_base(Vec3(w[0], w[1], w[2])) : Vec3::Zero();
   }
   state.buttons = dhdGetButtonMask(id_);
   return pose;

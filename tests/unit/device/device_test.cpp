@@ -97,7 +97,7 @@ TEST(MockDevice, FollowsItsPathExactlyWhenRigid) {
       },
       simulated(5));
   EXPECT_EQ(report.ticks, 5001U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_EQ(report.missed, 0U);
 }
 
@@ -214,7 +214,7 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
     }));
     // A loop that resumes late has no force: it waits until the tool is free, or is in the fault state with `latch`.
     EXPECT_GE(report.events[std::size_t(SafetyEvent::paused)], 1U);
-    EXPECT_EQ(report.guard, latch ? ArmingState::fault : ArmingState::wait_free);
+    EXPECT_EQ(report.arming, latch ? ArmingState::fault : ArmingState::wait_free);
     EXPECT_TRUE(device.forces.back().isZero(0));
   }
 }

@@ -80,7 +80,7 @@ TEST_F(OpenHapticsFaults, ALateCallFindsNoRunAndNoDevice) {
     if (tick == 100) hdsim_call_late();
   });
   EXPECT_EQ(again.report.end, "the callback ended it");
-  EXPECT_EQ(again.report.ticks, 300U) << "what is late of one run is no tick of another";
+  EXPECT_EQ(again.report.ticks, 300U) << "a late call of one run is no tick of another";
 }
 
 /// A callback that hangs at its 200th tick, while there is a force, until `released`.
@@ -180,7 +180,7 @@ TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {
       [](long tick) {  // the gimbal's angles move
         place(0, {rotation_from_vector(Vec3(0.5 * std::sin(0.01 * double(tick)), 0, 0)), Vec3(0, -0.110, -0.035)});
       });
-  EXPECT_EQ(outcome.report.guard, ArmingState::fault);
+  EXPECT_EQ(outcome.report.arming, ArmingState::fault);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::pose_frozen)], 1U);
   EXPECT_TRUE(committed(0).force.isZero(0));
 }
@@ -254,7 +254,7 @@ TEST_F(OpenHapticsFaults, LetsAStrongDeviceLetGoAtOnceWithoutTheDriverSwitchingI
     command.stop = n >= 500;
     return command;
   });
-  EXPECT_EQ(committed(0, 398).force.x(), 8) << "twice what the driver's default limit lets go in a tick";
+  EXPECT_EQ(committed(0, 398).force.x(), 8) << "twice the change per tick that the driver's default limit allows";
   EXPECT_EQ(hdsim_get_counters(0).amplifier_toggles, 0);
   EXPECT_EQ(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 0U);
 }
@@ -315,7 +315,7 @@ TEST_F(OpenHapticsFaults, CalibratesADockedStylusWithoutForceAndWaitsUntilFree) 
   EXPECT_FALSE(valid_before);
   EXPECT_NEAR(y_after, 0.020, 1e-12);
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
-  EXPECT_EQ(outcome.report.guard, ArmingState::on);
+  EXPECT_EQ(outcome.report.arming, ArmingState::on);
 }
 
 TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
@@ -329,7 +329,7 @@ TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
   EXPECT_EQ(hdsim_get_counters(0).force_during_calibration, 0);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::recalibrated)], 1U);
-  EXPECT_EQ(outcome.report.guard, ArmingState::wait_free);  // because it pushes all the time
+  EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because it pushes all the time
 }
 
 TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhenSomebodyHoldsTheLinks) {

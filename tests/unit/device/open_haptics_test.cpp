@@ -187,7 +187,7 @@ TEST_F(OpenHaptics, TicksWithThePeriodOfTheRunAndKnowsHowFastItTurns) {
     EXPECT_NEAR(seen.speed, 2, 1e-3) << period;
     EXPECT_NEAR(seen.seconds, double(seen.report.ticks - 1) * period, 1e-9);
     EXPECT_EQ(seen.report.missed, 0U);
-    EXPECT_EQ(seen.report.guard, ArmingState::on);
+    EXPECT_EQ(seen.report.arming, ArmingState::on);
     EXPECT_TRUE(seen.report.warnings.empty());
   }
 }

@@ -53,7 +53,7 @@ TEST(Period, AHandPressesTheSameWallAtEveryRateWithDefaultOptions) {
     EXPECT_NEAR(last.time, kSeconds, 1 / rate + 1e-9) << rate;
     EXPECT_NEAR(last.X_BS.translation.z(), -depth, 1e-3 * depth) << rate;
     EXPECT_NEAR(device.output().applied.force.z(), kStiffness * depth, 1e-3 * kStiffness * depth) << rate;
-    EXPECT_EQ(report.guard, ArmingState::on) << rate;
+    EXPECT_EQ(report.arming, ArmingState::on) << rate;
     EXPECT_EQ(device.plant().options().period, 1 / rate);
     EXPECT_TRUE(report.warnings.empty());
   }
@@ -77,7 +77,7 @@ TEST(Period, TheForceIsFadedInAndOutInTheSameTimeAtEveryRate) {
     const GuardOptions guard;
     const double waits = (guard.arming.valid_ticks + guard.arming.free_ticks) / rate;
     EXPECT_NEAR(engaged, guard.arming.ramp + waits, 3 / rate) << rate;
-    EXPECT_EQ(report.guard, ArmingState::on);
+    EXPECT_EQ(report.arming, ArmingState::on);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
           }
         });
     EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(rig.report.guard, ArmingState::on) << "the tool was free";
+    EXPECT_EQ(rig.report.arming, ArmingState::on) << "the tool was free";
     EXPECT_EQ(rig.snapshot.tool.spindle_speed, 2000) << "of the new tool";
     EXPECT_EQ(rig.snapshot.tool.removed_volume, 0);
     EXPECT_EQ(rig.report.fault, DeviceFault::none);
@@ -108,7 +108,7 @@ TEST(LiveCommands, SetMaterialsChangesWhatIsFeltAfterTheToolWasFree) {
       },
       nothing);
   EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-  EXPECT_EQ(rig.report.guard, ArmingState::on);
+  EXPECT_EQ(rig.report.arming, ArmingState::on);
   EXPECT_EQ(rig.simulation.workpiece().materials()[1].relative_stiffness, 0.25);
   EXPECT_EQ(rig.simulation.workpiece().hash(), whole);
   EXPECT_GT(hard_force, 0);
@@ -210,7 +210,7 @@ TEST(LiveCommands, HoldForceKeepsTheForceWhereverTheHandGoesAndCutsNothing) {
         });
     EXPECT_GT(held.norm(), 0.01);
     EXPECT_EQ(rig.snapshot.tool.removed_volume, removed);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
+    EXPECT_EQ(rig.report.arming, ArmingState::on);
     EXPECT_EQ(rig.events(SafetyEvent::reclutched), 1U);
   }
 }
@@ -239,7 +239,7 @@ TEST(LiveCommands, ExchangeWorkpieceBringsAnotherOneWithItsTool) {
     EXPECT_EQ(rig.simulation.workpiece().undo_blocks(), 2000U);
     EXPECT_EQ(radius_of(rig.simulation.tool()), 2e-3);
     EXPECT_EQ(rig.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
+    EXPECT_EQ(rig.report.arming, ArmingState::on);
     EXPECT_EQ(std::get<commands::ExchangeWorkpiece>(exchange).simulation->workpiece().hash(), cut)
         << "the old workpiece came back in the command";
   }

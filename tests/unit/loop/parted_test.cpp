@@ -63,7 +63,7 @@ TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
           }
         });
     EXPECT_EQ(rig.snapshot.tool.removed_volume, 0);
-    EXPECT_EQ(rig.report.guard, ArmingState::on);
+    EXPECT_EQ(rig.report.arming, ArmingState::on);
   }
 }
 

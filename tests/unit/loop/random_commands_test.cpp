@@ -174,7 +174,7 @@ void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const LoopSnapshot last = look();
 
   EXPECT_EQ(report.fault, DeviceFault::none);
-  EXPECT_NE(report.guard, ArmingState::fault);
+  EXPECT_NE(report.arming, ArmingState::fault);
   EXPECT_EQ(counting.all_, kCommands + 1);
   EXPECT_EQ(last.commands_dropped, dropped);
   EXPECT_EQ(last.blocks_outside, 0U);

@@ -150,7 +150,7 @@ TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLong
   });
   EXPECT_EQ(report.ticks, 1000U);
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reading_invalid)], 3U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   for (const dhdsim_call call : {DHDSIM_READ, DHDSIM_WRITE}) {
     report = run(*device, push_for(1000), quick(), [&](long tick) {
       if (tick == 300) dhdsim_fail(0, call, kErrorTimeout, 100000);
@@ -234,7 +234,7 @@ TEST_F(ForceDimensionFaults, GivesNoForceUntilItIsCalibrated) {
           if (tick == 500) dhdsim_set_wrist_initialised(0, 1);
         });
     EXPECT_EQ(before, DeviceFault::uncalibrated) << wrist;
-    EXPECT_EQ(report.guard, ArmingState::on) << wrist;
+    EXPECT_EQ(report.arming, ArmingState::on) << wrist;
     EXPECT_EQ(rendered_wrench(0, dhdsim_committed_count(0) - 40).force.x(), 1) << wrist;
     expect_safe(0);
   }
@@ -274,14 +274,14 @@ TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
   options.calibrate = true;
   const auto device = open_force_dimension(options);
   EXPECT_EQ(dhdsim_get_counters(0).auto_inits, 1);
-  EXPECT_EQ(run(*device, push_for(300)).guard, ArmingState::on);
+  EXPECT_EQ(run(*device, push_for(300)).arming, ArmingState::on);
 }
 
 TEST_F(ForceDimensionFaults, SaysThatADeviceWithoutWatchdogKeepsItsLastForce) {
   add(kFalcon);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(200));
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_TRUE(says(report.warnings, "has no watchdog"));
 }
 

@@ -206,7 +206,7 @@ TEST_F(ForceDimension, TakesPositiveAnswersForSuccess) {
     dhdsim_return_on_success(0, positive);
     const RunReport report = run(*device, push_for(300));
     EXPECT_EQ(report.fault, DeviceFault::none) << positive;
-    EXPECT_EQ(report.guard, ArmingState::on) << positive;
+    EXPECT_EQ(report.arming, ArmingState::on) << positive;
     EXPECT_EQ(report.ticks, 300U) << positive;
     EXPECT_NEAR(rendered_wrench(0, 300).force.x(), 1, 1e-12) << positive;
     EXPECT_EQ(says(report.warnings, "could not render all"), positive == 2);

@@ -36,7 +36,7 @@ int open_first(const Wanted& wanted) {
   return fail(error);
 }
 
-/// A question that is answered with yes or no, also when nobody is there.
+/// Reads a flag of a device; false if there is no such device.
 template <typename Question>
 bool ask(char id, const Question& question) {
   const std::lock_guard lock(simulation().mutex);
