@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion from the world of hapticut (right-handed, z up, metres) to the frames of engines: docs/embedding.md, frames.
+// Conversion from the world of hapticut (right-handed, z up, metres) to the frames of engines: docs/embedding.md.
 using System;
 
 namespace Hapticut {

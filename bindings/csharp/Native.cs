@@ -49,12 +49,15 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_release(IntPtr handle);
     [DllImport(Library)] internal static extern int hapticut_status_text(uint status, byte[] text, UIntPtr capacity);
 
-    [DllImport(Library)] internal static extern int hapticut_simulation_from_toml(byte[] text, ref SimulationOptions options, out IntPtr made);
-    [DllImport(Library)] internal static extern int hapticut_simulation_from_file(byte[] path, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_simulation_from_toml(byte[] text, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_simulation_from_file(byte[] path, ref SimulationOptions options, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_scene(Simulation of, ref SceneInfo info);
     [DllImport(Library)] internal static extern int hapticut_material(Simulation of, uint id, ref MaterialInfo info);
     [DllImport(Library)] internal static extern int hapticut_path_pose(Simulation of, double time, out Pose X_WH);
-    [DllImport(Library)] internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
+    [DllImport(Library)]
+    internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
     [DllImport(Library)] internal static extern int hapticut_touches(Simulation of, ref Pose X_WH, out int touches);
     [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double radPerS);
     [DllImport(Library)] internal static extern int hapticut_set_tool(Simulation of, byte[] text);
@@ -67,7 +70,8 @@ namespace Hapticut {
 
     [DllImport(Library)] internal static extern int hapticut_device_open(byte[] name, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_device_describe(Device of, ref DeviceInfo info);
-    [DllImport(Library)] internal static extern int hapticut_loop_start(Simulation of, Device device, ref LoopOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_loop_start(Simulation of, Device device, ref LoopOptions options, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_loop_is_running(Loop of, out int running);
     [DllImport(Library)] internal static extern int hapticut_loop_latest(Loop of, ref LoopState state);
     [DllImport(Library)] internal static extern int hapticut_loop_send(Loop of, ref Command command);
@@ -83,12 +87,16 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_surface_catch_up(Surface of);
 
     [DllImport(Library)] internal static extern int hapticut_sound_open(ref SoundOptions options, out IntPtr made);
-    [DllImport(Library)] internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples, UIntPtr count);
+    [DllImport(Library)]
+    internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples,
+                                                     UIntPtr count);
 
     // The second declaration accepts a null handle as device.
-    [DllImport(Library)] internal static extern int hapticut_recording_start(Simulation of, Device device, byte[] path, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_recording_start(Simulation of, Device device, byte[] path, out IntPtr made);
     [DllImport(Library, EntryPoint = "hapticut_recording_start")]
-    internal static extern int hapticut_recording_start_alone(Simulation of, IntPtr noDevice, byte[] path, out IntPtr made);
+    internal static extern int hapticut_recording_start_alone(Simulation of, IntPtr noDevice, byte[] path,
+                                                              out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_recording_stop(Recording of, ref RecordingReport report);
 
     /// Throws when a call has failed.  Returns false for HAPTICUT_NOTHING.

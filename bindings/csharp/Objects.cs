@@ -5,7 +5,8 @@ using System.Runtime.InteropServices;
 
 namespace Hapticut {
 
-  /// <summary>A tool and a workpiece, from a scene in TOML. One thread at a time may use it, and no thread while a loop runs.</summary>
+  /// <summary>A tool and a workpiece, from a scene in TOML. One thread at a time may use it, and no thread while a loop
+  /// runs.</summary>
   public sealed class Simulation : LibraryObject {
     Simulation(IntPtr made) : base(made) {}
 
@@ -40,7 +41,9 @@ namespace Hapticut {
 
     /// <summary>The pose of the handle on the scene's path.</summary>
     /// <returns>false if the scene has no path</returns>
-    public bool PathPose(double time, out Pose X_WH) { return Native.Check(Native.hapticut_path_pose(this, time, out X_WH)); }
+    public bool PathPose(double time, out Pose X_WH) {
+      return Native.Check(Native.hapticut_path_pose(this, time, out X_WH));
+    }
 
     public StepResult Step(StepInput input) {
       StepResult result = new StepResult { structSize = Native.SizeOf<StepResult>() };
@@ -99,7 +102,8 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>A device that drives a simulation in a thread of the library. Garbage collection does not stop that thread.</summary>
+  /// <summary>A device that drives a simulation in a thread of the library. Garbage collection does not stop that
+  /// thread.</summary>
   public sealed class Loop : LibraryObject {
     Loop(IntPtr made) : base(made) {}
 
@@ -208,7 +212,8 @@ namespace Hapticut {
 
     /// <param name="volume">above 0, up to 1; 0 means 0.5</param>
     public static Sound Open(uint flutes = 0, double volume = 0) {
-      SoundOptions options = new SoundOptions { structSize = Native.SizeOf<SoundOptions>(), flutes = flutes, volume = volume };
+      SoundOptions options =
+          new SoundOptions { structSize = Native.SizeOf<SoundOptions>(), flutes = flutes, volume = volume };
       IntPtr made;
       Native.Check(Native.hapticut_sound_open(ref options, out made));
       return new Sound(made);

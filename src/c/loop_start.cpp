@@ -78,7 +78,7 @@ class Claim {
     device_.store(true);
   }
   ~Claim() {
-    if (keeps_) return;
+    if (kept_) return;
     simulation_.store(false);
     device_.store(false);
   }

@@ -67,7 +67,7 @@ export class Eye {
     this.stayOutside();
   }
 
-  /** Zooms so that the point of the scene at (x, y), each -1 ... 1, stays at its place. The eye stops before the surface. */
+  /** Zooms so that the point of the scene at (x, y), each -1 ... 1, stays there. The eye stops before the surface. */
   zoom(factor: number, x = 0, y = 0) {
     const ray = this.ray(x, y), hit = this.ground.hit(ray);
     const about = hit ? new three.Vector3(...hit.point).multiplyScalar(1e3)
@@ -81,7 +81,7 @@ export class Eye {
     this.changed = true;
   }
 
-  /** The remaining fraction of the distance to a point after moving towards it in steps, as far as nothing is in the way. */
+  /** The remaining fraction of the distance to a point after moving towards it as far as the surface allows. */
   private freeFraction(about: three.Vector3, factor: number): number {
     const at = this.position, direction = about.clone().sub(at), total = direction.length();
     direction.normalize();

@@ -14,7 +14,8 @@ export interface GuardState {
 }
 
 /** The state of the guard and the first report of a step. "The force is on" only if a step reports nothing. */
-export function guardState(sentences: Pick<Hello, "arming" | "status">, { arming, status }: Pick<Snapshot, "arming" | "status">): GuardState {
+export function guardState(sentences: Pick<Hello, "arming" | "status">,
+                           { arming, status }: Pick<Snapshot, "arming" | "status">): GuardState {
   const state = sentences.arming.find((one) => one.value === arming) ?? kUnknown;
   const tone = kTones[state.name] ?? "waits";
   const reports = sentences.status.filter((one) => (status & one.value) !== 0).map((one) => one.text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps the pointer to the tool. The tool hovers over the surface. When pressed, it works in the tangent plane of the point
-// where it was pressed, so that removed material does not pull the tool along.
+// Maps the pointer to the tool. The tool hovers over the surface. When pressed, it works in the tangent plane of the
+// point where it was pressed, so that removed material does not pull the tool along.
 import {
   add, axisOf, cross, dot, fromAxes, inverse, meet, multiply, normalized, type Ray, rotate, rotationAbout, scale,
 } from "./geometry.ts";

@@ -85,7 +85,9 @@ export class Indicators {
     (this.byId("undo") as HTMLButtonElement).disabled = snapshot.undoMarks === 0;
     (this.byId("redo") as HTMLButtonElement).disabled = snapshot.redoMarks === 0;
     if (!instruments) return;
-    this.removed.forEach((cell, n) => { cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`; });
+    this.removed.forEach((cell, n) => {
+      cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`;
+    });
     const p99 = quantile(instruments.latency, instruments.bucket, 0.99);
     this.byId("lateness").textContent = `99 % below ${Math.round(p99)} µs, ${instruments.missed} missed`;
   }

@@ -30,7 +30,7 @@ export function connect(token: string, heard: (message: Message) => void, lost: 
       ? "The server refuses this page: open the address that the program has printed, with its token."
       : event.code === 1008
         ? "The server has disconnected this page because of an invalid message: reload the page."
-        : "The program has ended, or the connection is lost: start hapticut view again, and open the address that it prints.");
+        : "The program has ended, or the connection is lost: start hapticut view again, and open the printed address.");
   };
   const receive = (event: MessageEvent) => {
     if (objected) return;

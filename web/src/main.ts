@@ -55,7 +55,8 @@ class Page {
     } catch {
       const blank = byId("blank");
       blank.hidden = false;
-      blank.textContent = "This browser does not support WebGL: turn on hardware acceleration, or use another browser. Panels and curves work.";
+      blank.textContent = "This browser does not support WebGL: turn on hardware acceleration, or use another browser. " +
+        "Panels and curves work.";
     }
     this.scene.add(this.workpiece.group, new three.HemisphereLight(0xffffff, 0x8a94a0, 1.5));
     const sun = new three.DirectionalLight(0xffffff, 2);
@@ -68,12 +69,15 @@ class Page {
       moved: () => { this.moved = true; },
     });
     if (this.picture)
-      this.showOwn = ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
-                  workpiece: this.workpiece, changed: () => { this.changed = true; } });
+      this.showOwn = ownPanels({
+        parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
+        workpiece: this.workpiece, changed: () => { this.changed = true; },
+      });
     viewButtons(byId("views"), (name) => this.look(name), () => this.whole());
     canvas.addEventListener("pointerdown", () => { this.framed = true; });
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
-    document.addEventListener("visibilitychange", () => { if (document.hidden) this.sendHand(); }); // no picture will be drawn
+    // A hidden page draws no further picture.
+    document.addEventListener("visibilitychange", () => { if (document.hidden) this.sendHand(); });
     this.setUpButtons();
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
   }
@@ -83,7 +87,8 @@ class Page {
       case "hello":
         this.workpiece.begin(message);
         this.lead(message.writer);
-        if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "in control" : "watching");
+        if (!document.body.classList.contains("replay"))
+          this.indicators.role(message.writer ? "in control" : "watching");
         this.indicators.begin(message);
         this.pointer.begin();
         this.began = performance.now();
@@ -107,7 +112,11 @@ class Page {
         this.hasTool = true;
         if (this.placed) this.moved = true;
         break;
-      case "controls": this.panels.show(message.controls); this.panels.enable(this.writer); this.indicators.controls(this.panels); break;
+      case "controls":
+        this.panels.show(message.controls);
+        this.panels.enable(this.writer);
+        this.indicators.controls(this.panels);
+        break;
       case "trace": this.curves.ring.add(message.first, message.samples); return;
       case "notice": this.indicators.notice(message.text, message.severity); return;
       case "sound": this.speaker.play(message.samples); return;
@@ -190,7 +199,8 @@ class Page {
 
   private resize() {
     const box = byId("stage").getBoundingClientRect();
-    this.eye.camera.aspect = box.width / Math.max(1, box.height); // so that a view that is framed before the first picture fits
+    // So that a view that is framed before the first picture fits too.
+    this.eye.camera.aspect = box.width / Math.max(1, box.height);
     this.picture?.resize(Math.max(1, Math.floor(box.width)), Math.max(1, Math.floor(box.height)));
     this.changed = true;
   }
@@ -214,7 +224,8 @@ class Page {
     byId("undo").onclick = () => this.send(commands.undo());
     byId("redo").onclick = () => this.send(commands.redo());
     byId("stop").onclick = () => this.stop();
-    byId("record").onclick = () => this.panels.set("Record", byId("record").getAttribute("aria-pressed") === "true" ? 0 : 1);
+    const record = byId("record");
+    record.onclick = () => this.panels.set("Record", record.getAttribute("aria-pressed") === "true" ? 0 : 1);
     byId("theme").onclick = () => this.setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
     const speaker = byId("speaker");
     speaker.onclick = async () => {
@@ -243,7 +254,8 @@ class Page {
 }
 
 function loadPanel(page: Page) {
-  const field = element("input", { type: "text", "aria-label": "File", placeholder: "path of a file", maxlength: "100" });
+  const field = element("input",
+                        { type: "text", "aria-label": "File", placeholder: "path of a file", maxlength: "100" });
   field.style.flex = "1";
   const open = element("button", { type: "button" }, "Open");
   open.onclick = () => page.load(field.value);

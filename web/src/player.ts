@@ -20,7 +20,11 @@ export function showPlayer(page: PageParts, byId: ById): boolean {
   const source = inside.dataset.from ?? null;
   const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
     : fetch(source + location.search).then(async (answer) => new Uint8Array(await answer.arrayBuffer()));
-  packed.then(unpack).then((all) => play(new Player(readRecording(all), (message) => page.handle(message), () => page.curves.ring.clear()), byId))
+  packed.then(unpack)
+    .then((all) => {
+      const show = (message: Message) => page.handle(message), rewind = () => page.curves.ring.clear();
+      play(new Player(readRecording(all), show, rewind), byId);
+    })
     .catch((error: Error) => page.indicators.notice(error.message, 2));
   return true;
 }

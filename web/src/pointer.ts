@@ -29,14 +29,16 @@ type Client = Pick<MouseEvent, "clientX" | "clientY">;
 
 const kKeyStep = 0.1e-3; // m
 const asArray = (v: three.Vector3): Vec3 => [v.x, v.y, v.z];
-const inMetres = (ray: three.Ray): Ray => ({ from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
+const inMetres = (ray: three.Ray): Ray => (
+  { from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
 const nameOfPad = ({ index }: Gamepad) => `gamepad ${index}`;
 const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
 
 /** Whether a key is for the scene: everywhere, except where the focused element needs it. */
 export const isForTheScene = (event: KeyboardEvent) => {
   const target = event.target instanceof Element ? event.target : null;
-  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") && !(event.key === " " && target?.closest("button"));
+  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") &&
+    !(event.key === " " && target?.closest("button"));
 };
 
 export class Pointer {
@@ -50,7 +52,8 @@ export class Pointer {
     const { canvas } = o;
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"] as const) canvas.addEventListener(name, (event) => this.up(event));
+    for (const name of ["pointerup", "pointercancel"] as const)
+      canvas.addEventListener(name, (event) => this.up(event));
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     addEventListener("keydown", (event) => { if (isForTheScene(event)) this.key(event); });
@@ -101,12 +104,14 @@ export class Pointer {
 
   private inPicture({ clientX, clientY }: Client): InPicture {
     const box = this.o.canvas.getBoundingClientRect(), columns = this.o.picture?.columns ?? 1;
-    const across = (columns * (clientX - box.left)) / box.width, column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
+    const across = (columns * (clientX - box.left)) / box.width;
+    const column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
     return { x: 2 * (across - column) - 1, y: 1 - (2 * (clientY - box.top)) / box.height, column };
   }
   private ray(event: Client): three.Ray {
     const { eye, picture } = this.o, { x, y, column } = this.inPicture(event);
-    return picture?.columns === 2 ? eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1)) : eye.ray(x, y);
+    if (picture?.columns !== 2) return eye.ray(x, y);
+    return eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1));
   }
 
   private point(event: Client) {
@@ -195,7 +200,8 @@ export class Pointer {
     const bumpers = (pad.buttons[5]?.pressed ? 1 : 0) - (pad.buttons[4]?.pressed ? 1 : 0);
     if (axis(0) !== 0 || axis(1) !== 0 || bumpers !== 0)
       this.apply(() => {
-        hand.move(asArray(eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1)).multiplyScalar(0.02 * seconds)));
+        const direction = eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1));
+        hand.move(asArray(direction.multiplyScalar(0.02 * seconds)));
         hand.push(bumpers * seconds * 10);
       });
     this.trigger(nameOfPad(pad), (pad.buttons[7]?.value ?? 0) > 0.3);

@@ -118,7 +118,7 @@ export class Workpiece {
     (this.material.uniforms.section.value as three.Vector4)
       .set(normal?.x ?? 0, normal?.y ?? 0, normal?.z ?? 0, normal ? offset : 1);
   }
-  /** [mm] The distance from a point to the drawn surface, minus a voxel, because only corners of triangles are checked. */
+  /** [mm] The distance from a point to the drawn surface, minus a voxel, because only corners are checked. */
   clearance(point: three.Vector3): number {
     const near = this.group.children.map((child) => {
       const { geometry, matrixWorld } = child as three.Mesh;

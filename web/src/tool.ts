@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tool: its head with cutting and smooth edges in two colours, shank and handle, a ghost at the set point of the hand,
-// and the arrow of the force. Units of the scene are mm.
+// The tool: its head with cutting and smooth edges in two colours, shank and handle, a ghost at the set point of the
+// hand, and the arrow of the force. Units of the scene are mm.
 import * as three from "three";
 import { outline } from "./outline.ts";
 import type { Pose, Snapshot, Tool } from "./protocol.ts";
@@ -100,7 +100,8 @@ export class ToolView {
     const up = new three.Vector3(0, 0, 1);
     const elbow = tool.angled ? up.clone().multiplyScalar(1e3 * tool.neck) : hand;
     const neck = Math.min(elbow.length(), top + 9);
-    if (neck > top) this.handle.add(rod(up.clone().multiplyScalar(top), up.clone().multiplyScalar(neck), shank, smooth));
+    if (neck > top)
+      this.handle.add(rod(up.clone().multiplyScalar(top), up.clone().multiplyScalar(neck), shank, smooth));
     if (!tool.angled) {
       if (hand.length() > neck) this.handle.add(rod(up.clone().multiplyScalar(neck), hand, Math.max(1.9, shank), grip));
       return;

@@ -21,7 +21,8 @@ handle = 'ray'
 handle_length_mm = 20
 spindle_rpm = 40000
 ";
-  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\nspindle_rpm = 40000\n";
+  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\n" +
+                           "spindle_rpm = 40000\n";
 
   static void Require(bool condition, string what) {
     if (condition) return;
@@ -45,14 +46,14 @@ spindle_rpm = 40000
   }
 
   static StepInput Above(double depth) {
-    return new StepInput { X_WH = Pose.At(3e-3, 3e-3, 3e-3 + 1e-3 + 20e-3 - depth), linearVelocity = new Vec3(0, 0, -2e-3),
-                           dt = 1e-3 };
+    return new StepInput { X_WH = Pose.At(3e-3, 3e-3, 3e-3 + 1e-3 + 20e-3 - depth),
+                           linearVelocity = new Vec3(0, 0, -2e-3), dt = 1e-3 };
   }
 
   // Sizes as C has them: tests/unit/c/c_structs_test.cpp.
   static void Sizes() {
-    Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo), typeof(StepInput),
-                     typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
+    Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo),
+                     typeof(StepInput), typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
                      typeof(Vertex), typeof(SoundInput), typeof(RecordingReport) };
     int[] sizes = { 96, 16, 336, 88, 160, 272, 240, 160, 440, 1344, 12, 32, 24 };
     for (int n = 0; n < types.Length; ++n)
@@ -69,7 +70,8 @@ spindle_rpm = 40000
       Require(values.Count == Enum.GetNames(types[n]).Length, types[n].Name + " has other values than in C");
       foreach (Match value in values) {
         string name = Enum.GetName(types[n], uint.Parse(value.Groups[2].Value));
-        Require(name != null && name.ToUpperInvariant() == value.Groups[1].Value.Replace("_", ""), value + " is " + name);
+        Require(name != null && name.ToUpperInvariant() == value.Groups[1].Value.Replace("_", ""),
+                value + " is " + name);
       }
     }
   }
@@ -77,7 +79,8 @@ spindle_rpm = 40000
   static void Steps() {
     using (Simulation simulation = Simulation.FromToml(Scene, new SimulationOptions { undoBlocks = 4096 })) {
       SceneInfo scene = simulation.Scene;
-      Require(scene.materials == 1 && Math.Abs(scene.voxelSize - 0.2e-3) < 1e-12 && scene.boxMax.z == 3e-3, "the scene");
+      Require(scene.materials == 1 && Math.Abs(scene.voxelSize - 0.2e-3) < 1e-12 && scene.boxMax.z == 3e-3,
+              "the scene");
       Require(Math.Abs(scene.X_HT.position.z + 20e-3) < 1e-12, "the head's place");
       simulation.SetUndoMark();
       double removed = 0;
@@ -86,7 +89,8 @@ spindle_rpm = 40000
         result = simulation.Step(Above(2e-6 * n));
         removed += result.removedVolume;
       }
-      Require(result.force.z > 1 && removed > 0 && (result.status & 15) == 0, "a step: " + result.force + " " + result.status);
+      Require(result.force.z > 1 && removed > 0 && (result.status & 15) == 0,
+              "a step: " + result.force + " " + result.status);
       MaterialInfo bone = simulation.Material(1);
       Require(bone.Name == "cortical_bone" && Math.Abs(bone.removedVolume - removed) < 1e-9 * removed, "the material");
       Require(simulation.Touches(Above(2e-3).X_WH) && !simulation.Touches(Above(-1e-3).X_WH), "what touches");
@@ -101,7 +105,8 @@ spindle_rpm = 40000
   }
 
   static void Errors() {
-    HapticutException refusal = Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
+    HapticutException refusal =
+        Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
     Require(refusal.Code == HapticutException.Refused &&
             refusal.Message == "scene:8: tool.radius_mm: must be a number > 0, not -1.", refusal.Message);
     Require(Refused(() => Simulation.FromToml(Scene.Replace("cortical_bone", "k\u00f6rper")), "a material").Message
@@ -191,7 +196,8 @@ spindle_rpm = 40000
     loop.Dispose();
 
     // A loop that was not stopped ends with its object.
-    Loop.Start(Simulation.FromToml(Scene, new SimulationOptions { ForCoupling = true }), Device.Open("mock:rest"), options);
+    Loop.Start(Simulation.FromToml(Scene, new SimulationOptions { ForCoupling = true }), Device.Open("mock:rest"),
+               options);
   }
 
   static void Frames() {
@@ -208,22 +214,27 @@ spindle_rpm = 40000
       Near(UnrealFrame.PositionBack(UnrealFrame.Position(p)), p, "Unreal, there and back");
       Near(UnrealFrame.Axial(UnrealFrame.Axial(p)), p, "Unreal, there and back");
       double power = force.Dot(velocity) + torque.Dot(rotation);
-      Near(UnityFrame.Vector(force).Dot(UnityFrame.Vector(velocity)) + UnityFrame.Axial(torque).Dot(UnityFrame.Axial(rotation)), power,
-           "Unity, power");
+      Near(UnityFrame.Vector(force).Dot(UnityFrame.Vector(velocity)) +
+               UnityFrame.Axial(torque).Dot(UnityFrame.Axial(rotation)), power, "Unity, power");
       Near(UnrealFrame.Vector(force).Dot(UnrealFrame.Vector(velocity)) +
                UnrealFrame.Axial(torque).Dot(UnrealFrame.Axial(rotation)), power, "Unreal, power");
       // Rotation and change of frame commute.
       Near(UnityFrame.Vector(Rotated(q, p)), Rotated(UnityFrame.Rotation(q), UnityFrame.Vector(p)), "Unity, rotation");
-      Near(UnrealFrame.Vector(Rotated(q, p)), Rotated(UnrealFrame.Rotation(q), UnrealFrame.Vector(p)), "Unreal, rotation");
+      Near(UnrealFrame.Vector(Rotated(q, p)), Rotated(UnrealFrame.Rotation(q), UnrealFrame.Vector(p)),
+           "Unreal, rotation");
       // r x F is a torque in every frame.
       Near(UnityFrame.Axial(Cross(p, force)), Cross(UnityFrame.Vector(p), UnityFrame.Vector(force)), "Unity, lever");
-      Near(UnrealFrame.Axial(Cross(p, force)), Cross(UnrealFrame.Vector(p), UnrealFrame.Vector(force)), "Unreal, lever");
+      Near(UnrealFrame.Axial(Cross(p, force)), Cross(UnrealFrame.Vector(p), UnrealFrame.Vector(force)),
+           "Unreal, lever");
       Quaternion back = Quaternion.Of(q.At(p));
       double sign = q.w < 0 ? -1 : 1;
-      Near(new Vec3(back.x, back.y, back.z), new Vec3(sign * q.x, sign * q.y, sign * q.z), "a rotation, there and back");
+      Near(new Vec3(back.x, back.y, back.z), new Vec3(sign * q.x, sign * q.y, sign * q.z),
+           "a rotation, there and back");
     }
   }
-  static Vec3 Cross(Vec3 a, Vec3 b) { return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x); }
+  static Vec3 Cross(Vec3 a, Vec3 b) {
+    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  }
   static Vec3 Rotated(Quaternion q, Vec3 v) {
     Pose X = q.At(new Vec3());
     return new Vec3(X.r00 * v.x + X.r01 * v.y + X.r02 * v.z, X.r10 * v.x + X.r11 * v.y + X.r12 * v.z,

@@ -3,7 +3,7 @@
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   return()
 endif()
-# hapticut_mono_test(Suite.Name label library "output" program.cs...): runs a program with a library and checks its output.
+# hapticut_mono_test(Suite.Name label library "output" program.cs...): runs a program and checks its output.
 function(hapticut_mono_test name label library says)
   add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${ARGN}" "-DSAYS=${says}" "-DWORK=${PROJECT_BINARY_DIR}/mono/${name}"
     "-DLIBRARY=$<TARGET_FILE:${library}>" -P "${PROJECT_SOURCE_DIR}/bindings/csharp/tests/run.cmake")

@@ -4,11 +4,12 @@ using UnityEngine.Rendering;
 
 namespace Hapticut {
 
-  /// <summary>A page of the surface as a Mesh. Its 12 bytes per vertex go to the graphics card unchanged, except that y and z
-  /// are swapped. The swap mirrors the page into the left-handed frame of Unity, where the triangles are still
-  /// counter-clockwise as seen. Unity needs clockwise triangles, so they are reversed.</summary>
+  /// <summary>A page of the surface as a Mesh. Its 12 bytes per vertex go to the graphics card unchanged, except that y
+  /// and z are swapped. The swap mirrors the page into the left-handed frame of Unity, where the triangles still look
+  /// counter-clockwise. Unity needs clockwise triangles, so they are reversed.</summary>
   sealed class SurfacePage {
-    // The shader receives 16-bit numbers as n/32767 and 8-bit numbers as n/127. w of the position is the material's id/32767.
+    // The shader receives 16-bit numbers as n/32767 and 8-bit numbers as n/127. w of the position is the material's
+    // id/32767.
     static readonly VertexAttributeDescriptor[] Layout = {
       new VertexAttributeDescriptor(VertexAttribute.Position, VertexAttributeFormat.SNorm16, 4),
       new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.SNorm8, 4)

@@ -54,7 +54,9 @@ namespace UnityEngine {
     public short[] order;
     public Bounds bounds { get; set; }
     public void MarkDynamic() {}
-    public void SetVertexBufferParams(int count, params Rendering.VertexAttributeDescriptor[] layout) { vertices = count; }
+    public void SetVertexBufferParams(int count, params Rendering.VertexAttributeDescriptor[] layout) {
+      vertices = count;
+    }
     public void SetVertexBufferData<T>(T[] from, int start, int bufferStart, int count, int stream = 0,
                                        Rendering.MeshUpdateFlags flags = 0) where T : struct {
       data = new byte[count];

@@ -19,7 +19,8 @@ handle = 'ray'
 handle_length_mm = 20
 spindle_rpm = 40000
 ";
-  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\nspindle_rpm = 40000\n";
+  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\n" +
+                           "spindle_rpm = 40000\n";
 
   static void Require(bool condition, string what) {
     if (condition) return;
@@ -50,7 +51,8 @@ spindle_rpm = 40000
 
   static int Main() {
     Transform tool = new Transform();
-    HapticutScene scene = new HapticutScene { scene = new TextAsset(Scene), up = Up.Z, simulatedTime = true, tool = tool };
+    HapticutScene scene =
+        new HapticutScene { scene = new TextAsset(Scene), up = Up.Z, simulatedTime = true, tool = tool };
     Call(scene, "OnEnable");
     Require(scene.enabled && Debug.Errors.Count == 0, "the scene begins");
 
@@ -99,7 +101,8 @@ spindle_rpm = 40000
     FramesUntil(scene, () => scene.State.arming != Arming.Fault, "the reset");
 
     // The editor reloads: the loop ends completely, and starts again.
-    System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HapticutScene).Assembly.GetType("Hapticut.StopBeforeReload").TypeHandle);
+    Type stops = typeof(HapticutScene).Assembly.GetType("Hapticut.StopBeforeReload");
+    System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(stops.TypeHandle);
     UnityEditor.AssemblyReloadEvents.Reload();
     Require(Meshes(one => !one.destroyed) == 0, "the pages are gone");
     Call(scene, "Update");
@@ -112,13 +115,15 @@ spindle_rpm = 40000
     HapticutScene wrong = new HapticutScene { scene = new TextAsset(Scene.Replace("radius_mm = 1", "radius_mm = -1")) };
     Call(wrong, "OnEnable");
     Require(!wrong.enabled && Debug.Errors.Count == 1 &&
-            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0, not -1.", "a scene with an error");
+            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0, not -1.",
+            "a scene with an error");
     Console.WriteLine("drilled, seen, heard");
     return 0;
   }
 
-  // Checks that triangles face outwards: for a clockwise triangle in left-handed axes, (b - a) x (c - a) points towards the
-  // viewer, like the normals. For (0, 0, 0), (0, 1, 0), (1, 0, 0), clockwise for a camera along +z, it is (0, 0, -1).
+  // Checks that triangles face outwards: for a clockwise triangle in left-handed axes, (b - a) x (c - a) points towards
+  // the viewer, like the normals. For (0, 0, 0), (0, 1, 0), (1, 0, 0), clockwise for a camera along +z, it is
+  // (0, 0, -1).
   static void ClockwiseFromOutside(GameObject page, Mesh mesh) {
     int outwards = 0;
     for (int n = 0; n + 2 < mesh.indices; n += 3) {
@@ -126,13 +131,15 @@ spindle_rpm = 40000
       double[] u = { b[0] - a[0], b[1] - a[1], b[2] - a[2] }, v = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
       double[] face = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
       int at = 12 * (ushort)mesh.order[n] + 8;
-      double along = (face[0] * (sbyte)mesh.data[at] + face[1] * (sbyte)mesh.data[at + 1] + face[2] * (sbyte)mesh.data[at + 2]);
+      double along = face[0] * (sbyte)mesh.data[at] + face[1] * (sbyte)mesh.data[at + 1] +
+                     face[2] * (sbyte)mesh.data[at + 2];
       if (along > 0) ++outwards;
     }
     Require(outwards >= 0.97 * mesh.indices / 3, "triangles look outwards: " + outwards + " of " + mesh.indices / 3);
   }
   static double[] At(Mesh mesh, int n) {
     int at = 12 * (ushort)mesh.order[n];
-    return new double[] { BitConverter.ToInt16(mesh.data, at), BitConverter.ToInt16(mesh.data, at + 2), BitConverter.ToInt16(mesh.data, at + 4) };
+    return new double[] { BitConverter.ToInt16(mesh.data, at), BitConverter.ToInt16(mesh.data, at + 2),
+                          BitConverter.ToInt16(mesh.data, at + 4) };
   }
 }
