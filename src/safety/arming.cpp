@@ -24,7 +24,7 @@ void Arming::start(SafetyLog& log) noexcept {
 void Arming::wait_free(SafetyLog& log) noexcept {
   state_ = ArmingState::wait_free;
   ticks_ = 0;
-  looked_ = false;
+  inspected_ = false;
   log.report(SafetyEvent::waiting_free);
 }
 
@@ -71,8 +71,8 @@ double Arming::tick(double dt, bool reading_ok, double force, double torque, std
     case ArmingState::wait_free: {
       const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
       const bool is_free = reading_ok && (touching ? !*touching : is_quiet);
-      if (reading_ok && !looked_) {
-        looked_ = true;
+      if (reading_ok && !inspected_) {
+        inspected_ = true;
         if (!is_free) log.report(SafetyEvent::start_inside, force);
       }
       ticks_ = is_free ? ticks_ + 1 : 0;

@@ -77,13 +77,15 @@ class WorkspaceMap {
   [[nodiscard]] Pose to_world(const Pose& X_BS) const noexcept;
 
   /// The velocity of the handle point Ho, in W.
-  [[nodiscard]] Twist to_world(const Pose& X_BS, const Twist& stylus) const noexcept;
+  [[nodiscard]] Twist to_world(const Pose& X_BS, const Twist& V_BS) const noexcept;
 
   /// Converts a wrench on the tool about Ho, in W, to the wrench on the stylus about its point, in B.
-  [[nodiscard]] Wrench to_device(const Pose& X_BS, const Wrench& tool) const noexcept;
+  [[nodiscard]] Wrench to_device(const Pose& X_BS, const Wrench& wrench) const noexcept;
 
   /// [N/m] The stiffness at the hand of a stiffness in the world.
-  [[nodiscard]] double felt_stiffness(double world) const { return options_.scale * options_.force_scale * world; }
+  [[nodiscard]] double felt_stiffness(double stiffness) const {
+    return options_.scale * options_.force_scale * stiffness;
+  }
 
  private:
   [[nodiscard]] Pose stylus_in_world(const Pose& X_BS) const noexcept;

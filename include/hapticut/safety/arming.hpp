@@ -98,9 +98,9 @@ class Arming {
 
   ArmingOptions options_;
   ArmingState state_ = ArmingState::off;
-  int ticks_ = 0;        // in a row that fulfil what the state waits for
-  bool looked_ = false;  // whether the first force since the wait began was inspected
-  bool first_ = true;    // there was no force since the start or since a fault
+  int ticks_ = 0;           // in a row that fulfil what the state waits for
+  bool inspected_ = false;  // whether the first force since the wait began was inspected
+  bool first_ = true;       // there was no force since the start or since a fault
   bool short_ramp_ = false;
   double progress_ = 0;  // [1] of the fade-in
 };
