@@ -92,8 +92,9 @@ class ViewServer {
   [[nodiscard]] std::optional<ViewCommand> receive();
 
   [[nodiscard]] std::size_t connections() const;  ///< number of connected pages
-  [[nodiscard]] std::uint64_t refused()
-      const;  ///< number of refused connections, and of those closed for invalid messages
+
+  /// The number of connections that were refused, or closed because of an invalid message.
+  [[nodiscard]] std::uint64_t refused() const;
 
  private:
   struct State;

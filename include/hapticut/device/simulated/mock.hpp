@@ -20,8 +20,7 @@ using ScriptedPath = std::function<Pose(double time)>;
 /// `press`  moves down (-z) from 5 mm to -5 mm in 2 s, and stays there
 /// `line`   like `press`, then moves to and fro along x over 20 mm
 /// `circle` like `press`, then moves along a circle of 8 mm radius in the xy plane
-/// `spiral` like `press`, then moves along a spiral whose radius grows to 8 mm and shrinks again, 1 mm deeper every 10
-/// s
+/// `spiral` like `press`, then a spiral whose radius grows to 8 mm and shrinks again, 1 mm deeper every 10 s
 /// @throws Error that lists the known names
 [[nodiscard]] ScriptedPath scripted_path(const std::string& name);
 
