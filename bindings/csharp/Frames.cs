@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world of hapticut, right-handed and z up in metres, as engines see it: docs/embedding.md, frames.
+// Conversion from the world of hapticut (right-handed, z up, metres) to the frames of engines: docs/embedding.md.
 using System;
 
 namespace Hapticut {
@@ -9,9 +9,9 @@ namespace Hapticut {
     public double x, y, z, w;
     public Quaternion(double x, double y, double z, double w) { this.x = x; this.y = y; this.z = z; this.w = w; }
 
-    /// <summary>Of the rotation of a pose, with w not negative.</summary>
+    /// <summary>The rotation of a pose, with w not negative.</summary>
     public static Quaternion Of(Pose X) {
-      // The largest of the four is found first, so that nothing is divided by a small number.
+      // The largest component is computed first, to avoid a division by a small number.
       double trace = X.r00 + X.r11 + X.r22;
       Quaternion q;
       if (trace >= Math.Max(X.r00, Math.Max(X.r11, X.r22)))
@@ -26,7 +26,7 @@ namespace Hapticut {
       return new Quaternion(by * q.x, by * q.y, by * q.z, by * q.w);
     }
 
-    /// <summary>A pose with this rotation.</summary>
+    /// <summary>The pose with this rotation at p.</summary>
     public Pose At(Vec3 p) {
       return new Pose {
         position = p,
@@ -37,11 +37,11 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>Unity: left-handed, y up, metres. Each way is its own way back.</summary>
+  /// <summary>Unity: left-handed, y up, metres. Each function is its own inverse.</summary>
   public static class UnityFrame {
-    /// <summary>A position, a force, a velocity.</summary>
+    /// <summary>Converts a position, a force or a velocity.</summary>
     public static Vec3 Vector(Vec3 v) { return new Vec3(v.x, v.z, v.y); }
-    /// <summary>A torque, an angular velocity: an axial vector.</summary>
+    /// <summary>Converts an axial vector: a torque or an angular velocity.</summary>
     public static Vec3 Axial(Vec3 v) { return new Vec3(-v.x, -v.z, -v.y); }
     public static Quaternion Rotation(Quaternion q) { return new Quaternion(-q.x, -q.z, -q.y, q.w); }
   }
@@ -51,7 +51,7 @@ namespace Hapticut {
     public const double UnitsPerMetre = 100;
     public static Vec3 Position(Vec3 p) { return new Vec3(100 * p.x, -100 * p.y, 100 * p.z); }
     public static Vec3 PositionBack(Vec3 p) { return new Vec3(p.x / 100, -p.y / 100, p.z / 100); }
-    /// <summary>A force, a direction, a velocity in m/s; its own way back.</summary>
+    /// <summary>Converts a force, a direction or a velocity in m/s; its own inverse.</summary>
     public static Vec3 Vector(Vec3 v) { return new Vec3(v.x, -v.y, v.z); }
     public static Vec3 Axial(Vec3 v) { return new Vec3(-v.x, v.y, -v.z); }
     public static Quaternion Rotation(Quaternion q) { return new Quaternion(-q.x, q.y, -q.z, q.w); }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of hapticut/c/hapticut.h, and how their errors become exceptions.
+// The functions of hapticut/c/hapticut.h, and the conversion of their errors to exceptions.
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
 
 namespace Hapticut {
 
-  /// <summary>Something that was asked for cannot be done: the library's sentence says what and why.</summary>
+  /// <summary>A call failed. The message of the library says why and what to do.</summary>
   public sealed class HapticutException : Exception {
-    /// <summary>hapticut_result, below 0.</summary>
+    /// <summary>The hapticut_result, below 0.</summary>
     public int Code { get; private set; }
     internal HapticutException(int code, string sentence) : base(sentence) { Code = code; }
 
@@ -16,7 +16,7 @@ namespace Hapticut {
   }
 
   internal static class Text {
-    /// UTF-8, with a 0 at its end.
+    /// Converts a text to UTF-8 with a final 0.
     internal static byte[] Of(string text) {
       if (text == null) throw new ArgumentNullException("text");
       byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text) + 1];
@@ -49,12 +49,15 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_release(IntPtr handle);
     [DllImport(Library)] internal static extern int hapticut_status_text(uint status, byte[] text, UIntPtr capacity);
 
-    [DllImport(Library)] internal static extern int hapticut_simulation_from_toml(byte[] text, ref SimulationOptions options, out IntPtr made);
-    [DllImport(Library)] internal static extern int hapticut_simulation_from_file(byte[] path, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_simulation_from_toml(byte[] text, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_simulation_from_file(byte[] path, ref SimulationOptions options, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_scene(Simulation of, ref SceneInfo info);
     [DllImport(Library)] internal static extern int hapticut_material(Simulation of, uint id, ref MaterialInfo info);
     [DllImport(Library)] internal static extern int hapticut_path_pose(Simulation of, double time, out Pose X_WH);
-    [DllImport(Library)] internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
+    [DllImport(Library)]
+    internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
     [DllImport(Library)] internal static extern int hapticut_touches(Simulation of, ref Pose X_WH, out int touches);
     [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double radPerS);
     [DllImport(Library)] internal static extern int hapticut_set_tool(Simulation of, byte[] text);
@@ -67,7 +70,8 @@ namespace Hapticut {
 
     [DllImport(Library)] internal static extern int hapticut_device_open(byte[] name, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_device_describe(Device of, ref DeviceInfo info);
-    [DllImport(Library)] internal static extern int hapticut_loop_start(Simulation of, Device device, ref LoopOptions options, out IntPtr made);
+    [DllImport(Library)]
+    internal static extern int hapticut_loop_start(Simulation of, Device device, ref LoopOptions options, out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_loop_is_running(Loop of, out int running);
     [DllImport(Library)] internal static extern int hapticut_loop_latest(Loop of, ref LoopState state);
     [DllImport(Library)] internal static extern int hapticut_loop_send(Loop of, ref Command command);
@@ -83,15 +87,19 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_surface_catch_up(Surface of);
 
     [DllImport(Library)] internal static extern int hapticut_sound_open(ref SoundOptions options, out IntPtr made);
-    [DllImport(Library)] internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples, UIntPtr count);
+    [DllImport(Library)]
+    internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples,
+                                                     UIntPtr count);
 
-    // The second name takes a device that may be none.
-    [DllImport(Library)] internal static extern int hapticut_recording_start(Simulation of, Device device, byte[] path, out IntPtr made);
+    // The second declaration accepts a null handle as device.
+    [DllImport(Library)]
+    internal static extern int hapticut_recording_start(Simulation of, Device device, byte[] path, out IntPtr made);
     [DllImport(Library, EntryPoint = "hapticut_recording_start")]
-    internal static extern int hapticut_recording_start_alone(Simulation of, IntPtr none, byte[] path, out IntPtr made);
+    internal static extern int hapticut_recording_start_alone(Simulation of, IntPtr noDevice, byte[] path,
+                                                              out IntPtr made);
     [DllImport(Library)] internal static extern int hapticut_recording_stop(Recording of, ref RecordingReport report);
 
-    /// Throws where a call has failed.  Returns false where there was nothing.
+    /// Throws when a call has failed.  Returns false for HAPTICUT_NOTHING.
     internal static bool Check(int code) {
       if (code < 0) throw new HapticutException(code, Text.At(hapticut_last_error()));
       return code != Nothing;
@@ -103,7 +111,7 @@ namespace Hapticut {
 
   /// <summary>The library itself.</summary>
   public static class Library {
-    /// <summary>[rad/s] one turn a minute: what `spindle_rpm` of a scene counts.</summary>
+    /// <summary>[rad/s] One revolution per minute, the unit of `spindle_rpm` of a scene.</summary>
     public const double Rpm = 2 * Math.PI / 60;
     public static string Version { get { return Text.At(Native.hapticut_version()); } }
     public static uint AbiVersion { get { return Native.hapticut_abi_version(); } }
@@ -116,7 +124,7 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>An object of the library's. The runtime lets go of it when nobody holds it, Dispose at once.</summary>
+  /// <summary>An object of the library. Dispose releases it at once; otherwise the garbage collector does.</summary>
   public abstract class LibraryObject : SafeHandle {
     protected LibraryObject(IntPtr made) : base(IntPtr.Zero, true) { SetHandle(made); }
     public override bool IsInvalid { get { return handle == IntPtr.Zero; } }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An object for each kind of handle.
+// One class for each kind of handle.
 using System;
 using System.Runtime.InteropServices;
 
 namespace Hapticut {
 
-  /// <summary>A tool and a workpiece, from a scene in TOML. One thread at a time; none while a loop runs.</summary>
+  /// <summary>A tool and a workpiece, from a scene in TOML. One thread at a time may use it, and no thread while a loop
+  /// runs.</summary>
   public sealed class Simulation : LibraryObject {
     Simulation(IntPtr made) : base(made) {}
 
@@ -38,8 +39,11 @@ namespace Hapticut {
       return info;
     }
 
-    /// <summary>Where the handle is on the scene's path; false where it has none.</summary>
-    public bool PathPose(double time, out Pose X_WH) { return Native.Check(Native.hapticut_path_pose(this, time, out X_WH)); }
+    /// <summary>The pose of the handle on the scene's path.</summary>
+    /// <returns>false if the scene has no path</returns>
+    public bool PathPose(double time, out Pose X_WH) {
+      return Native.Check(Native.hapticut_path_pose(this, time, out X_WH));
+    }
 
     public StepResult Step(StepInput input) {
       StepResult result = new StepResult { structSize = Native.SizeOf<StepResult>() };
@@ -54,10 +58,10 @@ namespace Hapticut {
       return touches != 0;
     }
 
-    /// <param name="radPerS">[rad/s]: 40000 * Library.Rpm</param>
+    /// <param name="radPerS">[rad/s], e.g. 40000 * Library.Rpm</param>
     public void SetSpindleSpeed(double radPerS) { Native.Check(Native.hapticut_set_spindle_speed(this, radPerS)); }
 
-    /// <param name="toml">a table [tool] and nothing else</param>
+    /// <param name="toml">only a table [tool]</param>
     public void SetTool(string toml) { Native.Check(Native.hapticut_set_tool(this, Text.Of(toml))); }
 
     public void SaveWorkpiece(string path) { Native.Check(Native.hapticut_save_workpiece(this, Text.Of(path))); }
@@ -74,12 +78,12 @@ namespace Hapticut {
     public bool Redo() { return Native.Check(Native.hapticut_redo(this)); }
   }
 
-  /// <summary>The state of a workpiece.</summary>
+  /// <summary>A state of a workpiece.</summary>
   public sealed class Snapshot : LibraryObject {
     internal Snapshot(IntPtr made) : base(made) {}
   }
 
-  /// <summary>A haptic device, or what stands for one.</summary>
+  /// <summary>A haptic device, real or simulated.</summary>
   public sealed class Device : LibraryObject {
     Device(IntPtr made) : base(made) {}
 
@@ -98,7 +102,8 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>A device that drives a simulation in a thread of the library's, which no garbage collection stops.</summary>
+  /// <summary>A device that drives a simulation in a thread of the library. Garbage collection does not stop that
+  /// thread.</summary>
   public sealed class Loop : LibraryObject {
     Loop(IntPtr made) : base(made) {}
 
@@ -128,7 +133,7 @@ namespace Hapticut {
       Native.Check(Native.hapticut_loop_send(this, ref command));
     }
 
-    /// <param name="toml">a table [tool] and nothing else</param>
+    /// <param name="toml">only a table [tool]</param>
     public void SetTool(string toml) { Native.Check(Native.hapticut_loop_set_tool(this, Text.Of(toml))); }
 
     public void EmergencyStop() { Native.Check(Native.hapticut_loop_emergency_stop(this)); }
@@ -141,17 +146,17 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>A page of triangles, copied; arrays are used again by the next poll into the same page.</summary>
+  /// <summary>A copy of a page of triangles. The next poll into the same object reuses its arrays.</summary>
   public sealed class Page {
-    public int originX, originY, originZ;  // names the page
+    public int originX, originY, originZ;  // identifies the page
     public ulong version;
     public Pose X_WP;
-    public double step;  // [m] of a vertex' numbers
+    public double step;  // [m] unit of a vertex position
     public int vertexCount, indexCount;
     public byte[] vertices = new byte[0];  // 12 bytes each: Vertex
     public short[] indices = new short[0];  // bits of 16-bit unsigned numbers
 
-    /// <summary>[m] in W</summary>
+    /// <summary>[m] The position of a vertex in W.</summary>
     public Vec3 Position(int n) {
       double x = step * BitConverter.ToInt16(vertices, 12 * n), y = step * BitConverter.ToInt16(vertices, 12 * n + 2),
              z = step * BitConverter.ToInt16(vertices, 12 * n + 4);
@@ -162,7 +167,7 @@ namespace Hapticut {
 
     public int Index(int n) { return (ushort)indices[n]; }
 
-    internal void Take(NativePage page) {
+    internal void CopyFrom(NativePage page) {
       originX = page.originX; originY = page.originY; originZ = page.originZ;
       version = page.version; X_WP = page.X_WP; step = page.step;
       vertexCount = (int)page.vertexCount; indexCount = (int)page.indexCount;
@@ -173,23 +178,24 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>The surface of a workpiece, page by page; also while a loop runs, in one thread.</summary>
+  /// <summary>The surface of a workpiece in pages. One thread may use it, also while a loop runs.</summary>
   public sealed class Surface : LibraryObject {
     Surface(IntPtr made) : base(made) {}
 
-    /// <summary>Before the first cut.</summary>
+    /// <summary>Opens the surface. Call it before the first cut.</summary>
     public static Surface Of(Simulation simulation) {
       IntPtr made;
       Native.Check(Native.hapticut_surface_open(simulation, out made));
       return new Surface(made);
     }
 
-    /// <summary>The next page that has become another one; false where none has.</summary>
+    /// <summary>Reads the next changed page.</summary>
+    /// <returns>false if no page has changed</returns>
     public bool Poll(Page page) {
       NativePage native = new NativePage { structSize = Native.SizeOf<NativePage>() };
       if (!Native.Check(Native.hapticut_surface_poll(this, ref native))) return false;
       try {
-        page.Take(native);
+        page.CopyFrom(native);
       } finally {
         Native.hapticut_surface_release_page(this, native.ticket);
       }
@@ -200,13 +206,14 @@ namespace Hapticut {
     public void CatchUp() { Native.Check(Native.hapticut_surface_catch_up(this)); }
   }
 
-  /// <summary>The sound of a drill; in the thread that asks for samples.</summary>
+  /// <summary>The sound of a drill. The thread that needs samples uses it.</summary>
   public sealed class Sound : LibraryObject {
     Sound(IntPtr made) : base(made) {}
 
-    /// <param name="volume">above 0 ... 1; 0: 0.5</param>
+    /// <param name="volume">above 0, up to 1; 0 means 0.5</param>
     public static Sound Open(uint flutes = 0, double volume = 0) {
-      SoundOptions options = new SoundOptions { structSize = Native.SizeOf<SoundOptions>(), flutes = flutes, volume = volume };
+      SoundOptions options =
+          new SoundOptions { structSize = Native.SizeOf<SoundOptions>(), flutes = flutes, volume = volume };
       IntPtr made;
       Native.Check(Native.hapticut_sound_open(ref options, out made));
       return new Sound(made);
@@ -218,11 +225,11 @@ namespace Hapticut {
     }
   }
 
-  /// <summary>A file to which every step goes.</summary>
+  /// <summary>A file that records every step.</summary>
   public sealed class Recording : LibraryObject {
     Recording(IntPtr made) : base(made) {}
 
-    /// <param name="device">whose loop will make the steps, or null</param>
+    /// <param name="device">of the loop that will make the steps, or null</param>
     public static Recording Start(Simulation simulation, Device device, string path) {
       IntPtr made;
       Native.Check(device != null

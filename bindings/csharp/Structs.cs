@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structs of hapticut/c/types.h, field by field; what they mean stands there.
+// The structs of hapticut/c/types.h, which documents the fields.
 using System;
 using System.Runtime.InteropServices;
 
@@ -162,7 +162,7 @@ namespace Hapticut {
     public string Warnings { get { return Text.Of(warnings); } }
   }
 
-  /// <summary>12 bytes, as a graphics card takes them.</summary>
+  /// <summary>12 bytes in the layout of a vertex buffer.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public struct Vertex {
     public short x, y, z;
@@ -195,7 +195,7 @@ namespace Hapticut {
     public double spindleSpeed, power, removalRate;
     public bool Touching { get { return touching != 0; } set { touching = value ? 1u : 0u; } }
 
-    /// <summary>What a loop sounds like.</summary>
+    /// <summary>The input for the sound of a loop.</summary>
     public static SoundInput Of(LoopState state) {
       return new SoundInput { Touching = (state.flags & LoopFlags.Touching) != 0, spindleSpeed = state.spindleSpeed,
                               power = state.power, removalRate = state.removalRate };

@@ -24,7 +24,7 @@ void bind_plant(py::module_& m) {
       .def_property_readonly("target", &Plant::target, "(4, 4) where the hand wants to be.")
       .def("set_velocity", &Plant::set_velocity, py::arg("velocity"), doc("Plant::set_velocity"))
       .def("advance", &Plant::advance, py::arg("wrench"), doc("Plant::advance"))
-      .def("creep", &Plant::creep, py::arg("wrench"), doc("Plant::creep"))
+      .def("advance_fine", &Plant::advance_fine, py::arg("wrench"), doc("Plant::advance_fine"))
       .def_property_readonly("pose", &Plant::pose, "(4, 4) exact.")
       .def_property_readonly("measured_pose", &Plant::measured_pose, "(4, 4) as the encoders read it.")
       .def_property_readonly("velocity", &Plant::velocity, "(6,) exact.")

@@ -67,7 +67,7 @@ void bind_runs(py::module_& m) {
   using R = RunReport;
   bind_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks), member("missed", &R::missed),
                  member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
-                 member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
+                 member("fault", &R::fault), member("arming", &R::arming), member("log", &R::log),
                  member("warnings", &R::warnings))
       .def_property_readonly(
           "events",
@@ -104,10 +104,10 @@ void bind_devices(py::module_& m) {
       .def("emergency_stop", &Device::emergency_stop, doc("Device::emergency_stop"))
       .def("reset_fault", &Device::reset_fault, doc("Device::reset_fault"))
       .def("interrupt", &Device::interrupt, py::arg("reason"), doc("Device::interrupt"))
-      .def_property_readonly("is_running", &Device::is_running, "Whether a run is under way.")
+      .def_property_readonly("is_running", &Device::is_running, "Whether a run is in progress.")
       .def_property_readonly("state", &Device::state, doc("Device::state"))
       .def_property_readonly("output", &Device::output, doc("Device::output"))
-      .def_property_readonly("arming", &Device::arming, "Whether a force is allowed.")
+      .def_property_readonly("arming", &Device::arming, "The state of the guard.")
       .def("drain_log", &Device::drain_log, doc("Device::drain_log"))
       .def("count", &Device::count, py::arg("event"), doc("Device::count"));
   m.def("open_device", &open_device, py::arg("name"), doc("open_device"));
@@ -124,7 +124,7 @@ void bind_devices(py::module_& m) {
         }
         return drivers;
       },
-      "The kinds of devices there are, usable or not: dicts of scheme, usage and missing (empty, or what to install).");
+      "All known kinds of devices, usable or not: dicts of scheme, usage and missing (empty, or what to install).");
 
   m.def("scripted_path", &scripted_path, py::arg("name"), doc("scripted_path"));
   bind_described<MockOptions>(m, "MockOptions");
@@ -159,7 +159,7 @@ void bind_map(py::module_& m) {
   using M = WorkspaceMap;
   py::class_<M>(m, "WorkspaceMap", doc("WorkspaceMap"))
       .def(py::init<const O&>(), py::arg("options") = O{}, doc("WorkspaceMap::WorkspaceMap"))
-      .def("release", &M::release, py::arg("X_BS"), doc("WorkspaceMap::release"))
+      .def("disengage", &M::disengage, py::arg("X_BS"), doc("WorkspaceMap::disengage"))
       .def("engage", &M::engage, py::arg("X_BS"), doc("WorkspaceMap::engage"))
       .def("place", &M::place, py::arg("X_BS"), py::arg("X_WH"), doc("WorkspaceMap::place"))
       .def("set_scale", &M::set_scale, py::arg("scale"), py::arg("X_BS"), doc("WorkspaceMap::set_scale"))
@@ -169,9 +169,9 @@ void bind_map(py::module_& m) {
       .def("to_world", py::overload_cast<const Pose&>(&M::to_world, py::const_), py::arg("X_BS"),
            doc("WorkspaceMap::to_world"))
       .def("to_world", py::overload_cast<const Pose&, const Twist&>(&M::to_world, py::const_), py::arg("X_BS"),
-           py::arg("stylus"), doc("WorkspaceMap::to_world#2"))
-      .def("to_device", &M::to_device, py::arg("X_BS"), py::arg("tool"), doc("WorkspaceMap::to_device"))
-      .def("felt_stiffness", &M::felt_stiffness, py::arg("world"), doc("WorkspaceMap::felt_stiffness"));
+           py::arg("V_BS"), doc("WorkspaceMap::to_world#2"))
+      .def("to_device", &M::to_device, py::arg("X_BS"), py::arg("wrench"), doc("WorkspaceMap::to_device"))
+      .def("felt_stiffness", &M::felt_stiffness, py::arg("stiffness"), doc("WorkspaceMap::felt_stiffness"));
   m.def("gains_in_world", &gains_in_world, py::arg("felt"), py::arg("map"), doc("gains_in_world"));
 }
 

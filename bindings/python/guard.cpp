@@ -40,7 +40,7 @@ void bind_log(py::module_& m) {
       .def_readonly("event", &L::event, "What began.")
       .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
   m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
-        "An entry in words: time, name, value and the sentence.");
+        "An entry as text: time, name, value and the sentence.");
   m.def("sentence_of", &sentence_of, py::arg("entry"), doc("sentence_of"));
   py::class_<SafetyLog>(m, "SafetyLog", doc("SafetyLog"))
       .def("count", &SafetyLog::count, py::arg("event"), doc("SafetyLog::count"))
@@ -84,7 +84,7 @@ void bind_guard(py::module_& m) {
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
       .def("limit", &SafetyGuard::limit, py::arg("commanded"), py::arg("contact") = ModelContact{},
            doc("SafetyGuard::limit"))
-      .def("applied", &SafetyGuard::applied, py::arg("wrench"), doc("SafetyGuard::applied"))
+      .def("report_applied", &SafetyGuard::report_applied, py::arg("wrench"), doc("SafetyGuard::report_applied"))
       .def_property_readonly("requests", &SafetyGuard::requests, py::return_value_policy::reference_internal,
                              doc("SafetyGuard::requests"))
       .def_property_readonly("state", &SafetyGuard::state, "Whether a force is allowed.")
@@ -120,7 +120,7 @@ void bind_guard(py::module_& m) {
           [](const H& h) { return py::array_t<std::uint64_t>(py::ssize_t(h.buckets().size()), h.buckets().data()); },
           "(2000,) uint64: how many durations fell into each bucket of 1 us.")
       .def("at_least", &H::at_least, py::arg("seconds"), doc("LatencyHistogram::at_least"))
-      .def("quantile", &H::quantile, py::arg("share"), doc("LatencyHistogram::quantile"));
+      .def("quantile", &H::quantile, py::arg("fraction"), doc("LatencyHistogram::quantile"));
 }
 
 }  // namespace hapticut::python

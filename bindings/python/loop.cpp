@@ -207,12 +207,12 @@ void bind_interlock(py::module_& m) {
       .def("admits", &I::admits, py::arg("arming"), py::arg("touches"), doc("SpindleInterlock::admits"))
       .def("interrupt", &I::interrupt, doc("SpindleInterlock::interrupt"))
       .def(
-          "turn",
+          "update",
           [](I& self, PythonSimulation& simulation, ArmingState arming) {
             simulation.occupancy.require_writable("The simulation");
-            self.turn(simulation.simulation, arming);
+            self.update(simulation.simulation, arming);
           },
-          py::arg("simulation"), py::arg("arming"), doc("SpindleInterlock::turn"));
+          py::arg("simulation"), py::arg("arming"), doc("SpindleInterlock::update"));
 }
 
 void bind_model(py::module_& m) {

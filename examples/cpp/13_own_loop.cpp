@@ -68,7 +68,7 @@ int main() {
       interlock.interrupt();
       simulation.hold_spindle(true);
     } else {
-      interlock.turn(simulation, guard.state());
+      interlock.update(simulation, guard.state());
       const double motor_work = simulation.last_result().energy.motor_work;
       const CoupledResult& felt =
           coupling.step(map.to_world(hand.X_BS), map.to_world(hand.X_BS, hand.velocity), guard.period());

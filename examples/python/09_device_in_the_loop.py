@@ -43,7 +43,7 @@ while loop.is_running:
         blocks += 1
     time.sleep(0.016)
 report = loop.wait()
-print(f"{report.ticks} ticks ({report.end}), guard {report.guard.name}, removed "
+print(f"{report.ticks} ticks ({report.end}), guard {report.arming.name}, removed "
       f"{simulation.removed_volume_by_material[1] / mm3:.4f} mm^3, at most {loop.latest().max_applied:.2f} N, "
       f"{blocks} changed blocks")
 

@@ -96,7 +96,7 @@ void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plan
   apply(written_ = wrench);
   advance([&] {
     for (int n = 0; n < kFineSteps; ++n) {
-      plant_.creep(applied_);
+      plant_.advance_fine(applied_);
       observer(plant_, applied_);
     }
   });

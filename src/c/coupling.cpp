@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A virtual coupling in a loop of the caller's.
+// A virtual coupling in a custom loop.
 #include "hapticut/simulation/coupling.hpp"
 #include "c/simulation_object.hpp"
 #include "c/structs.hpp"
@@ -15,11 +15,11 @@ class CouplingObject final : public Object {
       : simulation(std::move(a_simulation)), tools(simulation->tools), coupling(simulation->simulation, gains) {}
 
   const std::shared_ptr<SimulationObject> simulation;
-  const std::uint32_t tools;  // that the simulation had had
+  const std::uint32_t tools;  // number of tools that the simulation had
   VirtualCoupling coupling;
 };
 
-/// Where 0 stands for the default.
+/// Sets a value, where 0 means the default.
 void set_if_given(double given, double& value) noexcept {
   if (given != 0) value = given;
 }
@@ -50,17 +50,17 @@ int hapticut_coupling_open(hapticut_simulation simulation, const hapticut_coupli
   return guarded([&]() -> int {
     require_argument(coupling, "coupling");
     hapticut_coupling_gains own;
-    if (const int code = take_if_given(gains, "gains", own); code != HAPTICUT_OK) return code;
+    if (const int code = read_struct_if_given(gains, "gains", own); code != HAPTICUT_OK) return code;
     const IdleSimulation use(simulation);
     if (!use) return use.code();
-    *coupling = add_object(Kind::coupling, std::make_shared<CouplingObject>(use.share(), gains_of(own)));
+    *coupling = add_object(Kind::coupling, std::make_shared<CouplingObject>(use.pointer(), gains_of(own)));
     return HAPTICUT_OK;
   });
 }
 
 int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input* input, hapticut_step_result* result) {
   hapticut_step_input in;
-  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = read_struct(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
   return within(Use<CouplingObject>(coupling), [&](const auto& use) -> int {
     SimulationObject& object = *use->simulation;
@@ -68,7 +68,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     if (!stay) return stay.code();
     if (object.tools.load() != use->tools)
       return fail(HAPTICUT_ERROR_REFUSED,
-                  "The simulation has another tool than this coupling was made for; open another.");
+                  "The tool of the simulation was exchanged after this coupling was made; open another coupling.");
     const Twist velocity{vector_of(in.linear_velocity), vector_of(in.angular_velocity)};
     const CoupledResult& tick = use->coupling.step(pose_of(in.X_WH), velocity, in.dt);
     hapticut_step_result own{};
@@ -80,7 +80,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     own.removed_voxels = tick.removed_voxels.size();
     own.sub_steps = std::uint32_t(tick.parts);
     put(tick.X_WH, own.X_WH);
-    give(own, result);
+    write_struct(own, result);
     return HAPTICUT_OK;
   });
 }

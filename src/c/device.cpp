@@ -11,7 +11,7 @@
 namespace hapticut::c {
 namespace {
 
-/// Announces every kind of device that this build has, once.
+/// Registers all kinds of devices of this build, once.
 void use_all_devices() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -56,7 +56,7 @@ int hapticut_device_describe(hapticut_device device, hapticut_device_info* info)
     put(has.workspace_high, own.workspace_max);
     copy_text(has.model, own.model, sizeof own.model);
     copy_text(has.serial_number, own.serial_number, sizeof own.serial_number);
-    give(own, info);
+    write_struct(own, info);
   });
 }
 

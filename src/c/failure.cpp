@@ -17,7 +17,8 @@ thread_local std::array<char, 2048> sentence_of_thread{};
 std::size_t cut_length(const char* text, std::size_t length, std::size_t capacity) noexcept {
   if (length < capacity) return length;
   std::size_t cut = capacity - 1;
-  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xc0U) == 0x80U) --cut;  // in the middle of a character
+  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xc0U) == 0x80U)
+    --cut;  // not in the middle of a character
   return cut;
 }
 
@@ -27,11 +28,11 @@ void copy(const char* text, std::size_t length, char* to, std::size_t capacity) 
   to[cut] = '\0';
 }
 
-/// What the library refuses.
+/// Reports an Error of the library in the words of C.
 int fail_in_words_of_c(const char* sentence) noexcept {
   try {
     return fail(HAPTICUT_ERROR_REFUSED, in_words_of_c(sentence).c_str());
-  } catch (const std::exception&) {  // there is no memory for other words
+  } catch (const std::exception&) {  // no memory for the words of C
     return fail(HAPTICUT_ERROR_REFUSED, sentence);
   }
 }
@@ -53,17 +54,17 @@ int fail_by_exception() noexcept {
   } catch (const Error& error) {
     return fail_in_words_of_c(error.what());
   } catch (const std::bad_alloc&) {
-    return fail(HAPTICUT_ERROR_MEMORY, "There is not enough memory for it; take larger voxels or a smaller workpiece.");
+    return fail(HAPTICUT_ERROR_MEMORY, "There is not enough memory; use larger voxels or a smaller workpiece.");
   } catch (const std::exception& error) {
     return fail(HAPTICUT_ERROR_INTERNAL, error.what());
   } catch (...) {
-    return fail(HAPTICUT_ERROR_INTERNAL, "Something was thrown that is no error of hapticut.");
+    return fail(HAPTICUT_ERROR_INTERNAL, "An unknown exception was thrown.");
   }
 }
 
 void require_argument(const void* pointer, const char* name) {
   if (pointer == nullptr)
-    throw Refusal(HAPTICUT_ERROR_ARGUMENT, std::string(name) + " is a null pointer; it must point to something.");
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT, std::string(name) + " is a null pointer; it must not be null.");
 }
 
 void copy_text(const std::string& text, char* to, std::size_t capacity) noexcept {

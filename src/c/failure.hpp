@@ -8,10 +8,10 @@
 #include "hapticut/c/hapticut.h"
 
 /// @file
-/// How what goes wrong leaves the library: as a number, and as a sentence that waits in the thread.
+/// How errors leave the library: as a number, and as a sentence that is kept for the thread.
 namespace hapticut::c {
 
-/// What a call is refused with that is no hapticut::Error.
+/// An error of the C interface that is not a hapticut::Error.
 class Refusal : public std::runtime_error {
  public:
   Refusal(hapticut_result code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
@@ -21,15 +21,15 @@ class Refusal : public std::runtime_error {
   int code_;
 };
 
-/// Keeps the sentence for this thread, cut to what there is room for.
+/// Stores the sentence for this thread, cut to the size of the buffer.
 /// @return code
 int fail(int code, const char* sentence) noexcept;
 [[nodiscard]] const char* last_failure() noexcept;
 
-/// The number and the sentence of the exception that is being handled.
+/// Stores the sentence of the exception that is being handled.  @return its code
 int fail_by_exception() noexcept;
 
-/// Runs a function that may throw and returns a number, or nothing where all is well.
+/// Runs a function that may throw.  @return the code that it returns, HAPTICUT_OK if it returns void, or an error code
 template <class Body>
 int guarded(Body&& body) noexcept {
   try {
@@ -43,10 +43,10 @@ int guarded(Body&& body) noexcept {
   }
 }
 
-/// @throws Refusal when it is null
+/// @throws Refusal when the pointer is null
 void require_argument(const void* pointer, const char* name);
 
-/// Copies a text, cut where a character of UTF-8 begins, and a 0.
+/// Copies a text and a final 0. A long text is cut at the start of a UTF-8 character.
 void copy_text(const std::string& text, char* to, std::size_t capacity) noexcept;
 
 }  // namespace hapticut::c

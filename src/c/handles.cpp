@@ -17,15 +17,15 @@ constexpr std::uint32_t kClosing = 1U << 31;  // of Slot::users
 
 struct Slot {
   std::atomic<hapticut_handle> handle{0};
-  std::atomic<std::uint32_t> users{0};  // threads that hold it
-  std::shared_ptr<Object> object;       // changes only while nobody holds the slot
+  std::atomic<std::uint32_t> users{0};  // number of threads that hold the slot
+  std::shared_ptr<Object> object;       // changes only while no thread holds the slot
 };
 
 struct Table {
   std::array<Slot, kSlots> slots;
-  std::mutex mutex;  // of what follows; never taken in a step
+  std::mutex mutex;  // protects the members below; never locked in a step
   std::vector<std::size_t> free_slots;
-  std::uint64_t number = 0;  // of the last handle
+  std::uint64_t number = 0;  // number of the last handle
 
   Table() {
     const auto now = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count());
@@ -35,7 +35,7 @@ struct Table {
   }
 };
 
-/// Lives until the process ends: a thread of another library may come late.
+/// Lives until the process ends, because a thread of another library may call late.
 Table& table() {
   static Table* const all = new Table;
   return *all;
@@ -51,13 +51,14 @@ int fail_stale(hapticut_handle handle, Kind wanted) noexcept {
   if (handle == 0)
     std::snprintf(text, sizeof text, "The handle is 0; it must be that of a %s.", name_of(wanted));
   else if (kind_of(handle) == Kind::none)
-    std::snprintf(text, sizeof text, "The handle is none of this library; it must be that of a %s.", name_of(wanted));
+    std::snprintf(text, sizeof text, "The handle was not issued by this library; it must be that of a %s.",
+                  name_of(wanted));
   else if (wanted != Kind::none && kind_of(handle) != wanted)
     std::snprintf(text, sizeof text, "The handle is that of a %s; it must be that of a %s.", name_of(kind_of(handle)),
                   name_of(wanted));
   else
     std::snprintf(text, sizeof text,
-                  "The handle of this %s was released already, or is of another copy of the library.",
+                  "The handle of this %s was already released, or is of another copy of the library.",
                   name_of(kind_of(handle)));
   return fail(HAPTICUT_ERROR_HANDLE, text);
 }
@@ -77,7 +78,7 @@ hapticut_handle add_object(Kind kind, std::shared_ptr<Object> object) {
   const std::lock_guard lock(all.mutex);
   if (all.free_slots.empty())
     throw Refusal(HAPTICUT_ERROR_FULL, "There are " + std::to_string(kSlots) +
-                                           " handles already; release those that are not needed any more.");
+                                           " handles, which is the maximum; release those that are no longer needed.");
   const std::size_t n = all.free_slots.back();
   all.free_slots.pop_back();
   Slot& slot = all.slots[n];
@@ -103,13 +104,13 @@ const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int&
   return &slot.object;
 }
 
-void let_slot_go(hapticut_handle handle) noexcept { slot_of(handle).users.fetch_sub(1, std::memory_order_release); }
+void release_slot(hapticut_handle handle) noexcept { slot_of(handle).users.fetch_sub(1, std::memory_order_release); }
 
 int release_object(hapticut_handle handle) noexcept {
   if (handle == 0 || kind_of(handle) == Kind::none) return fail_stale(handle, Kind::none);
   Slot& slot = slot_of(handle);
   std::uint32_t users = 0;
-  // A thread that asks with a stale handle holds the slot for a moment; one in a call holds it longer.
+  // A thread with a stale handle holds the slot for a moment; a thread in a call holds it longer.
   for (int tries = 0; !slot.users.compare_exchange_strong(users, kClosing, std::memory_order_acq_rel); users = 0) {
     if (slot.handle.load(std::memory_order_acquire) != handle) return fail_stale(handle, Kind::none);
     if (++tries == 100) return fail(HAPTICUT_ERROR_BUSY, "Another thread is in a call with this handle; try again.");

@@ -12,20 +12,20 @@
 #include "hapticut/c/hapticut.h"
 
 /// @file
-/// Handles: numbers that name objects, tell their kind, and go stale when the object is released.
+/// Handles are numbers that identify objects and their kind. A handle becomes stale when its object is released.
 ///
 ///     bits 63 ... 56  kind    55 ... 16  number    15 ... 0  slot
 ///
-/// Numbers are those of the handles in their order, from one that each copy of the library draws when it is loaded: so
-/// a handle of another copy is a stale one here, and a slot that is used again has another handle.
+/// The number counts the handles, from a start value that each copy of the library draws when it is loaded. So a handle
+/// of another copy is stale here, and a reused slot has another handle.
 namespace hapticut::c {
 
 enum class Kind : std::uint8_t { none, simulation, snapshot, coupling, device, loop, surface, sound, recording };
 inline constexpr std::size_t kKinds = 9;
 [[nodiscard]] const char* name_of(Kind kind) noexcept;
 
-/// Who may be in a call with an object at the same time: one thread in each lane.
-enum class Lane : std::uint8_t { first, looking, sending };
+/// Threads that may be in a call with an object at the same time: one thread per lane.
+enum class Lane : std::uint8_t { first, reading, sending };
 
 class Object {
  public:
@@ -43,20 +43,20 @@ class Object {
   std::array<std::atomic<bool>, 3> lanes_{};
 };
 
-/// A handle for an object.  @throws Refusal when there are too many
+/// Makes a handle for an object.  @throws Refusal when there are too many
 [[nodiscard]] hapticut_handle add_object(Kind kind, std::shared_ptr<Object> object);
 
-/// Forgets the handle, and ends the object where nothing else needs it.
+/// Releases a handle, and its object if no other object needs it.
 int release_object(hapticut_handle handle) noexcept;
 
-/// Finds an object and holds its slot.  @return null, and `code` with its sentence, when the handle is none of this
-/// kind
+/// Finds an object and holds its slot.  @return null when the handle is not of this kind; `code` and its sentence are
+/// set
 /// @realtime no allocation, no lock, when it succeeds
 [[nodiscard]] const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int& code) noexcept;
-void let_slot_go(hapticut_handle handle) noexcept;
+void release_slot(hapticut_handle handle) noexcept;
 
-/// A thread's stay in a call: the object lives, and no other thread is in the same lane.
-/// @realtime as hold_slot
+/// Represents a thread in a call: the object stays alive, and no other thread is in the same lane.
+/// @realtime like hold_slot
 template <class T>
 class Use {
  public:
@@ -64,7 +64,7 @@ class Use {
     shared_ = hold_slot(handle, T::kKind, code_);
     if (shared_ == nullptr) return;
     if (!(*shared_)->enter(lane)) {
-      let_slot_go(handle);
+      release_slot(handle);
       shared_ = nullptr;
       code_ = fail(HAPTICUT_ERROR_BUSY, "Another thread is in a call with this handle; try again.");
     }
@@ -72,7 +72,7 @@ class Use {
   ~Use() {
     if (shared_ == nullptr) return;
     (*shared_)->leave(lane_);
-    let_slot_go(handle_);
+    release_slot(handle_);
   }
   Use(const Use&) = delete;
   Use& operator=(const Use&) = delete;
@@ -80,7 +80,7 @@ class Use {
   explicit operator bool() const noexcept { return shared_ != nullptr; }
   [[nodiscard]] int code() const noexcept { return code_; }
   T* operator->() const noexcept { return static_cast<T*>(shared_->get()); }
-  [[nodiscard]] std::shared_ptr<T> share() const { return std::static_pointer_cast<T>(*shared_); }
+  [[nodiscard]] std::shared_ptr<T> pointer() const { return std::static_pointer_cast<T>(*shared_); }
 
  private:
   hapticut_handle handle_;
@@ -89,14 +89,14 @@ class Use {
   int code_ = HAPTICUT_OK;
 };
 
-/// Runs `body(stay)` in a stay, or returns the number of what keeps the caller out.
-/// @param stay  Use, or one of those of simulation_object.hpp
+/// Runs `body(stay)` if the stay has been entered, otherwise returns the code of its failure.
+/// @param stay  Use, IdleSimulation or IdleStay
 template <class InCall, class Body>
 int within(const InCall& stay, Body&& body) noexcept {
   return stay ? guarded([&] { return body(stay); }) : stay.code();
 }
 
-/// A lane of an object that is known otherwise than by its handle.
+/// Occupies a lane of an object that is accessed without its handle.
 class Stay {
  public:
   explicit Stay(Object& object, Lane lane = Lane::first) noexcept

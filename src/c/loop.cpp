@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What other threads do with a loop that runs.
+// Calls of other threads to a running loop.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -12,7 +12,7 @@
 namespace hapticut::c {
 namespace {
 
-/// The number of a command as its field; false where that is none.
+/// Puts the number of a command into its field. `put` returns false if the field cannot be set by a number.
 struct Number {
   double value;
   RemovalLaw of_scene;
@@ -45,17 +45,17 @@ struct Number {
 };
 
 template <hapticut_command_kind kKind, class Command>
-constexpr bool kTells = std::is_same_v<std::variant_alternative_t<kKind - 1, LoopCommand>, Command>;
-static_assert(kTells<HAPTICUT_COMMAND_SET_SPINDLE_SPEED, commands::SetSpindleSpeed>);
-static_assert(kTells<HAPTICUT_COMMAND_OPEN_CLUTCH, commands::OpenClutch>);
-static_assert(kTells<HAPTICUT_COMMAND_CLOSE_CLUTCH, commands::CloseClutch>);
-static_assert(kTells<HAPTICUT_COMMAND_SET_SCALE, commands::SetScale>);
-static_assert(kTells<HAPTICUT_COMMAND_SET_UNDO_MARK, commands::SetUndoMark>);
-static_assert(kTells<HAPTICUT_COMMAND_UNDO, commands::Undo>);
-static_assert(kTells<HAPTICUT_COMMAND_REDO, commands::Redo>);
-static_assert(kTells<HAPTICUT_COMMAND_HOLD_FORCE, commands::HoldForce>);
-static_assert(kTells<HAPTICUT_COMMAND_SET_REMOVAL, commands::SetRemoval>);
-static_assert(kTells<HAPTICUT_COMMAND_SET_FORCE_MASK, commands::SetForceMask>);
+constexpr bool kIsKindOf = std::is_same_v<std::variant_alternative_t<kKind - 1, LoopCommand>, Command>;
+static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_SPINDLE_SPEED, commands::SetSpindleSpeed>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_OPEN_CLUTCH, commands::OpenClutch>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_CLOSE_CLUTCH, commands::CloseClutch>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_SCALE, commands::SetScale>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_UNDO_MARK, commands::SetUndoMark>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_UNDO, commands::Undo>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_REDO, commands::Redo>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_HOLD_FORCE, commands::HoldForce>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_REMOVAL, commands::SetRemoval>);
+static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_FORCE_MASK, commands::SetForceMask>);
 
 LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
   LoopCommand command;
@@ -76,19 +76,19 @@ LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
 
 int send(LoopObject& object, LoopCommand&& command) {
   if (!object.running.load())
-    return fail(HAPTICUT_ERROR_REFUSED, "The loop was stopped; what the command is to change can be changed directly.");
+    return fail(HAPTICUT_ERROR_REFUSED, "The loop was stopped; change the simulation directly.");
   if (object.loop.send(std::move(command))) return HAPTICUT_OK;
-  return fail(HAPTICUT_ERROR_FULL, "256 commands are under way; send it again after some ticks.");
+  return fail(HAPTICUT_ERROR_FULL, "256 commands are in the queue; send the command again after some ticks.");
 }
 
-/// What a request finds: no lane, for it must come through whatever the others do.
+/// Makes a request. It uses no lane, because it must succeed independent of other calls.
 template <class Ask>
 int request(hapticut_loop loop, Ask&& ask) noexcept {
   int code = HAPTICUT_OK;
   const std::shared_ptr<Object>* held = hold_slot(loop, Kind::loop, code);
   if (held == nullptr) return code;
   ask(static_cast<LoopObject*>(held->get())->loop.requests());
-  let_slot_go(loop);
+  release_slot(loop);
   return HAPTICUT_OK;
 }
 
@@ -135,7 +135,7 @@ extern "C" {
 
 int hapticut_loop_latest(hapticut_loop loop, hapticut_loop_state* state) {
   if (const int code = check_size(state, "state"); code != HAPTICUT_OK) return code;
-  const Use<LoopObject> use(loop, Lane::looking);
+  const Use<LoopObject> use(loop, Lane::reading);
   if (!use) return use.code();
   const LoopSnapshot& seen = use->loop.latest();
   const SoundInput& heard = use->listener.listen(seen);
@@ -143,13 +143,13 @@ int hapticut_loop_latest(hapticut_loop loop, hapticut_loop_state* state) {
   put_snapshot(seen, own);
   own.power = heard.power;
   own.removal_rate = heard.removal_rate;
-  give(own, state);
+  write_struct(own, state);
   return HAPTICUT_OK;
 }
 
 int hapticut_loop_send(hapticut_loop loop, const hapticut_command* command) {
   hapticut_command own;
-  if (const int code = take(command, "command", own); code != HAPTICUT_OK) return code;
+  if (const int code = read_struct(command, "command", own); code != HAPTICUT_OK) return code;
   const Use<LoopObject> use(loop, Lane::sending);
   if (!use) return use.code();
   return guarded([&] { return send(*use.operator->(), command_of(own, use->simulation->removal)); });

@@ -13,31 +13,31 @@
 
 namespace hapticut::c {
 
-/// A loop, from its start to its end; simulation and device are its own meanwhile.
+/// A loop from its start to its end. It owns simulation and device meanwhile.
 ///
-/// Lanes: `first` starts and stops, `looking` looks at snapshots, `sending` sends commands.
+/// Lanes: `first` starts and stops, `reading` reads snapshots, `sending` sends commands.
 class LoopObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::loop;
 
-  /// Begins to run.  @pre the first lanes of simulation and device are the caller's, and no loop drives them
+  /// Starts the run.  @pre the caller is in the first lanes of simulation and device, and no loop drives them
   LoopObject(std::shared_ptr<SimulationObject> simulation, std::shared_ptr<DeviceObject> device,
              const SimulationModelOptions& model, const RealtimeLoopOptions& options);
   ~LoopObject() override;
 
-  /// Ends the run, once.  @throws what the run threw
+  /// Ends the run; later calls do nothing.  @throws what the run threw
   void stop();
 
   const std::shared_ptr<SimulationObject> simulation;
   const std::shared_ptr<DeviceObject> device;
   SimulationModel model;
   RealtimeLoop loop;
-  LoopListener listener;            // in lane looking
-  std::atomic<bool> running{true};  // not yet stopped
+  LoopListener listener;            // in lane reading
+  std::atomic<bool> running{true};  // until stopped
   RunReport report;                 // in lane first, after the end
 
  private:
-  void give_back() noexcept;
+  void release_objects() noexcept;
 };
 
 }  // namespace hapticut::c

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loop's beginning and end.
+// Start and end of a loop.
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,10 +13,10 @@
 namespace hapticut::c {
 namespace {
 
-void require_choice(const char* name, std::uint32_t value, std::uint32_t greatest) {
-  if (value > greatest)
-    throw Refusal(HAPTICUT_ERROR_ARGUMENT, std::string(name) + " = " + std::to_string(value) + "; it must be 0 to " +
-                                               std::to_string(greatest) + ".");
+void require_choice(const char* name, std::uint32_t value, std::uint32_t max) {
+  if (value > max)
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                  std::string(name) + " = " + std::to_string(value) + "; it must be 0 to " + std::to_string(max) + ".");
 }
 
 void require_choices(const hapticut_loop_options& o) {
@@ -30,7 +30,7 @@ void require_choices(const hapticut_loop_options& o) {
   require_choice("stop_on_crash", o.stop_on_crash, 1);
 }
 
-/// As the hand feels them.
+/// The gains at the device.
 CouplingGains gains_of(const hapticut_loop_options& o, const DeviceCapabilities& device) {
   if (o.stiffness == 0) return coupling_gains(device);
   DeviceCapabilities as_told = device;
@@ -44,7 +44,7 @@ SimulationModelOptions model_of(const hapticut_loop_options& o, const Simulation
       o.coupling == HAPTICUT_COUPLING_ALWAYS || (o.coupling == HAPTICUT_COUPLING_BY_DEVICE && device.stiffness > 0);
   if (coupled && simulation.simulation.config().contact_time != ContactTime::end)
     throw Error(
-        "The loop needs a coupling, which this simulation was not made for; make it with "
+        "The loop needs a coupling, but the simulation was made without one; make it with "
         "hapticut_simulation_options.for_coupling = 1.");
   SimulationModelOptions options;
   options.map = map_above(device, simulation.box, simulation.simulation.tool(), o.up == HAPTICUT_UP_Z ? Up::z : Up::y,
@@ -70,25 +70,25 @@ RealtimeLoopOptions loop_of(const hapticut_loop_options& o, double rate) {
   return options;
 }
 
-/// Takes simulation and device, and gives back what it took where the loop cannot begin.
-class Taking {
+/// Claims simulation and device for a loop. Releases them again if the loop cannot start.
+class Claim {
  public:
-  Taking(std::atomic<bool>& simulation, std::atomic<bool>& device) : simulation_(simulation), device_(device) {
+  Claim(std::atomic<bool>& simulation, std::atomic<bool>& device) : simulation_(simulation), device_(device) {
     simulation_.store(true);
     device_.store(true);
   }
-  ~Taking() {
-    if (keeps_) return;
+  ~Claim() {
+    if (kept_) return;
     simulation_.store(false);
     device_.store(false);
   }
-  Taking(const Taking&) = delete;
-  Taking& operator=(const Taking&) = delete;
-  void keep() noexcept { keeps_ = true; }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+  void keep() noexcept { kept_ = true; }
 
  private:
   std::atomic<bool>&simulation_, &device_;
-  bool keeps_ = false;
+  bool kept_ = false;
 };
 
 void put_report(const RunReport& report, hapticut_loop_report& own) {
@@ -99,7 +99,7 @@ void put_report(const RunReport& report, hapticut_loop_report& own) {
   own.compute_max = report.compute.max();
   own.wake_up_p99 = report.wake_up.quantile(0.99);
   own.wake_up_max = report.wake_up.max();
-  own.arming = std::uint32_t(report.guard);
+  own.arming = std::uint32_t(report.arming);
   copy_text(report.end, own.end, sizeof own.end);
   std::string warnings;
   for (const std::string& one : report.warnings) {
@@ -124,7 +124,7 @@ LoopObject::LoopObject(std::shared_ptr<SimulationObject> a_simulation, std::shar
 LoopObject::~LoopObject() {
   try {
     stop();
-  } catch (...) {  // nobody is there to hear it
+  } catch (...) {  // a destructor cannot report it
   }
 }
 
@@ -134,15 +134,15 @@ void LoopObject::stop() {
     report = loop.stop();
   } catch (...) {
     running.store(false);
-    give_back();
+    release_objects();
     throw;
   }
   running.store(false);
-  give_back();
+  release_objects();
 }
 
-void LoopObject::give_back() noexcept {
-  simulation->sweep();  // nobody else may be at work while `driven` is set
+void LoopObject::release_objects() noexcept {
+  simulation->sweep();  // no other thread works while `driven` is set
   device->driven.store(false, std::memory_order_release);
   simulation->driven.store(false, std::memory_order_release);
 }
@@ -159,33 +159,32 @@ int hapticut_loop_start(hapticut_simulation simulation, hapticut_device device, 
   return guarded([&]() -> int {
     require_argument(loop, "loop");
     hapticut_loop_options own;
-    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    if (const int code = read_struct_if_given(options, "options", own); code != HAPTICUT_OK) return code;
     require_choices(own);
     const IdleSimulation idle(simulation);
     if (!idle) return idle.code();
     const Use<DeviceObject> hand(device);
     if (!hand) return hand.code();
     if (hand->driven.load())
-      return fail(HAPTICUT_ERROR_BUSY, "Another loop has this device; call hapticut_loop_stop before.");
-    idle.share()->sweep();
-    Taking taking(idle->driven, hand->driven);
+      return fail(HAPTICUT_ERROR_BUSY, "Another loop drives this device; call hapticut_loop_stop first.");
+    idle.pointer()->sweep();
+    Claim claim(idle->driven, hand->driven);
     const std::shared_ptr<LoopObject> object = std::make_shared<LoopObject>(
-        idle.share(), hand.share(), model_of(own, *idle.share(), hand->device->capabilities()),
+        idle.pointer(), hand.pointer(), model_of(own, *idle.pointer(), hand->device->capabilities()),
         loop_of(own, idle->rate));
-    taking.keep();
+    claim.keep();
     *loop = add_object(Kind::loop, object);
     return HAPTICUT_OK;
   });
 }
 
 int hapticut_loop_is_running(hapticut_loop loop, int* running) {
-  if (running == nullptr)
-    return fail(HAPTICUT_ERROR_ARGUMENT, "running is a null pointer; it must point to something.");
+  if (running == nullptr) return fail(HAPTICUT_ERROR_ARGUMENT, "running is a null pointer; it must not be null.");
   int code = HAPTICUT_OK;
   const std::shared_ptr<Object>* held = hold_slot(loop, Kind::loop, code);
   if (held == nullptr) return code;
   *running = static_cast<LoopObject*>(held->get())->loop.is_running() ? 1 : 0;
-  let_slot_go(loop);
+  release_slot(loop);
   return HAPTICUT_OK;
 }
 
@@ -199,7 +198,7 @@ int hapticut_loop_stop(hapticut_loop loop, hapticut_loop_report* report) {
     if (report != nullptr) {
       hapticut_loop_report own{};
       put_report(use->report, own);
-      give(own, report);
+      write_struct(own, report);
     }
     return was_stopped ? HAPTICUT_NOTHING : HAPTICUT_OK;
   });

@@ -13,10 +13,10 @@ namespace hapticut::c {
 namespace {
 
 #ifdef HAPTICUT_HAS_IO
-/// A recorder and what it looks at.
-struct Watching {
-  Watching(std::shared_ptr<DeviceObject> a_device, SimulationObject& simulation, const std::string& path,
-           const RecorderOptions& options)
+/// A recorder with the device that it records.
+struct RecorderWithDevice {
+  RecorderWithDevice(std::shared_ptr<DeviceObject> a_device, SimulationObject& simulation, const std::string& path,
+                     const RecorderOptions& options)
       : device(std::move(a_device)), recorder(path, simulation.simulation, options) {}
   std::shared_ptr<DeviceObject> device;  // or null
   Recorder recorder;
@@ -25,15 +25,15 @@ struct Watching {
 class RecordingObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::recording;
-  RecordingObject(std::shared_ptr<SimulationObject> a_simulation, std::shared_ptr<Watching> a_watching)
-      : simulation(std::move(a_simulation)), watching(std::move(a_watching)) {}
+  RecordingObject(std::shared_ptr<SimulationObject> a_simulation, std::shared_ptr<RecorderWithDevice> a_recorder)
+      : simulation(std::move(a_simulation)), active(std::move(a_recorder)) {}
   ~RecordingObject() override {
     SimulationObject& owner = *simulation;
-    if (watching) owner.retire(std::move(watching));
+    if (active) owner.retire(std::move(active));
   }
 
   const std::shared_ptr<SimulationObject> simulation;
-  std::shared_ptr<Watching> watching;  // until it is stopped
+  std::shared_ptr<RecorderWithDevice> active;  // until the recording is stopped
   hapticut_recording_report report{};
 };
 #else
@@ -60,15 +60,15 @@ int hapticut_recording_start(hapticut_simulation simulation, hapticut_device dev
     if (device != 0) {
       const Use<DeviceObject> held(device);
       if (!held) return held.code();
-      hand = held.share();
+      hand = held.pointer();
     }
 #ifdef HAPTICUT_HAS_IO
-    use.share()->sweep();
+    use.pointer()->sweep();
     RecorderOptions options;
     options.driven_by = hand ? hand->device.get() : nullptr;
     options.wait_when_full = hand == nullptr;
-    auto watching = std::make_shared<Watching>(hand, *use.share(), path, options);
-    *recording = add_object(Kind::recording, std::make_shared<RecordingObject>(use.share(), std::move(watching)));
+    auto active = std::make_shared<RecorderWithDevice>(hand, *use.pointer(), path, options);
+    *recording = add_object(Kind::recording, std::make_shared<RecordingObject>(use.pointer(), std::move(active)));
     return HAPTICUT_OK;
 #else
     throw Error(
@@ -84,21 +84,21 @@ int hapticut_recording_stop(hapticut_recording recording, hapticut_recording_rep
     const Use<RecordingObject> use(recording);
     if (!use) return use.code();
 #ifdef HAPTICUT_HAS_IO
-    if (!use->watching) {
-      if (report != nullptr) give(use->report, report);
+    if (!use->active) {
+      if (report != nullptr) write_struct(use->report, report);
       return HAPTICUT_NOTHING;
     }
     const IdleStay stay(*use->simulation);
     if (!stay) return stay.code();
-    const std::shared_ptr<Watching> ended = std::move(use->watching);
-    use->watching = nullptr;
+    const std::shared_ptr<RecorderWithDevice> ended = std::move(use->active);
+    use->active = nullptr;
     const int code = guarded([&] {
       ended->recorder.close();
       return int(HAPTICUT_OK);
     });
     use->report.recorded = ended->recorder.recorded();
     use->report.lost = ended->recorder.lost();
-    if (report != nullptr) give(use->report, report);
+    if (report != nullptr) write_struct(use->report, report);
     return code;
 #else
     return HAPTICUT_OK;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes: how they are made, and what they have.
+// Scenes: their creation and their properties.
 #include <string>
 #include <utility>
 
@@ -15,7 +15,8 @@
 namespace hapticut::c {
 namespace {
 
-/// @param source  what the scene is made of, and its name
+/// @param source  text or path of the scene
+/// @param name    of that argument, for errors
 template <class MakeScene>
 int make(const char* source, const char* name, const MakeScene& make_scene, const hapticut_simulation_options* options,
          hapticut_simulation* to) {
@@ -23,7 +24,7 @@ int make(const char* source, const char* name, const MakeScene& make_scene, cons
     require_argument(source, name);
     require_argument(to, "simulation");
     hapticut_simulation_options own;
-    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    if (const int code = read_struct_if_given(options, "options", own); code != HAPTICUT_OK) return code;
     settings::Scene scene = make_scene();
     if (own.for_coupling > 1)
       throw Refusal(HAPTICUT_ERROR_ARGUMENT,
@@ -50,7 +51,7 @@ SimulationObject::SimulationObject(Simulation a_simulation, std::optional<settin
 
 int SimulationObject::require_idle() const noexcept {
   if (!driven.load(std::memory_order_acquire)) return HAPTICUT_OK;
-  return fail(HAPTICUT_ERROR_BUSY, "A loop drives this simulation; call hapticut_loop_stop before.");
+  return fail(HAPTICUT_ERROR_BUSY, "A loop drives this simulation; call hapticut_loop_stop first.");
 }
 
 void SimulationObject::retire(std::shared_ptr<void> observer) {
@@ -80,8 +81,8 @@ Tool tool_from_toml(const char* text, const Tool& before) {
   }
   if (tool.cutter().kind != kind)
     throw Error("tool.cutter = " + std::string(name_or_null(tool.cutter().kind)) +
-                "; the materials of this scene have the constants of " + std::string(name_or_null(kind)) +
-                ", and would cut wrongly. Keep the cutter, or make a scene with the other one.");
+                "; but the materials of this scene have the constants of " + std::string(name_or_null(kind)) +
+                ", so the forces would be wrong. Keep the cutter, or make another scene.");
   return tool;
 }
 
@@ -107,7 +108,7 @@ int hapticut_simulation_from_file(const char* path, const hapticut_simulation_op
 int hapticut_scene(hapticut_simulation simulation, hapticut_scene_info* info) {
   if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
   return within(Use<SimulationObject>(simulation), [&](const auto& use) {
-    // Frame and number of materials never change; of the tool it is the scene's.
+    // Frame and number of materials never change. The tool is that of the scene.
     const Workpiece& workpiece = use->simulation.workpiece();
     const Tool& tool = use->first_tool;
     hapticut_scene_info own{};
@@ -123,7 +124,7 @@ int hapticut_scene(hapticut_simulation simulation, hapticut_scene_info* info) {
     own.spindle_speed = tool.spindle().speed;
     own.path_duration = use->motion ? use->motion->duration() : 0;
     own.flutes = std::uint32_t(tool.cutter().lips);
-    give(own, info);
+    write_struct(own, info);
   });
 }
 
@@ -140,7 +141,7 @@ int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_mate
     own.removed_volume = use->simulation.removed_volume_by_material()[id];
     own.volume = workpiece.amounts().at(id - 1).volume;
     copy_text(workpiece.materials()[MaterialId(id)].name, own.name, sizeof own.name);
-    give(own, info);
+    write_struct(own, info);
   });
 }
 
@@ -148,7 +149,7 @@ int hapticut_path_pose(hapticut_simulation simulation, double time, hapticut_pos
   return within(Use<SimulationObject>(simulation), [&](const auto& use) -> int {
     require_argument(X_WH, "X_WH");
     if (!use->motion) return HAPTICUT_NOTHING;
-    if (!std::isfinite(time)) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "time is no finite number; it must be one.");
+    if (!std::isfinite(time)) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "time is not finite; it must be a finite number.");
     put(use->motion->pose_at(time) * use->first_tool.X_HT().inverse(), *X_WH);
     return HAPTICUT_OK;
   });

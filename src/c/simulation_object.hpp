@@ -15,7 +15,7 @@
 
 namespace hapticut::c {
 
-/// A simulation, and who works on it: threads with its handle in the first lane, or a loop.
+/// A simulation. Either a thread with its handle, in the first lane, or a loop works on it.
 class SimulationObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::simulation;
@@ -24,34 +24,34 @@ class SimulationObject final : public Object {
 
   Simulation simulation;
   const std::optional<settings::Motion> motion;  ///< X_WT
-  const Tool first_tool;                         ///< with the places of `motion`
-  const RemovalLaw removal;                      ///< of the scene
-  const Box box;                                 ///< [m] in W, of the workpiece in the beginning
-  const IndexBox bounds;                         ///< the same in voxels
+  const Tool first_tool;                         ///< the tool of the scene, to which `motion` refers
+  const RemovalLaw removal;                      ///< removal law of the scene
+  const Box box;                                 ///< [m] in W, of the workpiece at its creation
+  const IndexBox bounds;                         ///< bounds of the workpiece at its creation
   const double rate;                             ///< [Hz]
 
-  /// How often it got another tool: a coupling is made for one.
+  /// The number of exchanges of the tool. A coupling is valid for one tool.
   std::atomic<std::uint32_t> tools{0};
 
-  /// A loop drives it, and no thread may touch it.
+  /// Whether a loop drives it. Then no other thread may access it.
   std::atomic<bool> driven{false};
 
-  /// Says so when a loop drives it.
+  /// @return HAPTICUT_OK, or the code of an error when a loop drives it
   [[nodiscard]] int require_idle() const noexcept;
 
-  /// Ends what observes the simulation: at once where nobody works on it, else as soon as that is over.
+  /// Destroys an observer of the simulation: at once if the simulation is idle, otherwise as soon as it is idle.
   void retire(std::shared_ptr<void> observer);
 
-  /// Ends what has retired.  @pre the first lane is the caller's, and no loop drives
+  /// Destroys the retired observers.  @pre the caller is in the first lane, and no loop drives the simulation
   void sweep();
 
  private:
   std::mutex mutex_;
-  std::vector<std::shared_ptr<void>> retired_;  // behind `simulation`: ends before it
+  std::vector<std::shared_ptr<void>> retired_;  // after `simulation`, so destroyed before it
 };
 
-/// A simulation that a call may step or change: in its first lane, and not driven by a loop.
-/// @realtime as Use
+/// Gives a call access to a simulation that it may step or change: in its first lane, and not driven by a loop.
+/// @realtime like Use
 class IdleSimulation {
  public:
   explicit IdleSimulation(hapticut_simulation handle) noexcept : use_(handle) {
@@ -60,14 +60,14 @@ class IdleSimulation {
   explicit operator bool() const noexcept { return code_ == HAPTICUT_OK; }
   [[nodiscard]] int code() const noexcept { return code_; }
   SimulationObject* operator->() const noexcept { return use_.operator->(); }
-  [[nodiscard]] std::shared_ptr<SimulationObject> share() const { return use_.share(); }
+  [[nodiscard]] std::shared_ptr<SimulationObject> pointer() const { return use_.pointer(); }
 
  private:
   Use<SimulationObject> use_;
   int code_;
 };
 
-/// The same of a simulation that another object holds.
+/// Gives a call access to an idle simulation that another object holds.
 class IdleStay {
  public:
   explicit IdleStay(SimulationObject& object) noexcept : stay_(object) {
@@ -82,11 +82,12 @@ class IdleStay {
   int code_;
 };
 
-/// What a text in TOML with a table [tool] describes, with the cutter that the materials are for, that of `before`.
-/// @throws Error as settings::from_toml, and for another cutter
+/// Makes a tool from a text in TOML with a table [tool]. The cutter is that of `before`, because the materials depend
+/// on it.
+/// @throws Error like settings::from_toml, and for another cutter
 [[nodiscard]] Tool tool_from_toml(const char* text, const Tool& before);
 
-/// Fills in all but the wrench and the pose.
+/// Fills in all fields except the wrench and the pose.
 void put_step(const StepResult& stepped, hapticut_step_result& result) noexcept;
 
 }  // namespace hapticut::c

@@ -25,7 +25,7 @@ int hapticut_sound_open(const hapticut_sound_options* options, hapticut_sound* s
   return guarded([&]() -> int {
     require_argument(sound, "sound");
     hapticut_sound_options own;
-    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    if (const int code = read_struct_if_given(options, "options", own); code != HAPTICUT_OK) return code;
     SoundOptions given;
     if (own.flutes != 0) given.flutes = int(std::min(own.flutes, 1'000'000U));
     if (own.volume != 0) given.volume = own.volume;
@@ -38,9 +38,8 @@ int hapticut_sound_open(const hapticut_sound_options* options, hapticut_sound* s
 int hapticut_sound_render(hapticut_sound sound, const hapticut_sound_input* input, double sample_rate, float* samples,
                           size_t count) {
   hapticut_sound_input in;
-  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
-  if (samples == nullptr)
-    return fail(HAPTICUT_ERROR_ARGUMENT, "samples is a null pointer; it must point to something.");
+  if (const int code = read_struct(input, "input", in); code != HAPTICUT_OK) return code;
+  if (samples == nullptr) return fail(HAPTICUT_ERROR_ARGUMENT, "samples is a null pointer; it must not be null.");
   return within(Use<SoundObject>(sound), [&](const auto& use) {
     use->sound.render({samples, count}, sample_rate, {in.spindle_speed, in.power, in.removal_rate, in.touching != 0});
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step, what goes with it, and the ways back.
+// The step, its results, snapshots and undo.
 #include <cmath>
 #include <string>
 
@@ -11,7 +11,7 @@
 namespace hapticut::c {
 namespace {
 
-constexpr std::size_t kBlocksAtOnce = 1024;  // of an undo between steps
+constexpr std::size_t kBlocksAtOnce = 1024;  // of an undo or redo between steps
 
 class SnapshotObject final : public Object {
  public:
@@ -19,7 +19,7 @@ class SnapshotObject final : public Object {
   SnapshotObject(WorkpieceSnapshot a_state, const std::shared_ptr<SimulationObject>& a_simulation)
       : state(std::move(a_state)), simulation(a_simulation) {}
   const WorkpieceSnapshot state;
-  const std::weak_ptr<SimulationObject> simulation;  // that it is of
+  const std::weak_ptr<SimulationObject> simulation;  // of the snapshot
 };
 
 Twist twist_of(const hapticut_step_input& input) noexcept {
@@ -72,14 +72,14 @@ int hapticut_release(hapticut_handle handle) { return release_object(handle); }
 int hapticut_status_text(uint32_t status, char* text, size_t capacity) {
   return guarded([&] {
     require_argument(text, "text");
-    if (capacity == 0) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "capacity = 0; there must be room for one character.");
+    if (capacity == 0) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "capacity = 0; it must be at least 1.");
     copy_text(describe(StepStatus(status)), text, capacity);
   });
 }
 
 int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* input, hapticut_step_result* result) {
   hapticut_step_input in;
-  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = read_struct(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
   return within(IdleSimulation(simulation), [&](const auto& use) {
     const StepResult& stepped = use->simulation.step(pose_of(in.X_WH), twist_of(in), in.dt);
@@ -88,13 +88,13 @@ int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* inp
     put(stepped.force, own.force);
     put(stepped.torque, own.torque);
     own.X_WH = in.X_WH;
-    give(own, result);
+    write_struct(own, result);
   });
 }
 
 int hapticut_probe(hapticut_simulation simulation, const hapticut_step_input* input, hapticut_probe_result* result) {
   hapticut_step_input in;
-  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = read_struct(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
   return within(IdleSimulation(simulation), [&](const auto& use) {
     const ContactProbe probe = use->simulation.probe(pose_of(in.X_WH), twist_of(in), in.dt);
@@ -105,13 +105,13 @@ int hapticut_probe(hapticut_simulation simulation, const hapticut_step_input* in
     for (int row = 0; row < 6; ++row)
       for (int column = 0; column < 6; ++column) own.stiffness[6 * row + column] = probe.stiffness(row, column);
     own.contact_depth = probe.contact.depth;
-    give(own, result);
+    write_struct(own, result);
   });
 }
 
 int hapticut_touches(hapticut_simulation simulation, const hapticut_pose* X_WH, int* touches) {
   if (X_WH == nullptr || touches == nullptr)
-    return fail(HAPTICUT_ERROR_ARGUMENT, "X_WH or touches is a null pointer; both must point to something.");
+    return fail(HAPTICUT_ERROR_ARGUMENT, "X_WH or touches is a null pointer; both must not be null.");
   return within(IdleSimulation(simulation),
                 [&](const auto& use) { *touches = use->simulation.touches(pose_of(*X_WH)) ? 1 : 0; });
 }
@@ -135,7 +135,7 @@ int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledg
     own.entered = energy.entered;
     own.imbalance = energy.imbalance();
     own.turnover = energy.turnover;
-    give(own, ledger);
+    write_struct(own, ledger);
   });
 }
 
@@ -147,15 +147,16 @@ int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s)
 int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(snapshot, "snapshot");
-    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.share()));
+    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.pointer()));
   });
 }
 
 int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot snapshot) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     return within(Use<SnapshotObject>(snapshot), [&](const auto& state) {
-      if (state->simulation.lock() != use.share())
-        throw Refusal(HAPTICUT_ERROR_REFUSED, "The snapshot is of another simulation; take one of this simulation.");
+      if (state->simulation.lock() != use.pointer())
+        throw Refusal(HAPTICUT_ERROR_REFUSED,
+                      "The snapshot is of another simulation; use a snapshot of this simulation.");
       use->simulation.restore(state->state);
     });
   });

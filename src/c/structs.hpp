@@ -13,20 +13,20 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// The structs of the interface against those of callers that are older or newer, and against C++.
+/// Conversion of the structs of the interface: from and to older or newer callers, and from and to C++.
 namespace hapticut::c {
 
 inline constexpr std::uint32_t kMinStruct = 8, kMaxStruct = 4096;
 
-/// Whether a caller's struct can be read or written.
-/// @param name  of the argument, for the sentence
-/// @realtime no allocation, no lock, when it can
+/// Checks the size of a caller's struct.
+/// @param name  of the argument, for the error
+/// @realtime no allocation, no lock, if the size is valid
 template <class S>
 [[nodiscard]] int check_size(const S* given, const char* name) noexcept {
   static_assert(std::is_trivially_copyable_v<S> && offsetof(S, struct_size) == 0 && sizeof(S) % 8 == 0);
   char text[160];
   if (given == nullptr) {
-    std::snprintf(text, sizeof text, "%s is a null pointer; it must point to something.", name);
+    std::snprintf(text, sizeof text, "%s is a null pointer; it must not be null.", name);
     return fail(HAPTICUT_ERROR_ARGUMENT, text);
   }
   const std::uint32_t size = given->struct_size;
@@ -36,26 +36,25 @@ template <class S>
   return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);
 }
 
-/// The same of a struct that may be left out.
+/// Checks the size of a struct that may be null.
 template <class S>
 [[nodiscard]] int check_size_if_given(const S* given, const char* name) noexcept {
   return given == nullptr ? int(HAPTICUT_OK) : check_size(given, name);
 }
 
-/// Reads a caller's struct: what it does not have is 0.
-/// @realtime as check_size
+/// Reads a caller's struct. Fields that the caller lacks become 0.
+/// @realtime like check_size
 template <class S>
-[[nodiscard]] int take(const S* given, const char* name, S& own) noexcept {
+[[nodiscard]] int read_struct(const S* given, const char* name, S& own) noexcept {
   if (const int code = check_size(given, name); code != HAPTICUT_OK) return code;
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   const std::size_t size = given->struct_size;
   if (std::any_of(bytes + std::min(size, sizeof(S)), bytes + size, [](unsigned char byte) { return byte != 0; })) {
     char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "%s has %zu bytes, and wants something in those after the first %zu, which this older library does not "
-        "know; install the library that belongs to the header.",
-        name, size, sizeof(S));
+    std::snprintf(text, sizeof text,
+                  "%s has %zu bytes and sets fields after the first %zu, which this older library does not "
+                  "have; install the library that belongs to the header.",
+                  name, size, sizeof(S));
     return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);
   }
   std::memset(static_cast<void*>(&own), 0, sizeof(S));
@@ -63,17 +62,17 @@ template <class S>
   return HAPTICUT_OK;
 }
 
-/// The same of one that may be left out.
+/// Reads a struct that may be null. Then all fields are 0.
 template <class S>
-[[nodiscard]] int take_if_given(const S* given, const char* name, S& own) noexcept {
+[[nodiscard]] int read_struct_if_given(const S* given, const char* name, S& own) noexcept {
   std::memset(static_cast<void*>(&own), 0, sizeof(S));
-  return given == nullptr ? int(HAPTICUT_OK) : take(given, name, own);
+  return given == nullptr ? int(HAPTICUT_OK) : read_struct(given, name, own);
 }
 
-/// Writes a caller's struct, whose size was checked: what it has no room for is left out.
+/// Writes a caller's struct, whose size was checked. Fields that the caller lacks are left out.
 /// @realtime no allocation, no lock
 template <class S>
-void give(const S& own, S* to) noexcept {
+void write_struct(const S& own, S* to) noexcept {
   const std::size_t size = to->struct_size;
   auto* bytes = reinterpret_cast<unsigned char*>(to);
   constexpr std::size_t kFirst = sizeof(to->struct_size);

@@ -15,13 +15,13 @@ namespace hapticut::c {
 namespace {
 
 constexpr std::size_t kMaxHeld = 4096;   // pages
-constexpr std::size_t kMaxBlocks = 256;  // taken over in one call, so that a call is short
+constexpr std::size_t kMaxBlocks = 256;  // [blocks] received in one call, so that a call is short
 
 class SurfaceObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::surface;
 
-  /// @pre nobody works on the simulation
+  /// @pre the simulation is idle
   explicit SurfaceObject(std::shared_ptr<SimulationObject> a_simulation)
       : simulation(std::move(a_simulation)),
         feed(std::make_shared<ChangeFeed>(simulation->simulation)),
@@ -37,7 +37,7 @@ class SurfaceObject final : public Object {
     SurfacePage page;
   };
 
-  /// A page to be filled in, whose memory is used again.
+  /// A free page, whose memory is reused.
   Held& free_page() {
     const auto found = std::find_if(pages.begin(), pages.end(), [](const auto& one) { return one->ticket == 0; });
     if (found != pages.end()) return **found;
@@ -81,8 +81,8 @@ extern "C" {
 int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(surface, "surface");
-    use.share()->sweep();
-    *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.share()));
+    use.pointer()->sweep();
+    *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.pointer()));
   });
 }
 
@@ -90,18 +90,17 @@ int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
   if (const int code = check_size(page, "page"); code != HAPTICUT_OK) return code;
   return within(Use<SurfaceObject>(surface), [&](const auto& use) -> int {
     if (page->struct_size < sizeof(hapticut_page))
-      throw Refusal(HAPTICUT_ERROR_STRUCT_SIZE,
-                    "page->struct_size is too small to hold the ticket by which a page is released.");
+      throw Refusal(HAPTICUT_ERROR_STRUCT_SIZE, "page->struct_size is too small for the ticket that releases a page.");
     ChangedBlock block;
     for (std::size_t n = 0; n < kMaxBlocks && use->feed->receive(block); ++n)
       if (!use->stream.update(block.origin, block.material.data(), block.fill.data()))
-        throw Error("The workpiece has grown beyond this surface; open another one.");
+        throw Error("The workpiece has grown beyond this surface; open another surface.");
     SurfaceObject::Held& held = use->free_page();
     if (!use->stream.next_page(held.page)) return HAPTICUT_NOTHING;
     held.ticket = ++use->tickets;
     hapticut_page own{};
     put_page(held, use->stream.frame(), own);
-    give(own, page);
+    write_struct(own, page);
     return HAPTICUT_OK;
   });
 }
@@ -111,7 +110,7 @@ int hapticut_surface_release_page(hapticut_surface surface, uint64_t ticket) {
     const auto found =
         std::find_if(use->pages.begin(), use->pages.end(), [&](const auto& one) { return one->ticket == ticket; });
     if (ticket == 0 || found == use->pages.end())
-      return fail(HAPTICUT_ERROR_ARGUMENT, "No page of this surface that is held has this ticket.");
+      return fail(HAPTICUT_ERROR_ARGUMENT, "No held page of this surface has this ticket.");
     (*found)->ticket = 0;
     return HAPTICUT_OK;
   });
@@ -127,11 +126,11 @@ int hapticut_surface_look_at(hapticut_surface surface, const double* p_WQ) {
 int hapticut_surface_catch_up(hapticut_surface surface) {
   return within(Use<SurfaceObject>(surface), [&](const auto& use) {
     return within(IdleStay(*use->simulation), [&](const auto&) {
-      for (ChangedBlock old; use->feed->receive(old);) {  // is older than what comes now
+      for (ChangedBlock old; use->feed->receive(old);) {  // these are older than the update below
       }
       const Workpiece& workpiece = use->simulation->simulation.workpiece();
       for_each_block_origin(use->bounds, [&](const VoxelIndex& origin) {
-        (void)use->stream.update(workpiece, {&origin, 1});  // all of them are within its bounds
+        (void)use->stream.update(workpiece, {&origin, 1});  // all blocks are within its bounds
       });
     });
   });

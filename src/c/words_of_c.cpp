@@ -11,11 +11,11 @@
 namespace hapticut::c {
 namespace {
 
-/// [characters] What is longer quotes the caller's own text, and would exhaust the stack: std::regex goes a frame
-/// deeper with each character of a word.
-constexpr std::size_t kLongest = 1000;
+/// [characters] A longer sentence quotes the caller's text. It would exhaust the stack, because std::regex uses a stack
+/// frame for each character of a word.
+constexpr std::size_t kMaxLength = 1000;
 
-/// What the library says in words of C++, and how a caller of C says it; longer ones first.
+/// C++ words in messages of the library, and the corresponding words of C; longer phrases first.
 constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
     {"SimulationConfig::contact_time = ContactTime::end", "hapticut_simulation_options.for_coupling = 1"},
     {"SimulationModelOptions::coupling with contact_time = end",
@@ -38,7 +38,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-/// Keys of a scene by the flags of the program: "tool.radius_mm" by "--radius_mm".
+/// The keys of a scene by the flags of the program: "tool.radius_mm" by "--radius_mm".
 std::map<std::string, std::string> keys_by_flag() {
   settings::SceneSettings scene;
   std::map<std::string, std::string> keys;
@@ -47,7 +47,7 @@ std::map<std::string, std::string> keys_by_flag() {
   return keys;
 }
 
-/// "Set --radius_mm" as "Set tool.radius_mm".
+/// Replaces flags by keys: "Set --radius_mm" becomes "Set tool.radius_mm".
 std::string with_keys(const std::string& sentence) {
   static const std::map<std::string, std::string> keys = keys_by_flag();
   static const std::regex flag("--[A-Za-z]\\w*");
@@ -56,7 +56,7 @@ std::string with_keys(const std::string& sentence) {
   for (std::sregex_iterator it(sentence.begin(), sentence.end(), flag), end; it != end; ++it) {
     const auto key = keys.find(it->str());
     const auto at = sentence.begin() + it->position();
-    if (key == keys.end() || (at != sentence.begin() && *(at - 1) != ' ')) continue;  // of a file's name
+    if (key == keys.end() || (at != sentence.begin() && *(at - 1) != ' ')) continue;  // part of a file's name
     text.append(rest, at) += key->second;
     rest = at + it->length();
   }
@@ -66,10 +66,11 @@ std::string with_keys(const std::string& sentence) {
 }  // namespace
 
 std::string in_words_of_c(std::string sentence) {
-  if (sentence.size() > kLongest) return sentence;
+  if (sentence.size() > kMaxLength) return sentence;
   static const std::regex both_ways("--\\S+([^.]*), or (\\w+) under \\[(\\w+)\\] in the settings file");
   static const std::regex announcing(",? (and|link hapticut::\\w+ and) call hapticut::use_\\w+\\(\\)");
-  static const std::regex list("(--\\w+) [A-Z_]+=[A-Z_:,.]*[A-Z_]");  // MATERIAL=THICKNESS_MM is a flag's way
+  static const std::regex list(
+      "(--\\w+) [A-Z_]+=[A-Z_:,.]*[A-Z_]");  // a value such as MATERIAL=THICKNESS_MM belongs to a flag only
   static const std::regex config("SimulationConfig::"), scope("(^|[ (])[A-Z]\\w*::");
   sentence = std::regex_replace(sentence, both_ways, "$3.$2$1 in the scene");
   sentence = std::regex_replace(sentence, announcing, "");

@@ -5,8 +5,8 @@
 
 namespace hapticut::c {
 
-/// A sentence of the library in the words of a caller of C: names of hapticut/c/hapticut.h and keys of a scene in place
-/// of names of C++ and flags of the program.
+/// Translates a sentence of the library for callers of C: C++ names become names of hapticut/c/hapticut.h, and flags of
+/// the program become keys of a scene.
 [[nodiscard]] std::string in_words_of_c(std::string sentence);
 
 }  // namespace hapticut::c

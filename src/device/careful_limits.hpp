@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// What is asked of a device that neither says nor is known for what it can.
+/// Limits for a device of unknown capabilities.
 namespace hapticut {
 
 inline constexpr double kCarefulForce = 1;       ///< [N]

@@ -15,8 +15,8 @@ namespace hapticut {
 
 namespace {
 
-/// What a device says before its first reading.
-DeviceState nothing_read() {
+/// The state of a device before its first reading.
+DeviceState no_reading() {
   DeviceState state;
   state.valid = false;
   return state;
@@ -26,7 +26,7 @@ DeviceState nothing_read() {
 
 struct Device::Latest {
   std::mutex readers;
-  TripleBuffer<DeviceState> state{nothing_read()};
+  TripleBuffer<DeviceState> state{no_reading()};
   TripleBuffer<DeviceOutput> output;
 };
 
@@ -61,7 +61,7 @@ std::uint64_t Device::count(SafetyEvent event) const {
 }
 
 RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
-  if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
+  if (!callback) throw Error("Device::run needs a callback; pass a function from DeviceState to DeviceCommand.");
   require_fields_within(asked, "RunOptions::");
   require_within(asked.guard.period, range_of(&GuardOptions::period), "GuardOptions::period [s]");
   Phase idle = Phase::idle;
@@ -75,10 +75,10 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
   }
   const AtEnd off_again([this] { guard_->stop(); });
-  requests_.forget_stop();  // and none from here on: who sees the device run may stop it
+  requests_.forget_stop();  // only here: from now on other threads see the run and may stop it
   phase_.store(Phase::running, std::memory_order_release);
-  const bool crashes = options.stop_on_crash && !options.simulated_time;  // no hand feels simulated time
-  const int slot_number = run_slots::take(crashes);
+  const bool crashes = options.stop_on_crash && !options.simulated_time;  // in simulated time no hand feels the force
+  const int slot_number = run_slots::acquire(crashes);
   if (slot_number < 0)
     throw Error("More than " + std::to_string(run_slots::kSlots) +
                 " devices would be running at once in this process; stop one first.");
@@ -93,26 +93,26 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   servo.slot_ = slot_number;
   servo.report_.period = options.guard.period;
   if (options.guard.period != asked.guard.period)
-    servo.warn("The device \"" + name_ + "\" keeps ticks of its own: GuardOptions::period = " +
+    servo.warn("The device \"" + name_ + "\" imposes its own period: GuardOptions::period = " +
                format_number(asked.guard.period) + " s became " + format_number(options.guard.period) + " s.");
   guard_->start();
   {
-    // Time that is simulated does not pass by itself, so no tick can be late in it.
+    // No tick can be late in simulated time.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
       watchdog = std::make_unique<WatchdogThread>(
           Watchdog(options.guard.watchdog, options.guard.period), guard_->heartbeat(),
-          [this, &slot = run_slots::slot(slot_number)](Watchdog::Verdict verdict, double share) {
-            // A loop that does not obey an emergency stop may be what has crashed: nobody waits until its force fades.
-            if (slot.emergency.load(std::memory_order_acquire)) share = 0;
-            scale_output(share);
-            if (share <= 0) slot.quiet.store(true, std::memory_order_release);
-            guard_->report_silence(verdict, share);
+          [this, &slot = run_slots::slot(slot_number)](Watchdog::Verdict verdict, double scale) {
+            // A loop that does not handle an emergency stop may have crashed itself: its force is not faded out.
+            if (slot.emergency.load(std::memory_order_acquire)) scale = 0;
+            scale_output(scale);
+            if (scale <= 0) slot.quiet.store(true, std::memory_order_release);
+            guard_->report_silence(verdict, scale);
           });
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);
-  if (guard_->state() != ArmingState::off) report.guard = guard_->state();  // there was no last tick
+  if (guard_->state() != ArmingState::off) report.arming = guard_->state();  // there was no last tick
   for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
   report.log = guard_->log().drain();
   if (servo.exception_) std::rethrow_exception(servo.exception_);
@@ -148,8 +148,8 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   return wrench;
 }
 
-void Servo::applied(const Wrench& wrench) noexcept {
-  guard_.applied(wrench);
+void Servo::report_applied(const Wrench& wrench) noexcept {
+  guard_.report_applied(wrench);
   device_.latest_->output.write(guard_.output());
 }
 
@@ -168,20 +168,20 @@ const char* Servo::why_it_ended() const noexcept {
   return time_is_up_ ? "its time was up" : "stopped";
 }
 
-Wrench Servo::farewell(int n) const noexcept {
+Wrench Servo::fading_force(int n) const noexcept {
   const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
-  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
-  if (!gently) return {};
-  const double share = 1 - double(n + 1) / std::max(1.0, std::round(kFarewell / guard_.period()));
-  if (share <= 0) return {};
-  return {share * guard_.output().applied.force, share * guard_.output().applied.torque};
+  const bool may_fade = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
+  if (!may_fade) return {};
+  const double scale = 1 - double(n + 1) / std::max(1.0, std::round(kFadeOut / guard_.period()));
+  if (scale <= 0) return {};
+  return {scale * guard_.output().applied.force, scale * guard_.output().applied.torque};
 }
 
 std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
   const bool simulated = options.simulated_time && is_simulated();
   if (options.simulated_time && !simulated)
     throw Error("The device \"" + name() + "\" cannot run in simulated time; leave RunOptions::simulated_time false.");
-  // First, because locking the memory takes longer than a device that has begun may wait for its first command.
+  // Before begin_run: locking the memory takes longer than a started device may wait for its first command.
   std::unique_ptr<RealtimeScope> scope;
   if (!simulated) {
     scope = std::make_unique<RealtimeScope>(options.realtime);
@@ -204,19 +204,19 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
       wait();
       more = read(state);
       if (!more) break;
-      servo.applied(write(servo.tick(state)));
+      servo.report_applied(write(servo.tick(state)));
     }
     end = servo.why_it_ended();
-    if (!more) end = "the device has nothing more to tell";
+    if (!more) end = "the device has no more readings";
     if (state.fault == DeviceFault::disconnected || state.fault == DeviceFault::driver_error)
       end = describe(state.fault);
     for (int n = 0;; ++n) {
-      const Wrench wrench = servo.farewell(n);
+      const Wrench wrench = servo.fading_force(n);
       write(wrench);
       if (wrench.force.isZero(0) && wrench.torque.isZero(0)) break;
       wait();
     }
-    servo.rest();
+    servo.finish();
   }
   for (std::string& warning : warnings()) servo.warn(std::move(warning));
   return end;

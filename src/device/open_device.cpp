@@ -17,21 +17,21 @@ struct Registry {
   std::vector<DeviceDriver> drivers;
 };
 
-/// A driver of a component of its own, as long as nobody has called its function.
+/// A driver of a separate component, as long as its function was not called.
 struct Component {
   bool is_built;
   std::string name, option, function;
   std::string needs;  ///< to be built
 };
 
-DeviceDriver unannounced(const std::string& scheme, const std::string& usage, const Component& component) {
+DeviceDriver unregistered_driver(const std::string& scheme, const std::string& usage, const Component& component) {
   const std::string cure = "link hapticut::" + component.name + " and call hapticut::" + component.function + "()";
   if (!component.is_built)
     return {scheme, usage, component.needs + ", then build hapticut with " + component.option + "=ON, " + cure,
             nullptr};
   return {scheme, usage + "; after hapticut::" + component.function + "()", "",
           [scheme, cure](const std::string&) -> std::unique_ptr<Device> {
-            throw Error("The device \"" + scheme + "\" is in this build, but was not announced; " + cure +
+            throw Error("The device \"" + scheme + "\" is in this build, but its driver is not registered; " + cure +
                         " before open_device.");
           }};
 }
@@ -58,20 +58,20 @@ Registry& registry() {
       {
           mock_driver(),
           mouse_driver(),
-          unannounced("replay", kReplayUsage,
-                      {kHasIo, "io", "-DHAPTICUT_WITH_IO", "use_recordings",
-                       "what hapticut's component io needs (scripts/install-deps.sh)"}),
-          unannounced("openhaptics", kOpenHapticsUsage,
-                      {kHasOpenHaptics, "openhaptics", "-DHAPTICUT_WITH_OPENHAPTICS", "use_open_haptics",
-                       "3D Systems OpenHaptics 3.0 or later and the device's driver"}),
-          unannounced("forcedimension", kForceDimensionUsage,
-                      {kHasForceDimension, "forcedimension", "-DHAPTICUT_WITH_FORCEDIMENSION", "use_force_dimension",
-                       "the Force Dimension SDK 3.17 or later"}),
+          unregistered_driver("replay", kReplayUsage,
+                              {kHasIo, "io", "-DHAPTICUT_WITH_IO", "use_recordings",
+                               "the dependencies of hapticut's component io (scripts/install-deps.sh)"}),
+          unregistered_driver("openhaptics", kOpenHapticsUsage,
+                              {kHasOpenHaptics, "openhaptics", "-DHAPTICUT_WITH_OPENHAPTICS", "use_open_haptics",
+                               "3D Systems OpenHaptics 3.0 or later and the device's driver"}),
+          unregistered_driver("forcedimension", kForceDimensionUsage,
+                              {kHasForceDimension, "forcedimension", "-DHAPTICUT_WITH_FORCEDIMENSION",
+                               "use_force_dimension", "the Force Dimension SDK 3.17 or later"}),
       }};
   return all;
 }
 
-std::string list(const std::vector<DeviceDriver>& drivers) {
+std::string list_of(const std::vector<DeviceDriver>& drivers) {
   std::string text;
   for (const DeviceDriver& driver : drivers)
     text += (text.empty() ? "" : "; ") + driver.usage + (driver.missing.empty() ? "" : " (not in this build)");
@@ -110,7 +110,7 @@ std::unique_ptr<Device> open_device(const std::string& name) {
       throw Error("The device \"" + name + "\" cannot be used by this build; install " + driver.missing + ".");
     return driver.open(rest);
   }
-  throw Error("There is no device \"" + name + "\"; there are: " + list(drivers) + ".");
+  throw Error("There is no device \"" + name + "\"; choose one of: " + list_of(drivers) + ".");
 }
 
 }  // namespace hapticut

@@ -11,22 +11,22 @@
 namespace hapticut::run_slots {
 namespace {
 
-constexpr int kGraceAtExit = 1000;  // [ms] for loops that end
-constexpr int kGraceAtCrash = 300;  // [ms] for loops that take their force away
+constexpr int kGraceAtExit = 1000;  // [ms] for running loops to end
+constexpr int kGraceAtCrash = 300;  // [ms] for running loops to switch their force off
 
 constexpr std::array<int, 3> kEnding = {SIGINT, SIGTERM, SIGHUP};
 constexpr std::array<int, 5> kCrashing = {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
 
 std::array<Slot, kSlots> slots;
-std::atomic<int> pending{0};  // bit n: kEnding[n] came
+std::atomic<int> pending{0};  // bit n: kEnding[n] was received
 
 std::mutex handlers_mutex;
 int ending_users = 0, crashing_users = 0;
 std::array<struct sigaction, kEnding.size()> old_ending;
 std::array<struct sigaction, kCrashing.size()> old_crashing;
-std::array<bool, kCrashing.size()> in_a_chain{};  // another handler was put before ours, and may still call it
+std::array<bool, kCrashing.size()> in_a_chain{};  // another handler was installed after ours and may call ours
 
-// Waits until no used slot lacks what `done` asks for. Async-signal-safe.
+// Waits until all used slots fulfil `done`. Async-signal-safe.
 template <typename Done>
 void wait(int milliseconds, const Done& done) noexcept {
   for (int n = 0; n < milliseconds; ++n) {
@@ -50,16 +50,16 @@ extern "C" void hapticut_on_ending_signal(int signal) {
     if (s.used.load()) s.stop.store(true);
 }
 
-/// Whether it came from a process or a thread, and not from what an instruction did.
+/// Whether a process or a thread sent the signal, rather than a faulty instruction.
 bool was_sent(const siginfo_t& info) noexcept { return info.si_code <= 0; }
 
-/// Does what would have happened to a signal without us.
+/// Does what would have happened to a signal without our handler.
 void hand_on(int signal, siginfo_t* info, void* context, struct sigaction& before) noexcept {
   const struct sigaction old = before;
   if ((old.sa_flags & SA_SIGINFO) == 0 && (old.sa_handler == SIG_DFL || old.sa_handler == SIG_IGN)) {
     if (old.sa_handler == SIG_IGN && was_sent(*info)) return;
-    // The kernel ends the process: when the instruction is tried again, or by another signal of the kind, which is
-    // delivered when we return.
+    // The kernel ends the process when the instruction runs again, or by another signal of the same number, which is
+    // delivered when this handler returns.
     struct sigaction end {};
     end.sa_handler = SIG_DFL;
     sigaction(signal, &end, nullptr);
@@ -101,7 +101,7 @@ bool is_ours(const struct sigaction& action) {
 
 Slot& slot(int n) noexcept { return slots[std::size_t(n)]; }
 
-int take(bool on_crash) noexcept {
+int acquire(bool on_crash) noexcept {
   static const bool registered = std::atexit(end_all) == 0;
   (void)registered;
   for (int n = 0; n < kSlots; ++n) {
@@ -132,20 +132,20 @@ void catch_signals() {
   action.sa_handler = hapticut_on_ending_signal;
   for (std::size_t n = 0; n < kEnding.size(); ++n) {
     sigaction(kEnding[n], nullptr, &old_ending[n]);
-    if (old_ending[n].sa_handler != SIG_IGN) sigaction(kEnding[n], &action, nullptr);  // as nohup wants it
+    if (old_ending[n].sa_handler != SIG_IGN) sigaction(kEnding[n], &action, nullptr);  // nohup ignores SIGHUP
   }
 }
 
 void release_signals() {
-  int came = 0;
+  int received = 0;
   {
     const std::lock_guard lock(handlers_mutex);
     if (--ending_users > 0) return;
     for (std::size_t n = 0; n < kEnding.size(); ++n) sigaction(kEnding[n], &old_ending[n], nullptr);
-    came = pending.exchange(0);
+    received = pending.exchange(0);
   }
   for (std::size_t n = 0; n < kEnding.size(); ++n)
-    if ((came & (1 << int(n))) != 0) raise(kEnding[n]);
+    if ((received & (1 << int(n))) != 0) raise(kEnding[n]);
 }
 
 void catch_crashes() {
@@ -153,11 +153,11 @@ void catch_crashes() {
   if (crashing_users++ > 0) return;
   struct sigaction action {};
   sigemptyset(&action.sa_mask);
-  // On the stack that the crashed thread has for it: its own may be what is exhausted, or be managed by a runtime.
+  // On the alternate stack of the crashed thread: its normal stack may be exhausted, or be managed by a runtime.
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   action.sa_sigaction = hapticut_on_crash;
   for (std::size_t n = 0; n < kCrashing.size(); ++n) {
-    if (in_a_chain[n]) continue;  // ours is called already; before the one that calls it, it would call itself
+    if (in_a_chain[n]) continue;  // another handler calls ours; if ours were in front of it, ours would call itself
     sigaction(kCrashing[n], &action, &old_crashing[n]);
   }
 }

@@ -4,38 +4,39 @@
 #include <atomic>
 
 /// @file
-/// Running loops, where signal handlers and the end of the process can reach them: static memory and atomics only.
+/// The running loops, in static memory and atomics only, so that signal handlers and exit handlers can reach them.
 namespace hapticut::run_slots {
 
 inline constexpr int kSlots = 32;
 
 struct Slot {
   std::atomic<bool> used{false};
-  std::atomic<bool> stop{false};       ///< asks the loop to end
-  std::atomic<bool> emergency{false};  ///< asks the guard for no force, once
+  std::atomic<bool> stop{false};       ///< requests the end of the loop
+  std::atomic<bool> emergency{false};  ///< requests an emergency stop, once
   std::atomic<bool> on_crash{false};   ///< a crash sets `emergency`
-  std::atomic<bool> quiet{false};      ///< the motors have no force, or will get none
+  std::atomic<bool> quiet{false};      ///< the motors have no force, or will receive none
 };
 
 [[nodiscard]] Slot& slot(int n) noexcept;
 
-/// A free slot, or -1 when there is none.
-/// @param on_crash  whether a crash concerns it; for `catch_crashes`
-[[nodiscard]] int take(bool on_crash) noexcept;
+/// Acquires a free slot.
+/// @param on_crash  whether a crash sets its `emergency`; for `catch_crashes`
+/// @return the number of the slot, or -1 when no slot is free
+[[nodiscard]] int acquire(bool on_crash) noexcept;
 void give_back(int n) noexcept;
 
-/// From now on until the matching `release_signals`, SIGINT, SIGTERM and SIGHUP end the running loops.
+/// Makes SIGINT, SIGTERM and SIGHUP end the running loops, until the matching `release_signals`.
 void catch_signals();
 
-/// Restores the handlers, and raises again what came in the meantime.
+/// Restores the handlers, and raises again the signals that were received meanwhile.
 void release_signals();
 
-/// From now on until the matching `release_crashes`, a signal of a crash takes the force of the loops that want it
-/// away, and is then handed to the handler that was there before, with all that the kernel says of it: a runtime that
-/// makes an exception of it does so still, and a process that it would end is ended by it.
+/// Makes the signal of a crash switch off the force of the loops with `on_crash`, until the matching `release_crashes`.
+/// Then the previous handler is called with the same arguments: a runtime still turns the signal into an exception, and
+/// a process that the signal would end still ends.
 void catch_crashes();
 
-/// Restores the handlers, but for those that were replaced in the meantime.
+/// Restores the handlers, except those that other code has replaced meanwhile.
 void release_crashes();
 
 }  // namespace hapticut::run_slots

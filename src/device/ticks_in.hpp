@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-/// [ticks] >= 1 of a time.
+/// [ticks] The number of ticks in a time, at least 1.
 inline std::uint64_t ticks_in(double seconds, double period) noexcept {
   const double ticks = std::round(seconds / period);
   return ticks > 1 ? std::uint64_t(ticks) : 1;

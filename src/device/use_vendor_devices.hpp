@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The devices of those makers whose SDK is here, as cmake/HapticutVendorSdk.cmake tells a target.
+// The devices of the manufacturers whose SDK was found; cmake/HapticutVendorSdk.cmake defines the macros.
 #ifdef HAPTICUT_HAS_FORCEDIMENSION
 #include "hapticut/device/force_dimension.hpp"
 #endif
@@ -11,7 +11,7 @@
 
 namespace hapticut {
 
-/// Makes `open_device` know them. Static, for a program may have a target with an SDK beside one without.
+/// Registers these devices for `open_device`. Static, because a program may link a target with an SDK and one without.
 [[maybe_unused]] static void use_vendor_devices() {
 #ifdef HAPTICUT_HAS_FORCEDIMENSION
   use_force_dimension();

@@ -11,7 +11,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxBlocks = 64e6;  // 8 bits of mark and 4 bytes of order each: 264 MB
+constexpr double kMaxBlocks = 64e6;  // 1 bit and 4 bytes each: 264 MB
 
 }  // namespace
 
@@ -51,15 +51,15 @@ bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
   return true;
 }
 
-void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept {
-  const std::size_t sent = std::min({most, count_, queue_->blocks.write_available()});
+void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept {
+  const std::size_t sent = std::min({max_blocks, count_, queue_->blocks.write_available()});
   for (std::size_t n = 0; n < sent; ++n) {
     const std::uint32_t number = order_[head_];
     scratch_.origin = blocks_.origin_of(number);
     scratch_.version = ++version_;
     scratch_.workpiece = workpiece_number;
     copy_block(workpiece, scratch_);
-    // There is room: only this thread takes any.
+    // There is room, because only this thread pushes.
     (void)queue_->blocks.push(scratch_);
     is_marked_[number] = false;
     head_ = (head_ + 1) % order_.size();

@@ -17,18 +17,18 @@ ChangeFeed::ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options)
     : ChangeFeed(simulation, simulation.workpiece().bounds(), options.block_capacity) {
   require_fields_within(options, "ChangeFeedOptions::");
   per_step_ = options.blocks_per_step;
-  follow();
+  attach();
 }
 
-ChangeFeed::~ChangeFeed() { leave(); }
+ChangeFeed::~ChangeFeed() { detach(); }
 
-void ChangeFeed::follow() {
+void ChangeFeed::attach() {
   if (is_observing_) return;
   simulation_.add_observer(*this);
   is_observing_ = true;
 }
 
-void ChangeFeed::leave() noexcept {
+void ChangeFeed::detach() noexcept {
   if (std::exchange(is_observing_, false)) simulation_.remove_observer(*this);
 }
 
@@ -43,9 +43,9 @@ void ChangeFeed::mark_changes() noexcept {
   if (!changed.complete) swept_ = 0;
 }
 
-void ChangeFeed::tick(std::size_t most, std::uint32_t workpiece_number) noexcept {
-  for (; swept_ < all_ && outbox_.marked() < most; ++swept_) outbox_.mark(outbox_.blocks().origin_of(swept_));
-  outbox_.send(simulation_.workpiece(), workpiece_number, most);
+void ChangeFeed::tick(std::size_t max_blocks, std::uint32_t workpiece_number) noexcept {
+  for (; swept_ < all_ && outbox_.marked() < max_blocks; ++swept_) outbox_.mark(outbox_.blocks().origin_of(swept_));
+  outbox_.send(simulation_.workpiece(), workpiece_number, max_blocks);
 }
 
 }  // namespace hapticut

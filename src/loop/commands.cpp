@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands: made by their senders, obeyed by a SimulationModel between two ticks.
+// Commands: their senders make them, and a SimulationModel applies them between two ticks.
 #include "hapticut/loop/commands.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ ExchangeWorkpiece::ExchangeWorkpiece(Simulation prepared)
 
 }  // namespace commands
 
-// --- made by their senders -------------------------------------------------------------------------------------------
+// --- for the senders -------------------------------------------------------------------------------------------------
 
 commands::SetTool SimulationModel::prepare_tool(Tool tool) const { return {std::move(tool), voxel_size_, config_}; }
 
@@ -44,7 +44,7 @@ commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpie
   return commands::ExchangeWorkpiece(std::move(simulation));
 }
 
-/// Whether the coupling has gains in the world.
+/// Checks the gains of the coupling in the world.
 void SimulationModel::require_gains_within(const WorkspaceMapOptions& map) const {
   if (!gains_) return;
   validate(*gains_);
@@ -55,20 +55,20 @@ void SimulationModel::require_gains_within(const WorkspaceMapOptions& map) const
                 " m in the world per metre of the hand, with a force scale "
                 "of " +
                 format_number(map.force_scale) + " and a torque scale of " + format_number(map.torque_scale) +
-                ", takes the coupling out of its range: " + error.what() + " Choose scales nearer to 1.");
+                ", puts the coupling out of range: " + error.what() + " Choose scales closer to 1.");
   }
 }
 
-bool SimulationModel::begin(Travel way, std::size_t marks) noexcept {
-  if (travel_ != Travel::none || marks == 0) return false;
-  travel_ = way;
+bool SimulationModel::begin_restoring(Restoring what, std::size_t marks) noexcept {
+  if (restoring_ != Restoring::none || marks == 0) return false;
+  restoring_ = what;
   tool_.force_held = false;
   feel_nothing(StepStatus::ok);
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::free);
   return true;
 }
 
-/// Nothing that was felt counts any more, and nobody knows what is touched.
+/// Clears the force and the contact. The tool may touch something.
 void SimulationModel::feel_nothing(StepStatus status) noexcept {
   tool_.force = tool_.torque = Vec3::Zero();
   tool_.contact_depth = tool_.spindle_speed = 0;
@@ -83,22 +83,22 @@ void SimulationModel::feel_nothing(StepStatus status) noexcept {
 void SimulationModel::after_exchange() noexcept {
   tool_.force_held = false;
   interlock_.interrupt();
-  unfelt_ = true;
+  skip_force_ = true;
   feel_nothing(StepStatus::ok);
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::free);
-  if (spindle_needs_force_) simulation_->hold_spindle(true);  // or it would cut while it runs down
+  if (spindle_needs_force_) simulation_->hold_spindle(true);  // otherwise it would cut while it slows down
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
-// --- what each asks of its sender, and what it does -----------------------------------------------------------------
+// --- check and effect of each command -------------------------------------------------------------------------------
 
-/// @tparam Model  const for its sender
+/// @tparam Model  const for checks in the sending thread
 template <class Model>
 struct SimulationModel::Commands {
   Model& m;
 
   static void require_unsent(bool has_all) {
-    if (!has_all) throw Error("the command was sent already, and what it brings with it; prepare another one.");
+    if (!has_all) throw Error("the command was already sent and has no content any more; prepare another one.");
   }
 
   void check(const auto& /*command*/) const {}
@@ -112,15 +112,15 @@ struct SimulationModel::Commands {
   }
 
   bool apply(const commands::OpenClutch&) noexcept {
-    m.map_.release(m.X_BS_);
+    m.map_.disengage(m.X_BS_);
     return true;
   }
 
   bool apply(const commands::CloseClutch&) noexcept {
     m.map_.engage(m.X_BS_);
-    m.unfelt_ = true;
-    m.interlock_.interrupt();  // it cuts nothing in this tick; the guard's state says so only from the next one on
-    m.touches_ = true;         // for all that is known
+    m.skip_force_ = true;
+    m.interlock_.interrupt();  // nothing is cut in this tick; the guard's state follows only in the next one
+    m.touches_ = true;         // or may touch something
     m.device_->interrupt(SafetyEvent::reclutched);
     return true;
   }
@@ -141,12 +141,12 @@ struct SimulationModel::Commands {
   }
 
   bool apply(const commands::SetUndoMark&) noexcept {
-    return m.travel_ == Travel::none && m.simulation_->set_undo_mark();
+    return m.restoring_ == Restoring::none && m.simulation_->set_undo_mark();
   }
 
-  bool apply(const commands::Undo&) noexcept { return m.begin(Travel::back, m.simulation_->undo_marks()); }
+  bool apply(const commands::Undo&) noexcept { return m.begin_restoring(Restoring::undo, m.simulation_->undo_marks()); }
 
-  bool apply(const commands::Redo&) noexcept { return m.begin(Travel::forth, m.simulation_->redo_marks()); }
+  bool apply(const commands::Redo&) noexcept { return m.begin_restoring(Restoring::redo, m.simulation_->redo_marks()); }
 
   void check(const commands::SetTool& command) const {
     require_unsent(!command.tool.empty());
@@ -204,13 +204,13 @@ struct SimulationModel::Commands {
   bool apply(const commands::HoldForce& command) noexcept {
     if (command.hold == m.tool_.force_held) return true;
     if (command.hold) {
-      if (m.travel_ != Travel::none || m.unfelt_) return false;  // nothing is felt that could be held
+      if (m.restoring_ != Restoring::none || m.skip_force_) return false;  // there is no force to hold
       m.tool_.force_held = true;
       return true;
     }
-    // The tool went on meanwhile: what it has met is not to be felt at once.
+    // The tool has moved meanwhile: a new contact must not be felt at once.
     m.tool_.force_held = false;
-    m.unfelt_ = true;
+    m.skip_force_ = true;
     m.device_->interrupt(SafetyEvent::reclutched);
     return true;
   }
@@ -220,7 +220,8 @@ struct SimulationModel::Commands {
     const Simulation& other = *command.simulation;
     if (m.gains_ && other.config().contact_time != ContactTime::end)
       throw Error(
-          "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
+          "the other workpiece's simulation evaluates contact in the middle of a step, so the coupling would "
+          "oscillate. "
           "Make it with SimulationConfig::contact_time = ContactTime::end.");
     m.require_renderable(max_contact_stiffness(other.tool().head()), other.config(),
                          max_relative_stiffness(other.workpiece().materials()), m.first_map_.scale);
@@ -230,7 +231,7 @@ struct SimulationModel::Commands {
     if (m.gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
     m.simulation_->exchange(*command.simulation);
     if (m.coupling_) m.coupling_->exchange_lists(command.lists);
-    m.travel_ = Travel::none;
+    m.restoring_ = Restoring::none;
     m.books_energy_ = m.simulation_->config().law->is_foundation();
     ++m.tool_.workpiece;
     m.after_exchange();
@@ -243,7 +244,7 @@ void SimulationModel::check(const LoopCommand& command) const {
 }
 
 bool SimulationModel::obey(LoopCommand& command) noexcept {
-  bool obeyed = false;  // std::visit may throw, as far as its type says
+  bool obeyed = false;  // not std::visit, because that may throw
   find_alternative<LoopCommand>([&]<class Command>(std::size_t, Of<Command>) noexcept {
     auto* what = std::get_if<Command>(&command);
     if (what != nullptr) obeyed = Commands<SimulationModel>{*this}.apply(*what);

@@ -11,7 +11,7 @@ namespace hapticut {
 /// Which axis of the device's base points up.
 enum class Up { y, z };
 
-/// Axis-parallel in W, around all voxels that are not empty; at the origin where there is none.
+/// The axis-parallel box in W around all voxels that are not empty; a point at the origin if all are empty.
 [[nodiscard]] inline Box box_of_workpiece(const Workpiece& workpiece) {
   const IndexBox bounds = workpiece.bounds();
   const GridFrame& frame = workpiece.frame();
@@ -27,14 +27,14 @@ enum class Up { y, z };
   return box;
 }
 
-/// Puts the origin of the device's base where the tool stands on the middle of the workpiece's top.
+/// A map whose base origin puts the tip of the tool on the middle of the workpiece's top.
 /// @param scale  metres in the world per metre of the hand
 [[nodiscard]] inline WorkspaceMapOptions map_above(const DeviceCapabilities& capabilities, const Box& box,
                                                    const Tool& tool, Up up, double scale) {
   WorkspaceMapOptions map;
   map.scale = scale;
   if (up == Up::y)
-    map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // to the right stays, up becomes z, to the user becomes -y
+    map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // +x stays, up (+y) becomes +z, towards the user (+z) becomes -y
   const double tip_above_hand = tool.X_HT().translation.z() + tool.head().bounding_box().min.z();
   map.X_WB.translation =
       Vec3(0.5 * (box.min.x() + box.max.x()), 0.5 * (box.min.y() + box.max.y()), box.max.z() - tip_above_hand);

@@ -33,8 +33,8 @@ struct RealtimeLoop::State {
   RealtimeLoopOptions options;
 
   HandoverRing<LoopCommand> commands{kCommands};
-  HandoverRing<LoopCommand> replaced{kCommands};  // what was obeyed, with what was in place before
-  std::mutex freeing;                             // of the threads that free it; the loop never takes it
+  HandoverRing<LoopCommand> replaced{kCommands};  // applied commands with the replaced objects
+  std::mutex freeing;                             // held by a thread that frees them; the loop never takes it
   std::atomic<std::uint64_t> dropped{0};
   std::uint64_t refused = 0;
   TripleBuffer<LoopSnapshot> snapshots;
@@ -52,7 +52,7 @@ struct RealtimeLoop::State {
 
 void RealtimeLoop::State::obey() noexcept {
   LoopCommand message;
-  // Where what was replaced has no room to go, the next command waits: nothing is freed here.
+  // If `replaced` is full, the next command waits, because nothing may be freed here.
   while (replaced.has_room() && commands.pop(message)) {
     if (!model.obey(message)) ++refused;
     replaced.push(std::move(message));
@@ -99,7 +99,7 @@ RealtimeLoop::RealtimeLoop(Device& device, LoopModel& model, const RealtimeLoopO
 RealtimeLoop::~RealtimeLoop() {
   if (!state_->thread.joinable()) return;
   state_->device.stop();
-  while (state_->running.load()) {  // a stop before the run has begun is forgotten by it
+  while (state_->running.load()) {  // a run ignores a stop from before its start
     state_->device.stop();
     std::this_thread::yield();
   }
@@ -107,8 +107,8 @@ RealtimeLoop::~RealtimeLoop() {
 }
 
 void RealtimeLoop::start() {
-  if (state_->thread.joinable()) throw Error("The loop runs already; call wait or stop before starting it again.");
-  if (state_->feed) state_->feed->follow();
+  if (state_->thread.joinable()) throw Error("The loop already runs; call wait or stop before starting it again.");
+  if (state_->feed) state_->feed->attach();
   state_->ticks = 0;
   state_->exception = nullptr;
   state_->running.store(true);
@@ -126,7 +126,7 @@ void RealtimeLoop::start() {
 RunReport RealtimeLoop::wait() {
   if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
   state_->thread.join();
-  if (state_->feed) state_->feed->leave();
+  if (state_->feed) state_->feed->detach();
   state_->free_replaced();
   if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
   return std::move(state_->report);

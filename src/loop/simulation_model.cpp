@@ -17,7 +17,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       region_(simulation.workpiece().bounds()),
       first_map_(options.map),
       gains_(options.coupling),
-      renders_(gains_ ? 0 : device.capabilities().stiffness),
+      device_stiffness_(gains_ ? 0 : device.capabilities().stiffness),
       relative_stiffness_(max_relative_stiffness(simulation.workpiece().materials())),
       contact_stiffness_(max_contact_stiffness(simulation.tool().head())),
       simulation_(&simulation),
@@ -30,93 +30,92 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
-  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
+  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).park(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
-    simulation.reserve_undo(options.undo_blocks);  // or the marks that there are would go
+    simulation.reserve_undo(options.undo_blocks);  // a new reserve would drop existing marks
 }
 
-/// Of other laws nobody knows how stiff they are, nor whether they book all that they store: there the guard watches
-/// alone.
+/// Other laws report neither stiffness nor stored energy. For them only the guard protects the hand.
 void SimulationModel::require_renderable(double contact_stiffness, const SimulationConfig& config,
                                          double relative_stiffness, double scale) const {
   constexpr double kRounding = 1.01;
-  if (renders_ == 0 || !config.law->is_foundation()) return;
-  const double renders = renders_ / (scale * first_map_.force_scale);  // [N/m] of what is in the world
-  const double most = renders / (contact_stiffness * relative_stiffness);
-  if (config.reference_stiffness <= kRounding * most) return;
-  throw Error("the device renders " + format_number(renders) + " N/m, and driven directly it would meet up to " +
-              format_number(renders * config.reference_stiffness / most) +
-              " N/m, and buzz. Put a virtual coupling between (SimulationModelOptions::coupling with contact_time = "
+  if (device_stiffness_ == 0 || !config.law->is_foundation()) return;
+  const double renders = device_stiffness_ / (scale * first_map_.force_scale);      // [N/m] in the world
+  const double max_stiffness = renders / (contact_stiffness * relative_stiffness);  // [N/m^4]
+  if (config.reference_stiffness <= kRounding * max_stiffness) return;
+  throw Error("the device renders " + format_number(renders) + " N/m, but driven directly it would meet up to " +
+              format_number(renders * config.reference_stiffness / max_stiffness) +
+              " N/m, and buzz. Add a virtual coupling (SimulationModelOptions::coupling with contact_time = "
               "end), or lower the reference stiffness to " +
-              format_number(most) + " N/m^4.");
+              format_number(max_stiffness) + " N/m^4.");
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
-  contact_ = {true, {}, {}};  // for all that is known
+  contact_ = {true, {}, {}};  // the tool may touch something
   Wrench wrench;
   if (state.valid) {
     X_BS_ = state.X_BS;
-    // Poses before and after a calibration do not compare.
+    // Poses before and after a calibration are not comparable.
     if (std::exchange(epoch_, state.epoch) != state.epoch && coupling_) coupling_->reset();
   }
-  if (travel_ != Travel::none) {
-    travel(state);
+  if (restoring_ != Restoring::none) {
+    restore_blocks(state);
   } else if (!state.valid || !map_.engaged()) {
-    rest();
+    hold_tool();
   } else {
-    turn_spindle(state);
+    update_spindle(state);
     const Wrench felt = move_tool(state, dt);
-    if (!std::exchange(unfelt_, false)) wrench = tool_.force_held ? hold_force(state) : felt;
+    if (!std::exchange(skip_force_, false)) wrench = tool_.force_held ? hold_force(state) : felt;
   }
-  show(snapshot);
+  fill_in(snapshot);
   return wrench;
 }
 
-/// A part of the way to the last mark, or from it.
-void SimulationModel::travel(const DeviceState& state) noexcept {
+/// Restores some blocks of an undo or a redo.
+void SimulationModel::restore_blocks(const DeviceState& state) noexcept {
   if (state.valid && !coupling_) X_WH_ = map_.to_world(state.X_BS);
   interlock_.interrupt();
-  const bool done =
-      travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
-  if (done) travel_ = Travel::none;
+  const bool done = restoring_ == Restoring::undo ? simulation_->undo(undo_blocks_per_tick_)
+                                                  : simulation_->redo(undo_blocks_per_tick_);
+  if (done) restoring_ = Restoring::none;
   // The material that the tool is in now must not be felt at once.
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
 SimulationModel::~SimulationModel() { simulation_->hold_spindle(false); }
 
-/// The hand is not known, or the clutch is open: the tool stays where it is, and cuts nothing.
-void SimulationModel::rest() noexcept {
+/// The pose of the hand is unknown, or the clutch is open: the tool keeps its pose and cuts nothing.
+void SimulationModel::hold_tool() noexcept {
   feel_nothing(StepStatus::ok);
   interlock_.interrupt();
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::near);
   if (spindle_needs_force_) simulation_->hold_spindle(true);
 }
 
-/// What was felt when it was to be held, in W, at the hand as it is now.
+/// The held force, rendered at the present pose of the hand.
 Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
   return map_.to_device(state.X_BS, {tool_.force, tool_.torque});
 }
 
-void SimulationModel::turn_spindle(const DeviceState& state) noexcept {
-  const bool unfelt = tool_.force_held || device_->requests().emergency();  // which the guard obeys after this tick
-  const bool admitted = interlock_.admits(unfelt ? ArmingState::off : device_->last_arming(), touches_);
+void SimulationModel::update_spindle(const DeviceState& state) noexcept {
+  const bool no_force = tool_.force_held || device_->requests().emergency();  // the guard acts on it after this tick
+  const bool admitted = interlock_.admits(no_force ? ArmingState::off : device_->last_arming(), touches_);
   const bool pressed = pedal_ < 0 || simulation_->tool().spindle().speed == 0 || state.pressed(pedal_);
   simulation_->hold_spindle(!pressed || (!admitted && spindle_needs_force_));
 }
 
-/// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W
-Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept {
+/// Makes a step, with or without the coupling.  @return the wrench for the hand, about Ho of the hand, in W
+Wrench SimulationModel::follow_hand(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
   if (coupling_) {
-    const CoupledResult& result = coupling_->step(pose, velocity, dt);
+    const CoupledResult& result = coupling_->step(X_WD, V_WD, dt);
     X_WH_ = result.X_WH;
     tool_.removed_volume += result.removed_volume;
     tool_.status = result.status;
     tool_.effort = {result.parts, result.newton_steps, result.level_of_detail};
     return result.hand;
   }
-  const StepResult& result = simulation_->step(pose, velocity, dt);
-  X_WH_ = pose;
+  const StepResult& result = simulation_->step(X_WD, V_WD, dt);
+  X_WH_ = X_WD;
   tool_.removed_volume += result.removed_volume;
   tool_.status = result.status;
   tool_.effort = {1, 0, result.contact.level_of_detail};
@@ -132,7 +131,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   tool_.max_effort = {std::max(tool_.max_effort.parts, tool_.effort.parts),
                       std::max(tool_.max_effort.newton_steps, tool_.effort.newton_steps),
                       std::max(tool_.max_effort.level_of_detail, tool_.effort.level_of_detail)};
-  if (simulation_->steps() == steps) {  // the tool waits for its hand
+  if (simulation_->steps() == steps) {  // no step: the parked tool waits for the hand
     feel_nothing(tool_.status);
     return {};
   }
@@ -152,8 +151,8 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   return map_.to_device(state.X_BS, felt);
 }
 
-/// What the guard shall know of a step.
-/// @param motor  [J] that the spindle's gave in it
+/// What the guard must know about a step.
+/// @param motor  [J] work of the spindle's motor in the step
 ModelContact SimulationModel::describe_contact(const DeviceState& state, const Wrench& felt,
                                                double motor) const noexcept {
   const StepResult& result = simulation_->last_result();
@@ -171,13 +170,13 @@ ModelContact SimulationModel::describe_contact(const DeviceState& state, const W
   return contact;
 }
 
-void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
+void SimulationModel::fill_in(LoopSnapshot& snapshot) const noexcept {
   snapshot.X_WT = X_WH_ * simulation_->tool().X_HT();
   snapshot.tool = tool_;
   snapshot.tool.undo_marks = simulation_->undo_marks();
   snapshot.tool.redo_marks = simulation_->redo_marks();
-  snapshot.tool.undoing = travel_ == Travel::back;
-  snapshot.tool.redoing = travel_ == Travel::forth;
+  snapshot.tool.undoing = restoring_ == Restoring::undo;
+  snapshot.tool.redoing = restoring_ == Restoring::redo;
 }
 
 }  // namespace hapticut

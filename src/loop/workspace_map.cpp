@@ -40,11 +40,11 @@ Pose WorkspaceMap::stylus_in_world(const Pose& X_BS) const noexcept {
 }
 
 void WorkspaceMap::latch(const Pose& X_BS, const Pose& X_WS) noexcept {
-  X_WS_home_ = {orthonormalized(X_WS.rotation), X_WS.translation};  // many clutches must not add up
+  X_WS_home_ = {orthonormalized(X_WS.rotation), X_WS.translation};  // rounding errors must not accumulate
   X_BS_latch_ = X_BS;
 }
 
-void WorkspaceMap::release(const Pose& X_BS) noexcept {
+void WorkspaceMap::disengage(const Pose& X_BS) noexcept {
   if (!engaged_) return;
   latch(X_BS, stylus_in_world(X_BS));
   engaged_ = false;
@@ -66,18 +66,18 @@ bool WorkspaceMap::set_scale(double scale, const Pose& X_BS) noexcept {
 
 Pose WorkspaceMap::to_world(const Pose& X_BS) const noexcept { return stylus_in_world(X_BS) * options_.X_SH; }
 
-Twist WorkspaceMap::to_world(const Pose& X_BS, const Twist& stylus) const noexcept {
+Twist WorkspaceMap::to_world(const Pose& X_BS, const Twist& V_BS) const noexcept {
   if (!engaged_) return {};
   const Mat3& R_WB = options_.X_WB.rotation;
-  Twist twist{options_.scale * (R_WB * stylus.linear), Vec3::Zero()};
-  if (options_.orientation) twist.angular = R_WB * stylus.angular;
+  Twist twist{options_.scale * (R_WB * V_BS.linear), Vec3::Zero()};
+  if (options_.orientation) twist.angular = R_WB * V_BS.angular;
   return transport(twist, stylus_in_world(X_BS).rotation * options_.X_SH.translation);
 }
 
-Wrench WorkspaceMap::to_device(const Pose& X_BS, const Wrench& tool) const noexcept {
+Wrench WorkspaceMap::to_device(const Pose& X_BS, const Wrench& wrench) const noexcept {
   if (!engaged_) return {};
   const Mat3& R_WB = options_.X_WB.rotation;
-  const Wrench about_stylus = transport(tool, stylus_in_world(X_BS).rotation * options_.X_SH.translation);
+  const Wrench about_stylus = transport(wrench, stylus_in_world(X_BS).rotation * options_.X_SH.translation);
   return {options_.force_scale * (R_WB.transpose() * about_stylus.force),
           options_.torque_scale * (R_WB.transpose() * about_stylus.torque)};
 }

@@ -15,21 +15,22 @@
 
 namespace hapticut {
 
-/// Messages from a loop to a thread of its own that writes them somewhere: bounded, without a lock on the loop's side.
-/// What is written to, and how, is the sink's affair; it may throw, and then the writing is over.
+/// A bounded queue of messages from a loop to a background thread that writes them. The loop's side takes no lock.
+/// A sink decides where and how the messages are written. If the sink throws, the writing ends.
 ///
-/// One thread pushes; the sink is called in the writer's thread.
+/// One thread pushes. The background thread calls the sink.
 template <class Message>
 class BackgroundWriter {
  public:
   struct Sink {
-    std::function<void(const std::vector<Message>& batch)> write;  ///< never empty
-    std::function<void()> flush;                                   ///< about once a period, and at the end
+    std::function<void(const std::vector<Message>& batch)> write;  ///< `batch` is never empty
+    std::function<void()> flush;                                   ///< called about once a period, and at the end
   };
-  static constexpr std::size_t kBatch = 1024;  ///< messages given to the sink at once
+  static constexpr std::size_t kBatch = 1024;  ///< largest number of messages per call of `write`
 
-  /// @param capacity  of messages under way
-  /// @param example   written once into every place of the ring, so that the loop never touches a page first
+  /// @param capacity      [messages] in the queue
+  /// @param example       written once into every place of the ring, so that the loop causes no page faults
+  /// @param flush_period  [s]
   BackgroundWriter(std::size_t capacity, const Message& example, double flush_period, Sink sink)
       : ring_(capacity), sink_(std::move(sink)) {
     while (ring_.push(example)) {
@@ -41,14 +42,14 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// @return false when there is no room
+  /// @return false when the queue is full
   /// @realtime no allocation, no lock
   bool push(const Message& message) noexcept { return ring_.push(message); }
 
   [[nodiscard]] bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
   [[nodiscard]] bool running() const noexcept { return thread_.joinable(); }
 
-  /// Writes what is left, and ends.  @return what the sink threw, in words; empty: nothing
+  /// Writes the remaining messages and ends the thread.  @return the message of what the sink threw; empty if nothing
   const std::string& stop() {
     if (thread_.joinable()) {
       {
@@ -64,7 +65,7 @@ class BackgroundWriter {
  private:
   void run(double flush_period) {
     using Clock = std::chrono::steady_clock;
-    constexpr auto kPoll = std::chrono::milliseconds(5);  // between looks at the ring
+    constexpr auto kPoll = std::chrono::milliseconds(5);  // between two checks of the ring
     try {
       const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(flush_period));
       Clock::time_point next_flush = Clock::now() + period;
@@ -89,7 +90,7 @@ class BackgroundWriter {
     } catch (const std::exception& error) {
       fail(error.what());
     } catch (...) {
-      fail("something unknown was thrown");
+      fail("an unknown exception was thrown");
     }
   }
 

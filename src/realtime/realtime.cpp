@@ -36,13 +36,13 @@ std::int64_t nanoseconds() noexcept {
   return std::int64_t(t.tv_sec) * kNanoseconds + t.tv_nsec;
 }
 
-// Writes to every page of the part of the stack that the loop will use. Never inlined: the array must be its own frame.
+// Writes to every page of the stack that the loop will use. Not inlined, because the array needs its own stack frame.
 __attribute__((noinline)) void touch_stack(std::size_t bytes) {
   constexpr std::size_t kChunk = 16 * 1024;
   volatile char chunk[kChunk];
   for (std::size_t n = 0; n < kChunk; n += 1024) chunk[n] = 0;
   if (bytes > kChunk) touch_stack(bytes - kChunk);
-  chunk[0] = chunk[kChunk - 1];  // after the call, so that it is no tail call
+  chunk[0] = chunk[kChunk - 1];  // after the call, which prevents a tail call
 }
 
 #if defined(__SSE2__)
@@ -64,7 +64,7 @@ RealtimeScope::RealtimeScope(const RealtimeOptions& options) {
     flushing_ = true;
   }
 #else
-  if (options.flush_denormals) warnings_.emplace_back("Denormal numbers cannot be switched off on this processor.");
+  if (options.flush_denormals) warnings_.emplace_back("This processor cannot flush denormal numbers to zero.");
 #endif
 }
 
@@ -89,7 +89,7 @@ void RealtimeScope::set_priority(int priority) {
   scheduled_ = error == 0;
   if (error != 0)
     warnings_.push_back("The loop runs without real-time priority (" + std::string(std::strerror(error)) +
-                        "), so it will now and then be late; allow it with `ulimit -r " + std::to_string(priority) +
+                        "), so some ticks will be late; allow it with `ulimit -r " + std::to_string(priority) +
                         "`, a line `@haptics - rtprio " + std::to_string(priority) +
                         "` in /etc/security/limits.conf, or the capability CAP_SYS_NICE.");
 }
@@ -100,12 +100,12 @@ void RealtimeScope::pin(int cpu) {
   CPU_SET(std::size_t(cpu), &set);
   const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
   if (error != 0)
-    warnings_.push_back("The loop could not be bound to processor " + std::to_string(cpu) + " (" +
-                        std::strerror(error) + "); RealtimeOptions::cpu = -1 lets it use any.");
+    warnings_.push_back("The loop could not be pinned to processor " + std::to_string(cpu) + " (" +
+                        std::strerror(error) + "); RealtimeOptions::cpu = -1 allows any processor.");
 }
 
 void RealtimeScope::lock_memory() {
-  // Where the limit is finite, a promise for future memory would make later allocations fail instead of being slow.
+  // With a finite limit, MCL_FUTURE would make later allocations fail instead of being slow.
   rlimit limit{};
   getrlimit(RLIMIT_MEMLOCK, &limit);
   const bool unlimited = limit.rlim_cur == RLIM_INFINITY || geteuid() == 0;

@@ -24,15 +24,16 @@ void Arming::start(SafetyLog& log) noexcept {
 void Arming::wait_free(SafetyLog& log) noexcept {
   state_ = ArmingState::wait_free;
   ticks_ = 0;
-  looked_ = false;
+  inspected_ = false;
   log.report(SafetyEvent::waiting_free);
 }
 
 void Arming::interrupt(SafetyEvent reason, bool short_ramp, SafetyLog& log, double value) noexcept {
   log.report(reason, value);
-  const bool waits = state_ == ArmingState::wait_free || state_ == ArmingState::ramp || state_ == ArmingState::on;
-  if (!waits) return;
-  // A long ramp that is due, or under way, is not cut short.
+  const bool interruptible =
+      state_ == ArmingState::wait_free || state_ == ArmingState::ramp || state_ == ArmingState::on;
+  if (!interruptible) return;
+  // A pending or running long fade-in stays long.
   if (state_ == ArmingState::on)
     short_ramp_ = short_ramp;
   else
@@ -70,8 +71,8 @@ double Arming::tick(double dt, bool reading_ok, double force, double torque, std
     case ArmingState::wait_free: {
       const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
       const bool is_free = reading_ok && (touching ? !*touching : is_quiet);
-      if (reading_ok && !looked_) {
-        looked_ = true;
+      if (reading_ok && !inspected_) {
+        inspected_ = true;
         if (!is_free) log.report(SafetyEvent::start_inside, force);
       }
       ticks_ = is_free ? ticks_ + 1 : 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -13,25 +14,25 @@ namespace {
 constexpr double kMinStep = 0.2;       // [ticks] bounds of dt in derivatives
 constexpr double kMaxLateness = 5e-3;  // [s]
 constexpr double kRampDampingShare = 0.2;
-constexpr double kUnitsWatched = 1;         // [s]
+constexpr double kUnitsWatched = 1;         // [s] after which the spread of positions is checked
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
-constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second, while the stylus turns
+constexpr double kImplausiblySmall = 1e-6;  // [m] spread of all positions within that time
 
-/// The options with the stiffness and the damping that a device can render, where the options name none.
+/// The options, where the stiffness and the damping that a device can render replace zeros.
 PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
   if (options.stiffness == 0) options.stiffness = stiffness;
   if (options.max_damping == 0) options.max_damping = damping;
   return options;
 }
 
-/// [N/s] by which the force of a device may grow where the options do not say it: no slower than its stiffest wall
-/// needs. One of unknown stiffness may reach its peak within 10 ms.
+/// [N/s] The default growth limit of a device's force: what its stiffest wall needs. If the stiffness is unknown, the
+/// force may reach its peak within 10 ms.
 double default_growth(double stiffness, double max_contact_speed, double max_force) {
   const double needed = min_force_growth(stiffness, max_contact_speed);
   return needed > 0 ? needed : max_force / 10e-3;
 }
 
-/// [m] by which torques and turns are compared with forces and ways; 0: only forces are watched.
+/// [m] The lever that converts torques and rotations to forces and distances; 0: only forces are watched.
 double lever_of(double stiffness, const DeviceCapabilities& device, double max_force, double max_torque) {
   if (device.output_degrees_of_freedom < 6 || max_torque <= 0 || max_force <= 0) return 0;
   const bool known = stiffness > 0 && device.rotational_stiffness > 0;
@@ -45,11 +46,11 @@ bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFini
 }  // namespace
 
 OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed) {
-  require_positive(max_contact_speed, "fastest contact [m/s]");
+  require_positive(max_contact_speed, "max_contact_speed [m/s]");
   if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
     throw Error("the device '" + device.model +
-                "' says that it renders no force, so it has no limits to take over; "
-                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or the OutputLimits yourself.");
+                "' renders no force according to its capabilities, so it has no output limits; "
+                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or set the OutputLimits directly.");
   OutputLimits limits;
   limits.max_force = device.peak_force;
   limits.force_growth = default_growth(device.stiffness, max_contact_speed, device.peak_force);
@@ -110,19 +111,19 @@ void SafetyGuard::stop() noexcept {
   published_state_.store(arming_.state(), std::memory_order_release);
 }
 
-void SafetyGuard::report_silence(Watchdog::Verdict verdict, double share) {
+void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
   if (std::exchange(silence_, verdict) == verdict) return;
   switch (verdict) {
     case Watchdog::Verdict::alive:
       break;
     case Watchdog::Verdict::late:
-      log_.note(SafetyEvent::watchdog_late, share);
+      log_.note(SafetyEvent::watchdog_late, scale);
       break;
     case Watchdog::Verdict::fading:
-      log_.note(SafetyEvent::watchdog_fading, share);
+      log_.note(SafetyEvent::watchdog_fading, scale);
       break;
     case Watchdog::Verdict::dead:
-      log_.note(SafetyEvent::watchdog_fault, share);
+      log_.note(SafetyEvent::watchdog_fault, scale);
       if (options_.watchdog.latch) was_dead_.store(true, std::memory_order_release);
       break;
   }
@@ -133,31 +134,31 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   const double elapsed = started_ ? reading.time - last_time_ : options_.period;
   last_time_ = reading.time;
   const bool known = std::isfinite(elapsed);
-  const double shortest = kMinStep * options_.period, longest = options_.period + kMaxLateness;
-  dt_ = known ? std::clamp(elapsed, shortest, longest) : options_.period;
+  const double min_dt = kMinStep * options_.period, max_dt = options_.period + kMaxLateness;
+  dt_ = known ? std::clamp(elapsed, min_dt, max_dt) : options_.period;
   gate_time_ = known ? std::clamp(elapsed, dt_, std::max(dt_, options_.pause + options_.period)) : options_.period;
   if (!started_ || !known) return;
   const double late = elapsed - options_.period;
   if (late > options_.pause) {
     arming_.interrupt(SafetyEvent::paused, false, log_, late);
-    gate_.restart();  // the hand may be anywhere by now
+    gate_.restart();  // the hand may be anywhere now
   } else if (late > options_.late) {
     arming_.interrupt(SafetyEvent::late_wake_up, true, log_, late);
   }
 }
 
-// What other threads asked for since the last tick.
-void SafetyGuard::obey() noexcept {
+// Applies the requests of other threads since the last tick.
+void SafetyGuard::apply_requests() noexcept {
   if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
-  // An emergency stop that is pulled and reset within one tick leaves the guard as after any fault.
+  // An emergency stop that is reset within the same tick still ends in the fault state first.
   if (requests_->reset_wanted() && requests_->emergency() && arming_.state() != ArmingState::fault) fail_in_emergency();
-  if (requests_->take_reset() && arming_.state() == ArmingState::fault) {
+  if (requests_->accept_reset() && arming_.state() == ArmingState::fault) {
     gate_.restart();
     not_finite_ = 0;
     arming_.reset(log_);
   }
-  const SafetyEvent reason = requests_->take_interruption();
-  if (reason != SafetyEvent::count) arming_.interrupt(reason, true, log_);
+  if (const std::optional<SafetyEvent> reason = requests_->accept_interruption())
+    arming_.interrupt(*reason, true, log_);
 }
 
 void SafetyGuard::fail_in_emergency() noexcept {
@@ -165,7 +166,7 @@ void SafetyGuard::fail_in_emergency() noexcept {
   arming_.fail(log_);
 }
 
-// Positions in millimetres are outside of any workspace; positions in kilometres never seem to move.
+// Positions in millimetres are outside any workspace. Positions in kilometres seem not to move.
 void SafetyGuard::watch_units(const DeviceState& reading) noexcept {
   const Vec3& p = reading.X_BS.translation;
   if (!p.allFinite()) return;
@@ -183,7 +184,7 @@ void SafetyGuard::watch_units(const DeviceState& reading) noexcept {
 const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   log_.begin_tick(reading.time, reading.sequence);
   keep_time(reading);
-  obey();
+  apply_requests();
   watch_units(reading);
 
   const std::uint32_t epoch = gate_.state().epoch;
@@ -192,7 +193,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   reading_ok_ = verdict == PoseGate::Verdict::accepted;
   if (started_ && reading_ok_ && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
-    X_BS_last_ = state.X_BS;  // the way between two calibrations is not a motion
+    X_BS_last_ = state.X_BS;  // the distance between two calibrations is not a motion
   }
   if (verdict == PoseGate::Verdict::lost && arming_.state() > ArmingState::armed) arming_.fail(log_);
   switch (state.fault) {
@@ -203,7 +204,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
       break;
     case DeviceFault::force_limit:
     case DeviceFault::speed_limit:
-    case DeviceFault::overloaded:    // the driver fades its own output in again, and so do we
+    case DeviceFault::overloaded:    // the driver fades its output in again, and so does the guard
     case DeviceFault::switched_off:  // the motors may come back at any moment, at full strength
       log_.report(SafetyEvent::device_fault, double(state.fault));
       arming_.interrupt(SafetyEvent::device_fault, true, log_, double(state.fault));
@@ -219,7 +220,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   if (!started_) X_BS_last_ = state.X_BS;
   started_ = true;
   motion_ = state.X_BS.translation - X_BS_last_.translation;
-  turn_ = vector_from_rotation(state.X_BS.rotation * X_BS_last_.rotation.transpose());
+  rotation_ = vector_from_rotation(state.X_BS.rotation * X_BS_last_.rotation.transpose());
   X_BS_last_ = state.X_BS;
   published_state_.store(arming_.state(), std::memory_order_release);
   return state;
@@ -238,14 +239,14 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
 
 Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& contact) noexcept {
   const Wrench effects = is_finite(contact.effects) ? contact.effects : Wrench{};
-  // Where torque is rendered, the force may give back what a turn has given: then nothing is shortened.
-  const bool shortens = max_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
-  const std::optional<double> motor = shortens ? contact.motor : std::nullopt;
-  Wrench damped = passivity_.control(
-      {wrench, effects, output_.applied, motion_, turn_, dt_, contact.stored, motor, !contact.touching.value_or(true)});
-  if (passivity_.taken() > 0) {
+  // If torque is rendered, the force may return the energy of a rotation, so the force is not reduced.
+  const bool reduces = max_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
+  const std::optional<double> motor = reduces ? contact.motor : std::nullopt;
+  Wrench damped = passivity_.control({wrench, effects, output_.applied, motion_, rotation_, dt_, contact.stored, motor,
+                                      !contact.touching.value_or(true)});
+  if (passivity_.damping_force() > 0) {
     output_.changes |= OutputChange::damped;
-    log_.report(SafetyEvent::passivity, passivity_.taken());
+    log_.report(SafetyEvent::passivity, passivity_.damping_force());
   }
   return damped;
 }
@@ -270,10 +271,10 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
     output_.changes |= OutputChange::cooled;
     log_.report(SafetyEvent::continuous_limited, thermal_.limit());
   }
-  const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
+  const double growth_time = std::min(dt_, options_.period);  // a late tick may not take a larger step
   Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
                growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
-  // A rounding error is not a limit.
+  // A rounding error does not count as a limit.
   if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
     output_.changes |= OutputChange::slew_limited;
     log_.report(SafetyEvent::slew_limited, (grown.force - w.force).norm());
@@ -286,17 +287,16 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
   output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
-  const double share =
-      arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
+  const double ramp = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
   Wrench wrench;
-  if (share > 0) {
+  if (ramp > 0) {
     before_ramp_ = bound(make_passive(finite, contact));
-    wrench = {share * before_ramp_.force, share * before_ramp_.torque};
-    if (share < 1) {
+    wrench = {ramp * before_ramp_.force, ramp * before_ramp_.torque};
+    if (ramp < 1) {
       output_.changes |= OutputChange::ramped;
       const Vec3 speed = motion_ / dt_;
       const double growth_time = std::min(dt_, options_.period);
-      wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, max_force_);
+      wrench.force = saturated(wrench.force - (1 - ramp) * ramp_damping_ * speed, max_force_);
       wrench.force = growth_limited(output_.applied.force, wrench.force, slew_ * growth_time);
     }
     if (!is_finite(wrench)) wrench = {};
@@ -312,7 +312,7 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
   return wrench;
 }
 
-void SafetyGuard::applied(const Wrench& wrench) noexcept {
+void SafetyGuard::report_applied(const Wrench& wrench) noexcept {
   if (!is_finite(wrench)) return;
   if (wrench.force != output_.applied.force || wrench.torque != output_.applied.torque)
     output_.changes |= OutputChange::by_driver;

@@ -6,8 +6,8 @@
 namespace hapticut {
 namespace {
 
-constexpr double kRest = 0.1;          // [s] after which the orientation of a resting stylus is looked at anew
-constexpr double kSumRounding = 1e-9;  // [s] of a sum of periods
+constexpr double kRest = 0.1;          // [s] after which the orientation of a resting stylus is stored again
+constexpr double kSumRounding = 1e-9;  // [s] rounding error of a sum of periods
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, doubl
   }
   if (!started_) return {};
   value = (X.translation - state_.X_BS.translation).norm();
-  if (value > options_.fastest * elapsed_) return SafetyEvent::pose_jump;
+  if (value > options_.max_speed * elapsed_) return SafetyEvent::pose_jump;
   value = vector_from_rotation(X.rotation * state_.X_BS.rotation.transpose()).norm();
   if (value > options_.max_angular_speed * elapsed_) return SafetyEvent::pose_rotation_jump;
   return {};
@@ -51,12 +51,12 @@ bool PoseGate::is_frozen(const DeviceState& reading, double dt) noexcept {
     contradicted_ = 0;
     return false;
   }
-  const bool turned =
+  const bool rotated =
       vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_rotation;
   const bool moves = reading.velocity.linear.norm() > options_.frozen_speed;
-  if (turned || moves) return (contradicted_ += dt) >= options_.frozen - kSumRounding;
+  if (rotated || moves) return (contradicted_ += dt) >= options_.frozen - kSumRounding;
   contradicted_ = 0;
-  if ((*resting_ += dt) >= kRest - kSumRounding) {  // a turn must happen soon after the last look to count
+  if ((*resting_ += dt) >= kRest - kSumRounding) {  // a slower rotation does not count
     X_BS_still_ = reading.X_BS;
     resting_ = 0;
   }
@@ -76,13 +76,13 @@ PoseGate::Verdict PoseGate::check(const DeviceState& reading, double dt, SafetyL
   else
     bad = objection(reading, value);
 
-  // What the driver says about itself is taken over in any case.
+  // The driver's own state is copied in any case.
   state_.time = reading.time;
   state_.fault = reading.fault;
   state_.temperature = reading.temperature;
   if (bad) {
     log.report(*bad, value);
-    // A jump does not become believable by waiting; a reading that is missing does give the hand time to move.
+    // A jump does not become plausible by waiting. A missing reading does give the hand time to move.
     if (*bad == SafetyEvent::pose_jump || *bad == SafetyEvent::pose_rotation_jump) elapsed_ -= dt;
     state_.velocity = {};
     const bool lost = !started_ || (bad_ += dt) > options_.hold + kSumRounding;

@@ -65,11 +65,11 @@ std::vector<SafetyLogEntry> SafetyLog::drain() {
   ring_->entries.consume_all([&](const Dated& entry) { all.push_back(entry); });
   all.insert(all.end(), noted_.begin(), noted_.end());
   noted_.clear();
-  // Not by the device's own numbers, which stand still with a stale reading and begin anew with a new connection.
+  // Not by the device's sequence numbers: a stale reading repeats them, and a new connection restarts them.
   std::stable_sort(all.begin(), all.end(), [](const Dated& a, const Dated& b) { return a.tick < b.tick; });
   std::vector<SafetyLogEntry> entries;
   entries.reserve(all.size());
-  for (const Dated& one : all) entries.push_back(one.entry);
+  for (const Dated& dated : all) entries.push_back(dated.entry);
   return entries;
 }
 

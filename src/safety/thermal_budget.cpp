@@ -9,8 +9,8 @@
 namespace hapticut {
 namespace {
 
-// [1] of the peak, where the device does not say what it bears for ever but does say that it is warm.
-constexpr double kCarefulShare = 0.25;
+// [1] of the peak force, for a device that reports warm motors but no continuous force.
+constexpr double kCarefulFraction = 0.25;
 
 }  // namespace
 
@@ -24,8 +24,8 @@ ThermalBudget::ThermalBudget(double peak, double continuous, const ThermalOption
 }
 
 void ThermalBudget::tick(double force, double temperature, double dt) noexcept {
-  const double share = continuous_ > 0 ? force / continuous_ : 0;
-  heat_ += (share * share - heat_) * -std::expm1(-dt / options_.time_constant);
+  const double load = continuous_ > 0 ? force / continuous_ : 0;
+  heat_ += (load * load - heat_) * -std::expm1(-dt / options_.time_constant);
   const bool measured = temperature > 0;
   if (measured ? temperature > options_.hot : heat_ > options_.warm) {
     if (!limiting_) limit_ = std::min(limit_, std::max(force, continuous_));
@@ -33,7 +33,7 @@ void ThermalBudget::tick(double force, double temperature, double dt) noexcept {
   } else if (measured ? temperature < options_.cold : heat_ < options_.cool) {
     limiting_ = false;
   }
-  const double floor = continuous_ > 0 ? continuous_ : kCarefulShare * peak_;
+  const double floor = continuous_ > 0 ? continuous_ : kCarefulFraction * peak_;
   const double change = options_.rate * dt;
   limit_ = limiting_ ? std::max(floor, limit_ * (1 - change)) : std::min(peak_, limit_ * (1 + change));
 }

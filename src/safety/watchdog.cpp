@@ -13,8 +13,8 @@
 namespace hapticut {
 namespace {
 
-constexpr double kBeatRounding = 1e-9;                // [s] of a sum of periods
-constexpr auto kLook = std::chrono::milliseconds(1);  // between two looks at the heart, whatever its rate
+constexpr double kBeatRounding = 1e-9;                 // [s] rounding error of a sum of periods
+constexpr auto kCheck = std::chrono::milliseconds(1);  // between two checks of the heartbeat, at any rate
 
 }  // namespace
 
@@ -52,9 +52,9 @@ WatchdogThread::WatchdogThread(const Watchdog& watchdog, const std::atomic<std::
     Clock::time_point beat = Clock::now();
     bool silent = false;
     std::unique_lock lock(state->mutex);
-    while (!state->wake.wait_for(lock, kLook, [&] { return state->stop; })) {
+    while (!state->wake.wait_for(lock, kCheck, [&] { return state->stop; })) {
       const std::uint64_t now = heartbeat.load(std::memory_order_acquire);
-      if (now != last || now == 0) {  // 0: the first tick has not come yet, or the last one was
+      if (now != last || now == 0) {  // 0: before the first tick or after the last
         last = now;
         beat = Clock::now();
         if (std::exchange(silent, false)) act(Watchdog::Verdict::alive, 1);

@@ -15,26 +15,26 @@
 #include "hapticut/view/view_server.hpp"
 
 /// @file
-/// What lies between the threads of the program and that of the server: of everything the newest, and of nothing more
-/// than is bounded.
+/// The mailbox between the threads of the program and the thread of the server. It keeps the newest value of each kind,
+/// and its queues are bounded.
 namespace hapticut::view {
 
 using SharedMessage = std::shared_ptr<const Message>;
 
-/// One of what is kept for a second: sound, curves, notices.
-struct Piece {
+/// A message that is kept for a limited time: sound, curves, notices.
+struct TimedMessage {
   std::uint64_t number;
   double seconds;
   SharedMessage message;
 };
 
-/// The newest of its kind, and its number among all that there were; null where there is none.
+/// The newest message of its kind and its number, counted over all messages of that kind; null if there is none.
 struct Newest {
   std::uint64_t number = 0;
   SharedMessage message;
 };
 
-/// Of these the newest is sent, once to each connection.
+/// Kinds of messages of which each connection receives only the newest, once.
 enum class Slot : std::uint8_t { tool, controls, snapshot, instruments, count };
 inline constexpr std::size_t kSlots = std::size_t(Slot::count);
 
@@ -42,12 +42,12 @@ class Mailbox {
  public:
   Mailbox(Scene scene, std::size_t commands) : scene_(std::move(scene)), max_commands_(commands) {}
 
-  // --- from the program; each returns whether the server must be woken ----------------------------------------------
+  // --- for the program; each function returns whether the server must be woken --------------------------------------
   bool put(const SurfacePage& page) {
     auto message = std::make_shared<const Message>(encode(page));
     const std::lock_guard lock(mutex_);
     pages_[page.origin] = {++page_, std::move(message)};
-    if (is_new_.insert_or_assign(page.origin, true).second) news_.push_back(page.origin);
+    if (is_changed_.insert_or_assign(page.origin, true).second) changed_.push_back(page.origin);
     return !std::exchange(woken_, true);
   }
   bool put(Slot slot, Message&& message) {
@@ -58,24 +58,24 @@ class Mailbox {
     ++newest.number;
     return !std::exchange(woken_, true);
   }
-  /// @param seconds  for which it is a part of what is kept
-  bool put_piece(Message&& message, double seconds) {
+  /// @param seconds  [s] that the message covers, of kKept in total
+  bool put_timed(Message&& message, double seconds) {
     auto shared = std::make_shared<const Message>(std::move(message));
     const std::lock_guard lock(mutex_);
-    pieces_.push_back({++piece_, seconds, std::move(shared)});
-    waiting_ += seconds;
-    for (; waiting_ > kKept && pieces_.size() > 1; pieces_.pop_front()) waiting_ -= pieces_.front().seconds;
+    timed_.push_back({++last_timed_, seconds, std::move(shared)});
+    kept_ += seconds;
+    for (; kept_ > kKept && timed_.size() > 1; timed_.pop_front()) kept_ -= timed_.front().seconds;
     return !std::exchange(woken_, true);
   }
   bool put(Scene scene) {
     const std::lock_guard lock(mutex_);
     scene_ = std::move(scene);
     ++scenes_;
-    pages_.clear(), news_.clear(), is_new_.clear();
+    pages_.clear(), changed_.clear(), is_changed_.clear();
     for (Newest& newest : slots_) newest.message.reset();
     return !std::exchange(woken_, true);
   }
-  std::optional<ViewCommand> take_command() {
+  std::optional<ViewCommand> pop_command() {
     const std::lock_guard lock(mutex_);
     if (commands_.empty()) return std::nullopt;
     std::optional<ViewCommand> command(std::move(commands_.front()));
@@ -83,13 +83,13 @@ class Mailbox {
     return command;
   }
 
-  // --- from the server ----------------------------------------------------------------------------------------------
-  /// Pages that are new since the last call.
-  std::vector<VoxelIndex> take_news() {
+  // --- for the server -----------------------------------------------------------------------------------------------
+  /// Removes and returns the origins of the pages that have changed since the last call.
+  std::vector<VoxelIndex> drain_changed() {
     const std::lock_guard lock(mutex_);
     woken_ = false;
-    is_new_.clear();
-    return std::exchange(news_, {});
+    is_changed_.clear();
+    return std::exchange(changed_, {});
   }
   std::vector<VoxelIndex> all_pages() {
     const std::lock_guard lock(mutex_);
@@ -114,45 +114,45 @@ class Mailbox {
     const std::lock_guard lock(mutex_);
     return scenes_;
   }
-  std::uint64_t last_piece() {
+  std::uint64_t last_timed() {
     const std::lock_guard lock(mutex_);
-    return piece_;
+    return last_timed_;
   }
-  /// The oldest piece that is younger than a number.
-  std::optional<Piece> piece_after(std::uint64_t number) {
+  /// The oldest timed message after a number.
+  std::optional<TimedMessage> timed_after(std::uint64_t number) {
     const std::lock_guard lock(mutex_);
-    for (const Piece& piece : pieces_)
-      if (piece.number > number) return piece;
+    for (const TimedMessage& timed : timed_)
+      if (timed.number > number) return timed;
     return std::nullopt;
   }
   void put_command(ViewCommand command) {
     const std::lock_guard lock(mutex_);
     if (!commands_.empty() && std::holds_alternative<MoveHand>(command) &&
         std::holds_alternative<MoveHand>(commands_.back())) {
-      commands_.back() = std::move(command);  // where the hand was meanwhile is no matter
+      commands_.back() = std::move(command);  // intermediate poses do not matter
       return;
     }
     commands_.push_back(std::move(command));
     if (commands_.size() <= max_commands_) return;
-    const auto may_go = [](const ViewCommand& one) {
+    const auto may_drop = [](const ViewCommand& one) {
       return !std::holds_alternative<Stop>(one) && !std::holds_alternative<WriterLeft>(one);
     };
-    const auto oldest = std::find_if(commands_.begin(), commands_.end(), may_go);
+    const auto oldest = std::find_if(commands_.begin(), commands_.end(), may_drop);
     commands_.erase(oldest == commands_.end() ? commands_.begin() : oldest);
   }
 
  private:
-  static constexpr double kKept = 2;  // [s] of pieces: sound and curves are one second each
+  static constexpr double kKept = 2;  // [s] of timed messages: one second each of sound and curves
 
   std::mutex mutex_;
   Scene scene_;
-  std::uint64_t scenes_ = 1, piece_ = 0, page_ = 0;
+  std::uint64_t scenes_ = 1, last_timed_ = 0, page_ = 0;
   std::map<VoxelIndex, Newest> pages_;
-  std::map<VoxelIndex, bool> is_new_;
-  std::vector<VoxelIndex> news_;  // in the order in which they came
+  std::map<VoxelIndex, bool> is_changed_;
+  std::vector<VoxelIndex> changed_;  // in the order of arrival
   std::array<Newest, kSlots> slots_;
-  std::deque<Piece> pieces_;
-  double waiting_ = 0;  // [s]
+  std::deque<TimedMessage> timed_;
+  double kept_ = 0;  // [s]
   std::size_t max_commands_;
   std::deque<ViewCommand> commands_;
   bool woken_ = false;

@@ -14,13 +14,13 @@
 
 namespace hapticut::view {
 
-/// A file of the page, as it was when the server started.
+/// A file of the page, as read at the start of the server.
 struct PageFile {
   static constexpr const char* kData = "application/octet-stream";
   const char* type = kData;
   std::string content;
 
-  /// Whether it is what the page shows rather than a part of the page.
+  /// Whether it is data that the page shows, rather than a part of the page.
   [[nodiscard]] bool is_data() const { return type == kData; }
 };
 
@@ -40,9 +40,9 @@ inline const char* type_of_file(const std::filesystem::path& path) {
   return PageFile::kData;
 }
 
-/// All files of a folder by the path that a browser asks for. Nothing else is ever served, so that no request can lead
-/// out of it; links are not followed.
-/// @throws Error when it has no index.html, cannot be read, or is larger than a page can be
+/// Reads all files of a folder, by the path of a request. The server serves only these files, so no request can leave
+/// the folder. Links are not followed.
+/// @throws Error when the folder has no index.html, cannot be read, or is larger than kMaxPageBytes
 inline std::map<std::string, PageFile, std::less<>> read_page_files(const std::filesystem::path& folder) {
   std::map<std::string, PageFile, std::less<>> files;
   if (folder.empty()) return files;
@@ -52,19 +52,19 @@ inline std::map<std::string, PageFile, std::less<>> read_page_files(const std::f
   std::error_code error;
   std::uintmax_t bytes = 0;
   std::filesystem::recursive_directory_iterator entry(folder, error), end;
-  if (error) refuse(error.message() + ". Give the folder that the page was built into.");
+  if (error) refuse(error.message() + ". Give the folder of the built page.");
   for (; entry != end; entry.increment(error)) {
     if (error) refuse(error.message() + ".");
     if (entry->is_symlink() || !entry->is_regular_file()) continue;
     bytes += entry->file_size();
-    if (bytes > kMaxPageBytes) refuse("it has more than 64 MB. Give the folder of the page alone.");
+    if (bytes > kMaxPageBytes) refuse("it has more than 64 MB. Give a folder that has only the page.");
     std::ifstream stream(entry->path(), std::ios::binary);
     PageFile file{type_of_file(entry->path()), std::string(std::istreambuf_iterator<char>(stream), {})};
     if (!stream) refuse("'" + entry->path().string() + "' cannot be read.");
     files["/" + std::filesystem::relative(entry->path(), folder).generic_string()] = std::move(file);
   }
   const auto index = files.find("/index.html");
-  if (index == files.end()) refuse("it has no index.html. Build the page, or give the folder that it was built into.");
+  if (index == files.end()) refuse("it has no index.html. Build the page, or give the folder of the built page.");
   files["/"] = index->second;
   return files;
 }

@@ -9,7 +9,7 @@
 namespace hapticut::view {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they are stored");
 
 constexpr double kRotationTolerance = 1e-3;  // of a matrix in single precision
 
@@ -32,19 +32,19 @@ class Writer {
     message_.insert(message_.end(), first, first + count);
     return *this;
   }
-  /// With its length before it, of 16 bits.
+  /// Adds a text after its length of 16 bits.
   Writer& add_text(std::string_view text) {
     const auto length = std::uint16_t(std::min<std::size_t>(text.size(), 65535));
     return add(length).add_bytes(text.data(), length);
   }
   void reserve(std::size_t bytes) { message_.reserve(bytes); }
-  [[nodiscard]] Message take() { return std::move(message_); }
+  [[nodiscard]] Message finish() { return std::move(message_); }
 
  private:
   Message message_;
 };
 
-/// Value, name and sentence of each that has one.
+/// Adds value, name and sentence of each enumerator that has a sentence.
 template <NamedEnum E>
 void add_sentences(Writer& message) {
   const auto all = names_of(Of<E>{});
@@ -58,9 +58,9 @@ class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// 0 where the message has ended, which `is_complete` then denies.
+  /// Reads a number. After the end of the message it is 0, and `is_complete` is false.
   template <class Number>
-  Number take() {
+  Number read() {
     Number number = 0;
     if (bytes_.size() - at_ < sizeof number) {
       failed_ = true;
@@ -73,32 +73,32 @@ class Reader {
   // Fields of commands, by their type.
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  void take(Number& number, const Range& range) {
-    number = take<Number>();
+  void read(Number& number, const Range& range) {
+    number = read<Number>();
     refuse_if(!range.contains(number));
   }
-  void take(AngularSpeed& speed, const Range& range) {
+  void read(AngularSpeed& speed, const Range& range) {
     double rad_per_s = 0;
-    take(rad_per_s, range);
+    read(rad_per_s, range);
     speed = rad_per_s * units::rad_per_s;
   }
-  void take(bool& on, const Range& /*range*/) {
-    const auto byte = take<std::uint8_t>();
+  void read(bool& on, const Range& /*range*/) {
+    const auto byte = read<std::uint8_t>();
     refuse_if(byte > 1);
     on = byte == 1;
   }
-  void take(Vec3& vector, const Range& range) {
-    for (double& number : vector) take(number, range);
+  void read(Vec3& vector, const Range& range) {
+    for (double& number : vector) read(number, range);
   }
-  void take(Pose& pose, const Range& /*range*/) {
+  void read(Pose& pose, const Range& /*range*/) {
     for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column) take(pose.rotation(row, column), Range::any());
-    take(pose.translation, kPlaces);
+      for (int column = 0; column < 3; ++column) read(pose.rotation(row, column), Range::any());
+    read(pose.translation, kPlaces);
     const Mat3 excess = pose.rotation * pose.rotation.transpose() - Mat3::Identity();
     refuse_if(!(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0));
   }
-  /// All that is left.
-  void take(std::string& text, const Range& /*range*/) {
+  /// Reads the rest of the message.
+  void read(std::string& text, const Range& /*range*/) {
     const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
     at_ = bytes_.size();
     const auto is_control = [](std::uint8_t byte) { return byte < 0x20 || byte == 0x7f; };
@@ -106,8 +106,8 @@ class Reader {
     text.assign(rest.begin(), rest.end());
   }
   template <Described Command>
-  void take(Command& command) {
-    for_each_field<Command>([&](const auto& field) { take(command.*field.member, field.range); });
+  void read(Command& command) {
+    for_each_field<Command>([&](const auto& field) { read(command.*field.member, field.range); });
   }
   void refuse_if(bool wrong) { failed_ = failed_ || wrong; }
 
@@ -132,7 +132,7 @@ Message encode_hello(const Scene& scene, bool writer) {
   }
   add_sentences<ArmingState>(message);
   add_sentences<StepStatus>(message);
-  return message.take();
+  return message.finish();
 }
 
 Message encode(const SurfacePage& page) {
@@ -142,7 +142,7 @@ Message encode(const SurfacePage& page) {
   message.add(page.version).add(std::uint32_t(page.vertices.size())).add(std::uint32_t(page.indices.size()));
   message.add_bytes(page.vertices.data(), sizeof(SurfaceVertex) * page.vertices.size());
   message.add_bytes(page.indices.data(), 2 * page.indices.size());
-  return message.take();
+  return message.finish();
 }
 
 Message encode(const LoopSnapshot& snapshot) {
@@ -154,7 +154,7 @@ Message encode(const LoopSnapshot& snapshot) {
   message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.seen));
   message.add(std::uint32_t(tool.undo_marks)).add(std::uint32_t(tool.redo_marks)).add(flags);
   message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting)).add(tool.contact_point_W);
-  return message.take();
+  return message.finish();
 }
 
 Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate) {
@@ -163,7 +163,7 @@ Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate) 
   message.add(sample_rate).add(std::uint32_t(samples.size()));
   for (const float sample : samples)
     message.add(std::int16_t(std::lround(32767.0F * std::clamp(std::isfinite(sample) ? sample : 0.0F, -1.0F, 1.0F))));
-  return message.take();
+  return message.finish();
 }
 
 Message encode(const Tool& tool) {
@@ -176,7 +176,7 @@ Message encode(const Tool& tool) {
   message.add(profile.tip).add(std::uint32_t(profile.edges.size()));
   for (const ProfileEdge& edge : profile.edges)
     message.add(edge.rho).add(edge.z).add(edge.radius).add(std::uint32_t(edge.kind == EdgeKind::cutting ? 1 : 0));
-  return message.take();
+  return message.finish();
 }
 
 Message encode(std::span<const Control> controls) {
@@ -187,7 +187,7 @@ Message encode(std::span<const Control> controls) {
     message.add(control.value).add(control.min).add(control.max);
     message.add_text(control.panel).add_text(control.label).add_text(control.unit).add_text(control.choices);
   }
-  return message.take();
+  return message.finish();
 }
 
 Message encode(const Instruments& instruments) {
@@ -197,7 +197,7 @@ Message encode(const Instruments& instruments) {
   for (const std::uint32_t ticks : instruments.latency) message.add(ticks);
   message.add(std::uint32_t(instruments.removed.size()));
   for (const double volume : instruments.removed) message.add(volume);
-  return message.take();
+  return message.finish();
 }
 
 Message encode_notice(Severity severity, std::string_view text) {
@@ -205,25 +205,25 @@ Message encode_notice(Severity severity, std::string_view text) {
   return message.add(std::uint32_t(severity))
       .add(std::uint32_t(text.size()))
       .add_bytes(text.data(), text.size())
-      .take();
+      .finish();
 }
 
 Message encode_trace(std::uint64_t first, std::span<const TraceSample> samples) {
   static_assert(sizeof(TraceSample) == 24);
   Writer message(MessageKind::trace);
   message.add(first).add(std::uint32_t(samples.size())).add_bytes(samples.data(), samples.size_bytes());
-  return message.take();
+  return message.finish();
 }
 
 std::optional<ViewCommand> decode_command(std::span<const std::uint8_t> message) {
   Reader reader(message);
-  const auto kind = reader.take<std::uint8_t>();
-  reader.refuse_if(reader.take<std::uint8_t>() != kProtocolVersion);
-  reader.refuse_if(reader.take<std::uint16_t>() != 0);
+  const auto kind = reader.read<std::uint8_t>();
+  reader.refuse_if(reader.read<std::uint8_t>() != kProtocolVersion);
+  reader.refuse_if(reader.read<std::uint16_t>() != 0);
   ViewCommand command;
   const bool found = find_alternative<ViewCommand>([&]<class Command>(std::size_t n, Of<Command>) {
     if (n != kind) return false;
-    if constexpr (Described<Command>) reader.take(command.emplace<Command>());
+    if constexpr (Described<Command>) reader.read(command.emplace<Command>());
     return Described<Command>;
   });
   return found && reader.is_complete() ? std::optional(std::move(command)) : std::nullopt;

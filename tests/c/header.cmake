@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The header of the C interface in the languages of its users: cmake -DINCLUDE=... -DWORK=... -DCC=... -DCXX=... -P header.cmake
+# Compiles the header of the C interface as C and C++: cmake -DINCLUDE=... -DWORK=... -DCC=... -DCXX=... -P header.cmake
 file(MAKE_DIRECTORY "${WORK}")
 set(twice "#include <hapticut/c/hapticut.h>\n#include <hapticut/c/hapticut.h>\n")
 file(WRITE "${WORK}/use.c" "${twice}unsigned f(void);\n"
@@ -15,7 +15,7 @@ set(done 0)
 compile("${CC}" -std=c99 "${WORK}/use.c")
 compile("${CC}" -std=c17 "${WORK}/use.c")
 compile("${CXX}" -std=c++17 -fno-exceptions -fno-rtti "${WORK}/use.cpp")
-# As Unreal compiles it.
+# As Unreal compiles the header.
 find_program(clang NAMES clang++)
 if(clang)
   compile("${clang}" -std=c++17 -fno-exceptions -fno-rtti "${WORK}/use.cpp")
@@ -27,7 +27,7 @@ if(clang)
   if(no_libcxx EQUAL 0)
     compile("${clang}" -std=c++17 -stdlib=libc++ -fno-exceptions -fno-rtti "${WORK}/with_libcxx.cpp")
   else()
-    message("without libc++, which is not here: apt-get install libc++-dev libc++abi-dev")
+    message("without libc++, which is missing: apt-get install libc++-dev libc++abi-dev")
   endif()
 endif()
 message("compiled ${done} times")

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the library of the C interface shows and what it needs.
+"""Checks the exported symbols and the dependencies of the library of the C interface.
 
-    library.py symbols LIBRARY HEADER   its symbols are the functions of the header, and nothing else
-    library.py needs LIBRARY            of other libraries it needs only those that docs/embedding.md names
+    library.py symbols LIBRARY HEADER   its symbols are exactly the functions of the header
+    library.py needs LIBRARY            it needs only libraries that docs/embedding.md names
 """
 import re
 import subprocess

@@ -135,7 +135,7 @@ TEST_P(DeviceContract, CallsTheFunctionOnceATickInOneThreadAndNeverTwiceAtOnce) 
   EXPECT_EQ(report.compute.count(), 300U);
   EXPECT_EQ(report.missed, 0U);
   EXPECT_EQ(report.fault, DeviceFault::none);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_EQ(report.end, "the callback ended it");
 }
 

@@ -67,7 +67,7 @@ TEST_P(FixedDeviceForceContract, IsRenderedInTheTickOfItsCommand) {
   const bool has_torque = device->capabilities().output_degrees_of_freedom == 6;
   const Wrench asked{Vec3(0.5, -0.25, 0.125), has_torque ? Vec3(0.010, 0.005, -0.020) : Vec3::Zero()};
   const RunReport report = run(*device, pressing(200, nullptr, asked));
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   for (long n = 60; n < 199; ++n) {
     ASSERT_LT((force(n) - asked.force).norm(), 1e-12) << n;
     ASSERT_LT((held.at(std::size_t(n) + 1).torque - asked.torque).norm(), 1e-12) << n;
@@ -113,7 +113,7 @@ TEST_P(DeviceForceContract, IsZeroForAWrenchThatIsNotFiniteAndReturns) {
   }
   EXPECT_TRUE((no_force(200, 200) && no_force(250, 250)) || !traits().follows);  // a hand that moves may be damped
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::force_not_finite)], 2U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_EQ(force(300).norm() > 0.1, traits().has_motors);
 }
 
@@ -122,7 +122,7 @@ TEST_P(DeviceForceContract, StaysZeroAfterThreeWrenchesInARowThatAreNotFinite) {
   const RunReport report = run(*device, pressing(400, [&](long n, DeviceCommand& command) {
     if (n >= 200 && n < 203) command.wrench.force = Vec3::Constant(kNan);
   }));
-  EXPECT_EQ(report.guard, ArmingState::fault);
+  EXPECT_EQ(report.arming, ArmingState::fault);
   EXPECT_TRUE(no_force(202, 398));
   expect_no_force_now();
 }
@@ -131,7 +131,7 @@ TEST_P(DeviceForceContract, StaysZeroAfterThreeWrenchesInARowThatAreNotFinite) {
 TEST_P(DeviceForceContract, IsZeroWhileTheToolWasNeverFree) {
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(300, [](long, DeviceCommand& command) { command.wrench = kPush; }));
-  EXPECT_EQ(report.guard, ArmingState::wait_free);
+  EXPECT_EQ(report.arming, ArmingState::wait_free);
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::start_inside)], 1U);
   expect_no_force_since(0);
 }
@@ -157,7 +157,7 @@ TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
         options);
     EXPECT_EQ(report.ticks, by_time ? 201U : 200U);
     EXPECT_EQ(report.end, by_time ? "its time was up" : by_stop ? "stopped" : "the callback ended it");
-    EXPECT_EQ(report.guard, ArmingState::on);
+    EXPECT_EQ(report.arming, ArmingState::on);
     EXPECT_TRUE(no_force(0, 10)) << "in every run anew";
     double grown = 0;
     for (long n = 15; n < 65; ++n) grown = std::max(grown, force(n).norm() - force(n - 1).norm());
@@ -167,7 +167,7 @@ TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
     long last = tested.commands() - 1;
     while (last > before && tested.command(last - 1).force.isZero(0)) --last;
     ASSERT_GT(last, before + 20);
-    const auto ticks = int(std::lround(Servo::kFarewell / GuardOptions{}.period));
+    const auto ticks = int(std::lround(Servo::kFadeOut / GuardOptions{}.period));
     const double full = tested.command(last - ticks).force.x();
     EXPECT_GT(full, 0.5);
     for (int n = 0; n < ticks; ++n) EXPECT_NEAR(tested.command(last - n).force.x(), full * n / ticks, 1e-9) << n;
@@ -198,8 +198,8 @@ TEST_P(DeviceForceContract, IsZeroInTheTickThatThrowsAndTheExceptionIsPassedOn) 
   EXPECT_EQ(device->arming(), ArmingState::off);
   EXPECT_EQ(device->count(SafetyEvent::exception), 1U);
   tested.expect_left_in_order();
-  EXPECT_THROW(run(*device, [](const DeviceState&) -> DeviceCommand { throw 7; }), int) << "any exception";
-  EXPECT_EQ(run(*device, pressing(150)).guard, ArmingState::on) << "and it runs again";
+  EXPECT_THROW(run(*device, [](const DeviceState&) -> DeviceCommand { throw 7; }), int) << "whatever it is";
+  EXPECT_EQ(run(*device, pressing(150)).arming, ArmingState::on) << "and it runs again";
   EXPECT_EQ(force(140).norm() > 0.1, traits().has_motors);
 }
 
@@ -214,7 +214,7 @@ TEST_P(DeviceForceContract, IsZeroInAnEmergencyUntilItIsResetAndTheToolIsFree) {
   EXPECT_TRUE(no_force(200, 403)) << "it presses until the 400th tick";
   EXPECT_EQ(force(600).norm() > 0.1, traits().has_motors);
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::fault)], 1U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
 }
 
 TEST_P(DeviceForceContract, IsZeroAtOnceWhenAnEmergencyEndsTheRun) {
@@ -231,10 +231,10 @@ TEST_P(DeviceForceContract, IsZeroAtOnceWhenAnEmergencyEndsTheRun) {
 TEST_P(DeviceForceContract, IsZeroInARunAfterAnEmergencyWithoutReset) {
   const auto device = tested.open();
   device->emergency_stop();
-  for (int n = 0; n < 2; ++n) EXPECT_EQ(run(*device, pressing(200)).guard, ArmingState::fault);
+  for (int n = 0; n < 2; ++n) EXPECT_EQ(run(*device, pressing(200)).arming, ArmingState::fault);
   expect_no_force_since(0);
   device->reset_fault();
-  EXPECT_EQ(run(*device, pressing(200)).guard, ArmingState::on);
+  EXPECT_EQ(run(*device, pressing(200)).arming, ArmingState::on);
   EXPECT_EQ(force(190).norm() > 0.1, traits().has_motors);
 }
 
@@ -255,7 +255,7 @@ TEST_P(FollowingDeviceForceContract, StaysZeroWhenThePoseStaysNotFinite) {
   tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, tick >= 200, false}; };
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(500));
-  EXPECT_EQ(report.guard, ArmingState::fault);
+  EXPECT_EQ(report.arming, ArmingState::fault);
   EXPECT_GE(report.events[std::size_t(SafetyEvent::pose_not_finite)], 1U);
   EXPECT_EQ(force(199).norm() > 0.1, traits().has_motors);
   EXPECT_TRUE(no_force(225, 498)) << "the last good pose replaces the reading for 20 ticks";

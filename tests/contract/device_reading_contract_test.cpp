@@ -125,7 +125,7 @@ TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNotFin
     return DeviceCommand{{}, ++n >= 300};
   });
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::pose_not_finite)], 5U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, ReadingContract, testing::ValuesIn(devices_under_test()), kNameOfDevice);

@@ -48,7 +48,7 @@ Leaving press_spring(const DeviceModel& model, double period) {
     const DeviceState& admitted = guard.admit(reading);
     const double force = std::max(0.0, -model.rendered_stiffness * admitted.X_BS.translation.z());
     const Wrench given = guard.limit({Vec3(0, 0, force), Vec3::Zero()});
-    guard.applied(given);
+    guard.report_applied(given);
     if (!leaves) continue;
     seen.pulled = std::max(seen.pulled, -given.force.z());
     if (p.z() > 5 * mm) seen.left = std::max(seen.left, given.force.norm());

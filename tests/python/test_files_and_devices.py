@@ -208,7 +208,7 @@ def test_models_maps_and_the_guard():
     assert np.allclose(mapped.to_world(X)[0, 3], 2e-3) and mapped.engaged and mapped.scale == 2.0
     assert np.allclose(mapped.to_world(X, np.array([1.0, 0, 0, 0, 0, 0])), [2, 0, 0, 0, 0, 0])
     assert mapped.to_device(X, h.Wrench([1, 0, 0], [0, 0, 0])).force[0] == 1 and mapped.felt_stiffness(10.0) == 20.0
-    mapped.release(X)
+    mapped.disengage(X)
     assert not mapped.engaged
     mapped.engage(X)
     assert mapped.set_scale(3.0, X) and not mapped.set_scale(-1.0, X)
@@ -222,7 +222,7 @@ def test_models_maps_and_the_guard():
         applied = guard.limit(h.Wrench())
     assert admitted.valid and not applied.force.any()
     assert guard.state in (h.safety.ArmingState.ramp, h.safety.ArmingState.on)
-    guard.applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
+    guard.report_applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
     guard.requests.interrupt(h.safety.SafetyEvent.reclutched)
     assert guard.count(h.safety.SafetyEvent.armed) >= 1 and guard.drain_log()
     assert guard.slew > 0 and guard.max_force > 0
@@ -266,7 +266,7 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     plant = h.device.Plant(h.device.device_model("touch"), h.device.hand_model("released"))
     plant.reset(np.eye(4)), plant.set_target(np.eye(4)), plant.set_velocity([0.1, 0, 0])
     assert plant.kinetic_energy > 0 and np.allclose(plant.target, np.eye(4))
-    plant.advance(h.Wrench()), plant.creep(h.Wrench())
+    plant.advance(h.Wrench()), plant.advance_fine(h.Wrench())
     assert plant.pose[0, 3] > 0 and np.allclose(plant.measured_pose, plant.pose) and plant.velocity.shape == (6,)
     assert plant.device.name == "touch" and plant.hand.name == "released" and plant.options.period == 1e-3
     loop = h.analysis.ClosedLoop(h.analysis.ClosedLoopConfig(device=plant.device, hand=plant.hand))

@@ -85,7 +85,7 @@ class NudgedPlant {
     RunOptions options = quick();
     options.guard.passivity.enabled = false;
     options.guard.ramp_damping = 0;
-    options.guard.gate.fastest = 100;
+    options.guard.gate.max_speed = 100;
     return options;
   }
 

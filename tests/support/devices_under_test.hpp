@@ -208,8 +208,8 @@ struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
     });
   }
   [[nodiscard]] long commands() const override { return dhdsim_committed_count(0); }
-  [[nodiscard]] Wrench command(long n) const override { return let_through(0, n); }
-  [[nodiscard]] Wrench held() const override { return let_through(0); }
+  [[nodiscard]] Wrench command(long n) const override { return rendered_wrench(0, n); }
+  [[nodiscard]] Wrench held() const override { return rendered_wrench(0); }
   void expect_left_in_order() const override {
     const dhdsim_counters c = dhdsim_get_counters(0);
     EXPECT_EQ(c.expert_mode + c.expert_mode_violations + c.calls_after_close, 0);

@@ -24,20 +24,20 @@ test("the second page looks on, and leads when the first has gone", async () => 
   const first = await open(program.url);
   await isReady(first);
   const second = await open(program.url);
-  await until(second, () => document.getElementById("role").textContent === "looks on");
+  await until(second, () => document.getElementById("role").textContent === "watching");
   await until(second, () => hapticut.workpiece.triangles > 1000);
   await until(second, () => document.querySelector('details[data-panel="tool"] fieldset')?.disabled === true);
   await second.keyboard.press("Escape"); // who looks on is not thrown out, for the page does not send it
   await first.evaluate(() => hapticut.panels.set("Volume", 0.25));
   await until(second, () => hapticut.panels.control("Volume").value === 0.25);
-  assert.equal(await second.locator("#role").textContent(), "looks on");
+  assert.equal(await second.locator("#role").textContent(), "watching");
   await first.context().close();
   await until(second, () => hapticut.snapshot.arming === 0); // off: nobody leads
   assert.deepEqual(await second.evaluate(() => hapticut.snapshot.force), [0, 0, 0]);
-  await until(second, () => /reload a page that looks on/.test(document.getElementById("cure").textContent));
+  await until(second, () => /reload this page if it only watches/.test(document.getElementById("cure").textContent));
   await second.reload();
   await isReady(second);
-  assert.equal(await second.locator("#role").textContent(), "leads");
+  assert.equal(await second.locator("#role").textContent(), "in control");
 });
 
 test("a page with a wrong token is told so in a sentence", async () => {

@@ -267,7 +267,7 @@ test("buttons, notices and units are inside of the page, also on a telephone", a
 
 test("a drag turns the view of who looks on, and there is nothing that only who leads can do", async () => {
   const second = await openPage(browser, program.url, kSize);
-  await until(second, () => document.getElementById("role").textContent === "looks on" && hapticut.workpiece.triangles > 1000);
+  await until(second, () => document.getElementById("role").textContent === "watching" && hapticut.workpiece.triangles > 1000);
   const from = await direction(second);
   await drag(second);
   assert.ok(await turned(second, from) > 0.1);

@@ -78,7 +78,7 @@ export async function until(page, condition, argument) {
   for (;;) {
     const [role, notice] = await page.evaluate(texts);
     if (await page.evaluate(condition, argument)) return;
-    const why = fallen || (role === "apart" && "the page is alone") || (Date.now() > kEnd && "its time is over");
+    const why = fallen || (role === "disconnected" && "the page is alone") || (Date.now() > kEnd && "its time is over");
     if (why) throw new Error(`${why}; never so: ${condition}, ${JSON.stringify(argument)}; the page says: ${notice}`);
     await page.waitForTimeout(50);
   }
@@ -103,7 +103,7 @@ export async function whole(page) {
 /** Waits until a page leads and has its scene. Where the page before is not yet gone for the program, it comes anew. */
 export async function isReady(page) {
   await until(page, () => hapticut.snapshot !== null);
-  if (await page.locator("#role").textContent() === "looks on") {
+  if (await page.locator("#role").textContent() === "watching") {
     await until(page, () => hapticut.snapshot?.arming === 0);
     await page.reload();
     return isReady(page);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eye: orbit, pan, zoom, and the named views of a dentist. It stays outside of what is drawn.
+// The eye: orbit, pan, zoom, and the named views of a dentist. It stays outside the drawn surface.
 import * as three from "three";
 
-/** What is drawn, in mm. */
+/** The drawn surface, in mm. */
 export interface Ground {
   hit(ray: three.Ray): { point: number[] } | null; // [m]
-  /** [mm] from a point to the surface, never more than it is. */
+  /** [mm] A lower bound of the distance from a point to the surface. */
   clearance(point: three.Vector3): number;
-  /** Whether the first that is met from a point along a direction is seen from behind. */
+  /** Whether the first surface along a direction is seen from behind. */
   isInside(point: three.Vector3, along: three.Vector3): boolean;
 }
 
-const kLeast = 0.5, kMost = 1500; // mm from the eye to what it turns about
+const kMinDistance = 0.5, kMaxDistance = 1500; // mm, from the eye to its target
 
 export const kViews: Record<string, [number, number, number]> = {
   "three-quarter": [0.7, -0.75, 0.75],
@@ -38,7 +38,7 @@ export class Eye {
     this.lookAlong(new three.Vector3(x, y, z));
   }
 
-  /** From a direction, towards the target. */
+  /** Looks from a direction towards the target. */
   lookAlong(direction: three.Vector3) {
     const d = direction.clone().normalize();
     this.elevation = Math.asin(Math.max(-1, Math.min(1, d.z)));
@@ -60,50 +60,50 @@ export class Eye {
     this.stayOutside();
   }
 
-  /** By shares of the height of the picture. */
+  /** Pans by fractions of the height of the picture. */
   pan(dx: number, dy: number) {
     const height = 2 * this.distance * Math.tan((this.camera.fov * Math.PI) / 360);
     this.target.addScaledVector(this.right, -dx * height).addScaledVector(this.up, dy * height);
     this.stayOutside();
   }
 
-  /** What is seen at a place of the picture, -1 ... 1, stays there; the eye stops before the surface. */
+  /** Zooms so that the point of the scene at (x, y), each -1 ... 1, stays there. The eye stops before the surface. */
   zoom(factor: number, x = 0, y = 0) {
     const ray = this.ray(x, y), hit = this.ground.hit(ray);
     const about = hit ? new three.Vector3(...hit.point).multiplyScalar(1e3)
       : ray.intersectPlane(new three.Plane().setFromNormalAndCoplanarPoint(this.back, this.target), new three.Vector3());
     if (!about) return;
-    let by = Math.max(kLeast / this.distance, Math.min(kMost / this.distance, factor));
-    if (by < 1) by = this.nearer(about, by);
+    let by = Math.max(kMinDistance / this.distance, Math.min(kMaxDistance / this.distance, factor));
+    if (by < 1) by = this.freeFraction(about, by);
     this.target.sub(about).multiplyScalar(by).add(about);
     this.distance *= by;
     if (by > 1) this.stayOutside();
     this.changed = true;
   }
 
-  /** How much of a way to a point is free, as what is left of it: in steps as long as nothing can be in their way. */
-  private nearer(about: three.Vector3, factor: number): number {
-    const at = this.position, way = about.clone().sub(at), whole = way.length();
-    way.normalize();
-    let left = whole;
-    for (let n = 0; n < 32 && left > factor * whole; ++n) {
-      const step = Math.min(left - factor * whole, this.ground.clearance(at) - this.room);
+  /** The remaining fraction of the distance to a point after moving towards it as far as the surface allows. */
+  private freeFraction(about: three.Vector3, factor: number): number {
+    const at = this.position, direction = about.clone().sub(at), total = direction.length();
+    direction.normalize();
+    let left = total;
+    for (let n = 0; n < 32 && left > factor * total; ++n) {
+      const step = Math.min(left - factor * total, this.ground.clearance(at) - this.room);
       if (step <= 1e-3) break;
-      at.addScaledVector(way, step);
+      at.addScaledVector(direction, step);
       left -= step;
     }
-    return left / whole;
+    return left / total;
   }
 
-  /** Goes back as far as it must. */
+  /** Moves back until the eye is outside. */
   private stayOutside() {
     const isBad = (at: three.Vector3) => this.ground.clearance(at) < this.room || this.ground.isInside(at, this.back);
-    for (let n = 0; n < 80 && this.distance < kMost && isBad(this.position); ++n) this.distance *= 1.05;
+    for (let n = 0; n < 80 && this.distance < kMaxDistance && isBad(this.position); ++n) this.distance *= 1.05;
     this.changed = true;
   }
 
   private get near(): number { return Math.max(0.2, this.distance / 60); }
-  /** Before the eye: the corners of the near plane are farther away than it is. */
+  /** The free distance that the eye needs: the corners of the near plane are farther away than the plane. */
   private get room(): number { return 2 * this.near; }
   private get position(): three.Vector3 { return this.target.clone().addScaledVector(this.back, this.distance); }
 
@@ -125,7 +125,7 @@ export class Eye {
     this.camera.updateMatrixWorld(true);
   }
 
-  /** A ray of the scene through a place of the picture, -1 ... 1. */
+  /** The ray of the scene through a point of the picture, each coordinate -1 ... 1. */
   ray(x: number, y: number, through: (camera: three.PerspectiveCamera) => three.PerspectiveCamera = (camera) => camera): three.Ray {
     this.update(this.camera.aspect);
     const caster = new three.Raycaster();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Force and torque of the last ten seconds, least and greatest of each column; how late the loop is.
+// Force and torque of the last ten seconds, as minimum and maximum of each column, and the lateness of the loop.
 import uPlot from "uplot";
 import type { Instruments } from "./protocol.ts";
 import { TraceRing } from "./trace.ts";
@@ -44,7 +44,7 @@ export class Curves {
 
   private plot(parent: HTMLElement, unit: string): uPlot {
     const style = getComputedStyle(parent), ink = () => style.color;
-    const largest = (low: number, high: number) => Math.max(Math.abs(low || 0), Math.abs(high || 0), 0.1);
+    const maxAbs = (low: number, high: number) => Math.max(Math.abs(low || 0), Math.abs(high || 0), 0.1);
     const axis = (size: number): uPlot.Axis => ({
       stroke: ink, size, space: 20, font: "11px system-ui", grid: { stroke: "#8884", width: 1 }, ticks: { show: false },
     });
@@ -52,7 +52,7 @@ export class Curves {
       width: 300, height: 112, legend: { show: false }, cursor: { show: false },
       scales: {
         x: { time: false, range: [-kSeconds, 0] },
-        y: { range: (_u, low, high) => [-1.08 * largest(low, high), 1.08 * largest(low, high)] },
+        y: { range: (_u, low, high) => [-1.08 * maxAbs(low, high), 1.08 * maxAbs(low, high)] },
       },
       axes: [{ ...axis(20), space: 50, values: (_u, ticks) => ticks.map((t) => `${t} s`) },
              { ...axis(46), splits: (_u, _n, low, high) => [low / 1.08, 0, high / 1.08],
@@ -70,26 +70,26 @@ export class Curves {
   }
 }
 
-/** [us] the time below which a share of the ticks was. */
-export function quantile(latency: Uint32Array, bucket: number, share: number): number {
+/** [us] The lateness below which a fraction of the ticks was. */
+export function quantile(latency: Uint32Array, bucket: number, fraction: number): number {
   const total = latency.reduce((sum, count) => sum + count, 0);
   let seen = 0;
   for (let n = 0; n < latency.length; ++n) {
     seen += latency[n];
-    if (seen >= share * total && seen > 0) return 1e6 * bucket * (n + 1);
+    if (seen >= fraction * total && seen > 0) return 1e6 * bucket * (n + 1);
   }
   return 0;
 }
 
-/** Bars on a logarithmic scale against the line of a millisecond. */
+/** Draws bars on a logarithmic scale, with a line at one millisecond. */
 export function drawLatency(canvas: HTMLCanvasElement, { latency, bucket }: Instruments) {
   const context = canvas.getContext("2d")!, { width, height } = canvas;
   const style = getComputedStyle(canvas);
   context.clearRect(0, 0, width, height);
-  const most = Math.max(...latency, 1), bar = width / latency.length;
+  const maxCount = Math.max(...latency, 1), bar = width / latency.length;
   context.fillStyle = style.getPropertyValue("--accent") || "#4c8dff";
   latency.forEach((count, n) => {
-    const tall = count > 0 ? Math.max(2, (height * Math.log1p(count)) / Math.log1p(most)) : 0;
+    const tall = count > 0 ? Math.max(2, (height * Math.log1p(count)) / Math.log1p(maxCount)) : 0;
     context.fillRect(n * bar, height - tall, Math.max(1, bar - 1), tall);
   });
   context.fillStyle = "#e5534b";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors and poses of the page's own logic, without a graphics library.
+// Vectors and poses, without a graphics library.
 import type { Pose, Vec3 } from "./protocol.ts";
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -54,7 +54,7 @@ export interface Ray {
   along: Vec3;
 }
 
-/** Where a ray meets the plane through `point`; nothing where it runs along it or away from it. */
+/** Where a ray meets the plane through `point`; null if the ray is parallel to the plane or points away from it. */
 export function meet(ray: Ray, point: Vec3, normal: Vec3): Vec3 | null {
   const slope = dot(ray.along, normal);
   if (Math.abs(slope) < 1e-3) return null;
@@ -72,9 +72,9 @@ export interface Frustum {
 }
 
 /**
- * What an eye beside the middle sees of the screen at the distance of convergence (thesis 6.2.4): both eyes look
- * straight ahead, and the frusta lean together, so that nothing is turned or has a vertical parallax.
- * @param eye  of the eye to the right of the middle; negative: to the left
+ * The frustum of an eye beside the middle, for a screen at the distance of convergence (thesis 6.2.4). Both eyes look
+ * straight ahead and the frusta are sheared, so that there is no rotation and no vertical parallax.
+ * @param eye  distance of the eye to the right of the middle; negative: to the left
  */
 export function offAxisFrustum(fovY: number, aspect: number, near: number, far: number, eye: number,
                                convergence: number): Frustum {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the state of the guard is shown, and what of the program's sentences is told.
+// How the page shows the state of the guard and the sentences of the program.
 import type { Hello, Sentence, Snapshot } from "./protocol.ts";
 
 export type Tone = "calm" | "waits" | "works" | "fault";
@@ -7,14 +7,15 @@ export type Tone = "calm" | "waits" | "works" | "fault";
 const kTones: Record<string, Tone> = { on: "calm", ramp: "works", fault: "fault" };
 const kUnknown: Sentence = { value: 0, name: "unknown", text: "" };
 
-export interface Told {
+export interface GuardState {
   name: string;
   tone: Tone;
   text: string;
 }
 
-/** The state of the guard, and of what a step reports the first that there is; "the force is on" only where nothing is. */
-export function told(sentences: Pick<Hello, "arming" | "status">, { arming, status }: Pick<Snapshot, "arming" | "status">): Told {
+/** The state of the guard and the first report of a step. "The force is on" only if a step reports nothing. */
+export function guardState(sentences: Pick<Hello, "arming" | "status">,
+                           { arming, status }: Pick<Snapshot, "arming" | "status">): GuardState {
   const state = sentences.arming.find((one) => one.value === arming) ?? kUnknown;
   const tone = kTones[state.name] ?? "waits";
   const reports = sentences.status.filter((one) => (status & one.value) !== 0).map((one) => one.text);

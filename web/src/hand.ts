@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the pointer to the tool: over the surface it hovers, pressed it works in the tangent plane of where it was
-// pressed, so that the material that leaves does not pull the tool after it.
+// Maps the pointer to the tool. The tool hovers over the surface. When pressed, it works in the tangent plane of the
+// point where it was pressed, so that removed material does not pull the tool along.
 import {
   add, axisOf, cross, dot, fromAxes, inverse, meet, multiply, normalized, type Ray, rotate, rotationAbout, scale,
 } from "./geometry.ts";
@@ -11,11 +11,11 @@ export interface Hit {
   normal: Vec3;
 }
 
-export const kHover = 1e-3; // [m] of the tip above the surface
-export const kWheelStep = 0.1e-3; // [m] of depth a notch
+export const kHover = 1e-3; // [m] height of the tip above the surface
+export const kWheelStep = 0.1e-3; // [m] of depth per notch
 
-/** A rotation whose z is `axis` and whose x is as near to that of `before` as can be. */
-export function turnedTo(before: number[], axis: Vec3): number[] {
+/** The rotation with z along `axis` and with x as close as possible to that of `before`. */
+export function rotatedTo(before: number[], axis: Vec3): number[] {
   const z = normalized(axis);
   const x0 = axisOf(before, 0);
   let x = add(x0, scale(-dot(x0, z), z));
@@ -28,9 +28,9 @@ export function turnedTo(before: number[], axis: Vec3): number[] {
 }
 
 export class Hand {
-  /** How deep the tip goes below the plane while it is pressed. */
+  /** [m] Depth of the tip below the plane while it is pressed. */
   depth = 0.5e-3;
-  /** The axis of the tool follows the normal of the surface. */
+  /** Whether the axis of the tool follows the normal of the surface. */
   follow = false;
   pressed = false;
   private R_WT: number[] = identity.rotation;
@@ -52,16 +52,16 @@ export class Hand {
     this.tipHeight = tipHeight;
   }
 
-  /** Of the tip, in W. */
+  /** [m] The position of the tip, in W. */
   get place(): Vec3 { return this.tip; }
   get axis(): Vec3 { return axisOf(this.R_WT, 2); }
 
-  /** Presses at what is under the pointer. */
+  /** Presses at the surface under the pointer. */
   press(hit: Hit | null) {
     this.pressed = true;
     this.lift = 0;
     this.plane = hit ?? { point: this.tip, normal: this.axis };
-    this.turnTo(hit);
+    this.rotateTo(hit);
     this.tip = this.below(this.plane.point);
   }
 
@@ -72,14 +72,14 @@ export class Hand {
     this.plane = null;
   }
 
-  /** The pointer is somewhere else. */
+  /** Handles a move of the pointer. */
   point(ray: Ray, hit: Hit | null, facing: Vec3) {
     if (this.pressed && this.plane) {
       const on = meet(ray, this.plane.point, this.plane.normal);
       if (on) this.tip = this.below(on);
       return;
     }
-    this.turnTo(hit);
+    this.rotateTo(hit);
     if (hit) {
       this.tip = add(hit.point, scale(kHover + this.lift, hit.normal));
     } else {
@@ -87,32 +87,32 @@ export class Hand {
     }
   }
 
-  /** Deeper by some notches of the wheel, at once where it is pressed. */
+  /** Increases the depth by notches of the wheel, at once if pressed. */
   push(notches: number) {
     const by = Math.max(-this.depth, notches * kWheelStep);
     this.depth += by;
     if (this.plane) this.tip = add(this.tip, scale(-by, this.plane.normal));
   }
 
-  /** By steps of the keys or of a gamepad, in W. */
+  /** Moves the tip by a vector in W, for keys and gamepads. */
   move(by: Vec3) { this.tip = add(this.tip, by); }
 
-  /** Leans the tool about an axis in W; its tip stays. */
+  /** Tilts the tool about an axis in W; its tip stays. */
   tilt(about: Vec3, angle: number) {
     const R = rotationAbout(normalized(about), angle);
     const columns = [0, 1, 2].map((n) => rotate(R, axisOf(this.R_WT, n)));
     this.R_WT = fromAxes(columns[0], columns[1], columns[2]);
   }
 
-  upright(axis: Vec3) { this.R_WT = turnedTo(this.R_WT, axis); }
+  upright(axis: Vec3) { this.R_WT = rotatedTo(this.R_WT, axis); }
 
   get X_WT(): Pose {
     return { rotation: this.R_WT, translation: add(this.tip, scale(-this.tipHeight, this.axis)) };
   }
   get X_WH(): Pose { return multiply(this.X_WT, inverse(this.X_HT)); }
 
-  private turnTo(hit: Hit | null) {
-    if (this.follow && hit) this.R_WT = turnedTo(this.R_WT, hit.normal);
+  private rotateTo(hit: Hit | null) {
+    if (this.follow && hit) this.R_WT = rotatedTo(this.R_WT, hit.normal);
   }
   private below(point: Vec3): Vec3 {
     return this.plane ? add(point, scale(-this.depth, this.plane.normal)) : point;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page says in words and numbers: the guard, the notices, the meters.
+// Texts and numbers of the page: the guard, the notices, the meters.
 import { quantile } from "./curves.ts";
-import { type Told, type Tone, told } from "./guard.ts";
+import { type GuardState, type Tone, guardState } from "./guard.ts";
 import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
@@ -20,7 +20,7 @@ export class Indicators {
   constructor(private byId: ById) {}
 
   role(text: string) { this.byId("role").textContent = text; }
-  /** What comes within a few seconds stands together, or nobody could read the first. */
+  /** Shows notices of the last seconds together, so that the first one can be read. */
   notice(text: string, severity: number) {
     const time = performance.now();
     this.notices = this.notices.filter((one) => one.text !== text && time - one.time < kTogether).slice(-2);
@@ -32,9 +32,9 @@ export class Indicators {
     notice.textContent = notice.title = this.notices.map(({ text }) => text).join(" ");
     notice.dataset.severity = String(Math.max(0, ...this.notices.map(({ severity }) => severity)));
   }
-  /** What the guard has warned of is over when the force comes again. */
+  /** Removes the warnings of the guard when the force comes back. */
   settle(snapshot: Snapshot) {
-    const { tone } = told(this.sentences, snapshot);
+    const { tone } = guardState(this.sentences, snapshot);
     if (tone !== this.tone && (tone === "calm" || tone === "works")) {
       this.notices = this.notices.filter(({ severity }) => severity !== 1);
       this.showNotices();
@@ -42,13 +42,13 @@ export class Indicators {
     this.tone = tone;
   }
   lost(text: string) {
-    this.role("apart");
+    this.role("disconnected");
     this.byId("role").dataset.tone = "fault";
     this.notices = [];
     this.notice(text, 2);
     this.guard({ name: "unknown", tone: "fault", text: "" });
   }
-  private guard({ name, tone, text }: Told) {
+  private guard({ name, tone, text }: GuardState) {
     const guard = this.byId("guard");
     guard.textContent = `guard: ${name}`;
     guard.dataset.tone = this.byId("rim").dataset.tone = tone;
@@ -74,7 +74,7 @@ export class Indicators {
   }
 
   show(snapshot: Snapshot, instruments: Instruments | null, trace: TraceRing) {
-    this.guard(told(this.sentences, snapshot));
+    this.guard(guardState(this.sentences, snapshot));
     const norm = (v: number[]) => Math.hypot(...v);
     this.number("force", `${norm(snapshot.force).toFixed(2)} N`);
     this.number("torque", `${(1e3 * norm([3, 4, 5].map((n) => trace.newest(n)))).toFixed(1)} mN m`);
@@ -85,7 +85,9 @@ export class Indicators {
     (this.byId("undo") as HTMLButtonElement).disabled = snapshot.undoMarks === 0;
     (this.byId("redo") as HTMLButtonElement).disabled = snapshot.redoMarks === 0;
     if (!instruments) return;
-    this.removed.forEach((cell, n) => { cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`; });
+    this.removed.forEach((cell, n) => {
+      cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`;
+    });
     const p99 = quantile(instruments.latency, instruments.bucket, 0.99);
     this.byId("lateness").textContent = `99 % below ${Math.round(p99)} µs, ${instruments.missed} missed`;
   }

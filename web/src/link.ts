@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where messages come from: the server, or a recording that lies in the page or beside it.
+// The connection to the server.
 import { decode, type Message, otherVersion } from "./protocol.ts";
 
 export interface Link {
@@ -7,31 +7,32 @@ export interface Link {
   readonly open: boolean;
 }
 
-/** Why a message is not understood, and the cure. */
+/** Why a message is invalid, and the cure. */
 function objection(bytes: Uint8Array): string {
   const other = otherVersion(bytes);
-  if (!other) return "The program said what this page does not understand: reload the page.";
+  if (!other) return "The program sent a message that this page does not understand: reload the page.";
   return other.startsWith("is older")
     ? `This page ${other} than the program: reload the page; if that does not help, build it again.`
     : `This page ${other} than the program: end hapticut view, and start the one that was built with the page.`;
 }
 
 /**
- * @param token  of the address that the program has printed
- * @param lost   what to tell the user when nothing comes any more
+ * @param token  from the address that the program has printed
+ * @param heard  called with each message
+ * @param lost   called with a text for the user when the connection has ended
  */
 export function connect(token: string, heard: (message: Message) => void, lost: (text: string) => void): Link {
   let socket: WebSocket, ever = false, heardAny = false, objected = false;
   const close = (event: CloseEvent) => {
     if (objected) return;
-    if (heardAny && event.code !== 1008) return open(); // a machine that slept finds its program again
+    if (heardAny && event.code !== 1008) return open(); // reconnect, for example after the machine has slept
     lost(!ever
       ? "The server refuses this page: open the address that the program has printed, with its token."
       : event.code === 1008
-        ? "The server has closed this page, because it sent what it may not: reload it."
-        : "The program has ended, or the line is broken: start hapticut view again, and open what it prints.");
+        ? "The server has disconnected this page because of an invalid message: reload the page."
+        : "The program has ended, or the connection is lost: start hapticut view again, and open the printed address.");
   };
-  const hear = (event: MessageEvent) => {
+  const receive = (event: MessageEvent) => {
     if (objected) return;
     const bytes = new Uint8Array(event.data as ArrayBuffer), message = decode(bytes);
     heardAny = true;
@@ -46,7 +47,7 @@ export function connect(token: string, heard: (message: Message) => void, lost: 
     socket.binaryType = "arraybuffer";
     socket.onopen = () => { ever = true; };
     socket.onclose = close;
-    socket.onmessage = hear;
+    socket.onmessage = receive;
   };
   open();
   return {

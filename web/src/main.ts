@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: what comes is shown, what the hand and the panels say is sent.
+// The page: shows the messages of the program, and sends the commands of hand and panels.
 import * as three from "three";
 import { Eye } from "./camera.ts";
 import { Curves, drawLatency } from "./curves.ts";
@@ -28,15 +28,15 @@ class Page {
   readonly speaker = new Speaker();
   readonly curves = new Curves(byId("force-curve"), byId("torque-curve"));
   readonly indicators = new Indicators(byId);
-  readonly path: { time: number; X_WH: Pose; pressed: boolean }[] = []; // what the hand was told, newest last
+  readonly path: { time: number; X_WH: Pose; pressed: boolean }[] = []; // poses that were sent, newest last
   snapshot: Snapshot | null = null;
   instruments: Instruments | null = null;
   frames = 0;
-  frameTime = 0; // ms between pictures that were drawn, a running mean
+  frameTime = 0; // ms between drawn pictures, running mean
   writer = false;
   link: Link = { send: () => undefined, open: false };
   picture: Picture | null = null;
-  panels = new Panels(byId("panels"), (command) => this.tell(command));
+  panels = new Panels(byId("panels"), (command) => this.send(command));
   changed = true;
   private framed = false;
   private began = 0;
@@ -55,7 +55,8 @@ class Page {
     } catch {
       const blank = byId("blank");
       blank.hidden = false;
-      blank.textContent = "This browser draws no WebGL: turn on hardware acceleration, or use another browser. Panels and curves work.";
+      blank.textContent = "This browser does not support WebGL: turn on hardware acceleration, or use another browser. " +
+        "Panels and curves work.";
     }
     this.scene.add(this.workpiece.group, new three.HemisphereLight(0xffffff, 0x8a94a0, 1.5));
     const sun = new three.DirectionalLight(0xffffff, 2);
@@ -68,29 +69,33 @@ class Page {
       moved: () => { this.moved = true; },
     });
     if (this.picture)
-      this.showOwn = ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
-                  workpiece: this.workpiece, changed: () => { this.changed = true; } });
+      this.showOwn = ownPanels({
+        parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
+        workpiece: this.workpiece, changed: () => { this.changed = true; },
+      });
     viewButtons(byId("views"), (name) => this.look(name), () => this.whole());
     canvas.addEventListener("pointerdown", () => { this.framed = true; });
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
-    document.addEventListener("visibilitychange", () => { if (document.hidden) this.tellHand(); }); // no picture comes
+    // A hidden page draws no further picture.
+    document.addEventListener("visibilitychange", () => { if (document.hidden) this.sendHand(); });
     this.setUpButtons();
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
   }
 
-  hear(message: Message) {
+  handle(message: Message) {
     switch (message.kind) {
       case "hello":
         this.workpiece.begin(message);
         this.lead(message.writer);
-        if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "leads" : "looks on");
+        if (!document.body.classList.contains("replay"))
+          this.indicators.role(message.writer ? "in control" : "watching");
         this.indicators.begin(message);
         this.pointer.begin();
         this.began = performance.now();
         this.framed = this.placed = false;
         this.snapshot = this.instruments = null;
         this.curves.ring.clear();
-        this.tell(commands.lookAt([0, 0, 0])); // who leads wakes what its predecessor has put to sleep
+        this.send(commands.lookAt([0, 0, 0])); // wakes a scene that its last writer has put to sleep
         break;
       case "page":
         this.workpiece.put(message);
@@ -107,7 +112,11 @@ class Page {
         this.hasTool = true;
         if (this.placed) this.moved = true;
         break;
-      case "controls": this.panels.show(message.controls); this.panels.enable(this.writer); this.indicators.controls(this.panels); break;
+      case "controls":
+        this.panels.show(message.controls);
+        this.panels.enable(this.writer);
+        this.indicators.controls(this.panels);
+        break;
       case "trace": this.curves.ring.add(message.first, message.samples); return;
       case "notice": this.indicators.notice(message.text, message.severity); return;
       case "sound": this.speaker.play(message.samples); return;
@@ -122,7 +131,7 @@ class Page {
     this.panels.enable(leads);
   }
 
-  /** Nothing comes any more: what was shown last is not so now. */
+  /** The connection has ended: the last state is no longer valid. */
   lost(text: string) {
     this.lead(false);
     this.snapshot = this.instruments = null;
@@ -151,21 +160,21 @@ class Page {
     const seconds = Math.min(0.25, (now - this.last) / 1e3);
     this.last = now;
     this.pointer.frame(seconds);
-    this.tellHand();
-    const pause = this.picture?.pause(now) ?? 0; // without a graphics card the loop needs the processor more
+    this.sendHand();
+    const pause = this.picture?.pause(now) ?? 0; // without a graphics card the loop needs the processor
     if ((this.changed || this.eye.changed) && now - this.drawn >= pause) this.draw(now, seconds);
     if (now - this.charted < pause) return;
     this.charted = now;
     this.curves.draw();
   }
 
-  private tellHand() {
+  private sendHand() {
     if (!this.moved || !this.link.open) return;
     this.moved = false;
     const { X_WH, pressed } = this.hand;
     this.path.push({ time: performance.now() / 1e3, X_WH, pressed });
     if (this.path.length > 20_000) this.path.shift();
-    this.tell(commands.moveHand(X_WH, pressed));
+    this.send(commands.moveHand(X_WH, pressed));
   }
 
   private draw(now: number, seconds: number) {
@@ -190,7 +199,8 @@ class Page {
 
   private resize() {
     const box = byId("stage").getBoundingClientRect();
-    this.eye.camera.aspect = box.width / Math.max(1, box.height); // what is framed before the first picture fits too
+    // So that a view that is framed before the first picture fits too.
+    this.eye.camera.aspect = box.width / Math.max(1, box.height);
     this.picture?.resize(Math.max(1, Math.floor(box.width)), Math.max(1, Math.floor(box.height)));
     this.changed = true;
   }
@@ -203,18 +213,19 @@ class Page {
     this.changed = true;
   }
 
-  /** Who looks on says nothing: the server throws out a looker that sends. */
-  tell(command: Uint8Array) {
+  /** Sends a command if this page is the writer. The server disconnects other pages that send. */
+  send(command: Uint8Array) {
     if (this.writer) this.link.send(command);
   }
 
-  stop() { this.tell(commands.stop()); }
+  stop() { this.send(commands.stop()); }
 
   private setUpButtons() {
-    byId("undo").onclick = () => this.tell(commands.undo());
-    byId("redo").onclick = () => this.tell(commands.redo());
+    byId("undo").onclick = () => this.send(commands.undo());
+    byId("redo").onclick = () => this.send(commands.redo());
     byId("stop").onclick = () => this.stop();
-    byId("record").onclick = () => this.panels.set("Record", byId("record").getAttribute("aria-pressed") === "true" ? 0 : 1);
+    const record = byId("record");
+    record.onclick = () => this.panels.set("Record", record.getAttribute("aria-pressed") === "true" ? 0 : 1);
     byId("theme").onclick = () => this.setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
     const speaker = byId("speaker");
     speaker.onclick = async () => {
@@ -229,8 +240,8 @@ class Page {
     if (event.key === "Escape" && !byId<HTMLDialogElement>("help").open) this.stop();
     if (typing) return;
     const control = event.ctrlKey || event.metaKey;
-    if (control && event.key === "z") this.tell(event.shiftKey ? commands.redo() : commands.undo());
-    else if (control && event.key === "y") this.tell(commands.redo());
+    if (control && event.key === "z") this.send(event.shiftKey ? commands.redo() : commands.undo());
+    else if (control && event.key === "y") this.send(commands.redo());
     else if (event.key === "?") byId<HTMLDialogElement>("help").showModal();
     else if (!control && /^[0-7]$/.test(event.key) && !(event.target instanceof HTMLSelectElement)) {
       if (event.key === "0") this.whole();
@@ -239,11 +250,12 @@ class Page {
     event.preventDefault();
   }
 
-  load(name: string) { this.tell(commands.load(name)); }
+  load(name: string) { this.send(commands.load(name)); }
 }
 
 function loadPanel(page: Page) {
-  const field = element("input", { type: "text", "aria-label": "File", placeholder: "path of a file", maxlength: "100" });
+  const field = element("input",
+                        { type: "text", "aria-label": "File", placeholder: "path of a file", maxlength: "100" });
   field.style.flex = "1";
   const open = element("button", { type: "button" }, "Open");
   open.onclick = () => page.load(field.value);
@@ -263,6 +275,6 @@ page.picture?.renderer.setAnimationLoop((now) => page.frame(now));
 if (!page.picture) setInterval(() => page.frame(performance.now()), 16);
 if (!showPlayer(page, byId)) {
   loadPanel(page);
-  page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.hear(message),
+  page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.handle(message),
                       (text) => page.lost(text));
 }

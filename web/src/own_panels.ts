@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Panels of what the page decides by itself: the view, stereo, the pointer.
+// Panels for settings of the page itself: the view, stereo, the pointer.
 import * as three from "three";
 import { type Eye, kViews } from "./camera.ts";
 import type { Hand } from "./hand.ts";
@@ -61,23 +61,23 @@ const kAxes: Record<string, three.Vector3> = {
   "-y": new three.Vector3(0, -1, 0), "z": new three.Vector3(0, 0, 1),
 };
 
-/** @returns shows what was changed elsewhere */
+/** @returns a function that updates the panels after changes elsewhere */
 export function ownPanels(o: Own): () => void {
   const { eye, hand, picture, tool, workpiece, changed } = o;
-  let axis: three.Vector3 | null = null, share = 0.5;
+  let axis: three.Vector3 | null = null, fraction = 0.5;
   const cut = () => {
     const bounds = workpiece.bounds;
     if (!axis || bounds.isEmpty()) {
       workpiece.cutAt(null, 0);
     } else {
       const ends = [bounds.min.dot(axis), bounds.max.dot(axis)].sort((a, b) => a - b);
-      workpiece.cutAt(axis, ends[0] + share * (ends[1] - ends[0]));
+      workpiece.cutAt(axis, ends[0] + fraction * (ends[1] - ends[0]));
     }
     changed();
   };
   panel(o.parent, "View",
         pick("Section plane", ["off", ...Object.keys(kAxes)], (name) => { axis = kAxes[name] ?? null; cut(); }),
-        slider("Section place", 0.5, 0, 1, "", (value) => { share = value; cut(); }).row,
+        slider("Section place", 0.5, 0, 1, "", (value) => { fraction = value; cut(); }).row,
         box("Shade cavities", true, (value) => { picture.occlusion = value; changed(); }),
         box("Show handle", true, (value) => { tool.showHandle = value; changed(); }),
         slider("Field of view", eye.camera.fov, 10, 70, "°", (value) => { eye.camera.fov = value; changed(); }).row);

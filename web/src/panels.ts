@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panels of what the program can be told: it describes each control, the page draws it.
+// The panels of controls. The program describes each control, and the page draws it.
 import { commands, type Control } from "./protocol.ts";
 
 export const element = <K extends keyof HTMLElementTagNameMap>(
@@ -10,14 +10,14 @@ export const element = <K extends keyof HTMLElementTagNameMap>(
   return made;
 };
 
-/** As short as six digits allow. */
+/** A number with at most six digits. */
 export const shown = (value: number): string => {
   if (value === 0) return "0";
   const size = Math.abs(value);
   return size >= 1e7 || size < 1e-3 ? value.toExponential(2).replace("e+", "e") : String(+value.toPrecision(6));
 };
 
-/** What somebody has typed, when it is a number within the range. */
+/** The typed number; null if it is not a number within the range. */
 export function parse(text: string, min: number, max: number): number | null {
   const value = Number(text.trim().replace(",", "."));
   return text.trim() === "" || !Number.isFinite(value) || value < min || value > max ? null : value;

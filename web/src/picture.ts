@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the scene to the screen: once, or once for each eye; then darkened where little of the sky is seen, so that the
-// depth of a cavity reads.
+// Draws the scene once, or once per eye. Then ambient occlusion darkens cavities, so that their depth is visible.
 import * as three from "three";
 import { offAxisFrustum } from "./geometry.ts";
 
@@ -10,7 +9,7 @@ const screenVertex = `
 out vec2 at;
 void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 
-// Twelve places around each pixel: how many lie behind the surface in front of them.
+// Ambient occlusion from twelve points around each pixel.
 const occlusionFragment = `
 uniform sampler2D depth;
 uniform mat4 unproject;
@@ -32,11 +31,11 @@ void main() {
   vec3 up = placeAt(at + vec2(0.0, pixel.y), distanceAt(at + vec2(0.0, pixel.y))) - place;
   vec3 down = place - placeAt(at - vec2(0.0, pixel.y), distanceAt(at - vec2(0.0, pixel.y)));
   vec3 normal = normalize(cross(abs(right.z) < abs(left.z) ? right : left, abs(up.z) < abs(down.z) ? up : down));
-  float turn = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  float phase = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   float closed = 0.0;
   for (int n = 0; n < 12; ++n) {
-    float share = (float(n) + 0.5) / 12.0, angle = turn + 2.4 * float(n);
-    vec2 p = at + vec2(cos(angle), sin(angle)) * sqrt(share) * radius * perUnit / d * vec2(pixel.x / pixel.y, 1.0);
+    float fraction = (float(n) + 0.5) / 12.0, angle = phase + 2.4 * float(n);
+    vec2 p = at + vec2(cos(angle), sin(angle)) * sqrt(fraction) * radius * perUnit / d * vec2(pixel.x / pixel.y, 1.0);
     vec3 to = placeAt(p, distanceAt(p)) - place;
     float away = length(to);
     closed += max(0.0, dot(normal, to) / max(away, 1e-4) - 0.15) * smoothstep(1.3 * radius, 0.3 * radius, away);
@@ -79,11 +78,11 @@ export class Picture {
   convergence = 60; // mm
   occlusion = true;
   software: boolean;
-  softwareRatio = 0.75; // pixels drawn over pixels shown, without a graphics card
+  softwareRatio = 0.75; // drawn over shown pixels, without a graphics card
   private eyes: EyeTarget[] = [];
   private gl: WebGL2RenderingContext;
-  private underWay: { fence: WebGLSync; since: number } | null = null; // the picture that the card has not finished
-  private took = 0; // ms for the last
+  private pending: { fence: WebGLSync; since: number } | null = null; // the picture that is not yet finished
+  private lastDuration = 0; // ms, of the last picture
   private screen = new three.Scene();
   private flat = new three.Camera();
   private quad = new three.Mesh(new three.PlaneGeometry(2, 2));
@@ -114,7 +113,7 @@ export class Picture {
       String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
   }
 
-  /** How many pictures stand side by side. */
+  /** The number of pictures side by side. */
   get columns(): number { return this.stereo === "side-by-side" ? 2 : 1; }
   get size(): three.Vector2 { return this.renderer.getDrawingBufferSize(new three.Vector2()); }
 
@@ -130,38 +129,38 @@ export class Picture {
   }
 
   /**
-   * How long to wait between pictures, in ms. A processor that draws gets no next one while it has one under way, and
-   * then rests as long as it drew: what piles up would hold up every page of the browser.
+   * [ms] The pause between pictures. Without a graphics card, a picture is drawn only after the last one is finished,
+   * and the processor then pauses as long as it drew. Otherwise pictures would queue up and block the browser.
    */
   pause(now: number): number {
     if (!this.software) return 0;
-    if (this.underWay) {
-      const { fence, since } = this.underWay;
+    if (this.pending) {
+      const { fence, since } = this.pending;
       if (this.gl.getSyncParameter(fence, this.gl.SYNC_STATUS) === this.gl.UNSIGNALED) return Infinity; // null: lost
       this.gl.deleteSync(fence);
-      this.took = now - since;
-      this.underWay = null;
+      this.lastDuration = now - since;
+      this.pending = null;
     }
-    return Math.max(250, 2 * this.took);
+    return Math.max(250, 2 * this.lastDuration);
   }
 
   draw(scene: three.Scene, camera: three.PerspectiveCamera, radius: number) {
     this.drawEyes(scene, camera, radius);
     if (!this.software) return;
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (fence) this.underWay = { fence, since: performance.now() };
+    if (fence) this.pending = { fence, since: performance.now() };
     this.gl.flush();
   }
 
   private drawEyes(scene: three.Scene, camera: three.PerspectiveCamera, radius: number) {
     const { x: width, y: height } = this.size;
     if (this.stereo === "off") {
-      this.see(0, scene, camera, width, height, radius);
+      this.render(0, scene, camera, width, height, radius);
       this.show(0, 0, 0, 0, width, height);
       return;
     }
     const half = Math.floor(width / this.columns);
-    for (const n of [0, 1]) this.see(n, scene, this.eyeOf(camera, n === 0 ? -1 : 1), half, height, radius);
+    for (const n of [0, 1]) this.render(n, scene, this.eyeOf(camera, n === 0 ? -1 : 1), half, height, radius);
     if (this.stereo === "anaglyph") {
       this.show(0, 1, 0, 0, width, height);
     } else {
@@ -200,7 +199,7 @@ export class Picture {
     return this.eyes[n];
   }
 
-  private see(n: number, scene: three.Scene, camera: three.PerspectiveCamera, width: number, height: number,
+  private render(n: number, scene: three.Scene, camera: three.PerspectiveCamera, width: number, height: number,
               radius: number) {
     const target = this.target(n, width, height);
     this.renderer.setRenderTarget(target.color);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page that replays: its recording lies in it, or beside it.
+// A page that replays a recording, which is in the page or beside it.
 import { isForTheScene } from "./pointer.ts";
 import type { Message } from "./protocol.ts";
 import { fromBase64, Player, readRecording, unpack } from "./replay.ts";
 
 type ById = <T extends HTMLElement>(id: string) => T;
-interface Shows {
-  hear(message: Message): void;
+interface PageParts {
+  handle(message: Message): void;
   curves: { ring: { clear(): void } };
   indicators: { role(text: string): void; notice(text: string, severity: number): void };
 }
 
 /** @returns whether this page has a recording */
-export function showPlayer(page: Shows, byId: ById): boolean {
+export function showPlayer(page: PageParts, byId: ById): boolean {
   const inside = document.getElementById("recording");
   if (!inside) return false;
   document.body.classList.add("replay", "looks");
@@ -20,7 +20,11 @@ export function showPlayer(page: Shows, byId: ById): boolean {
   const source = inside.dataset.from ?? null;
   const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
     : fetch(source + location.search).then(async (answer) => new Uint8Array(await answer.arrayBuffer()));
-  packed.then(unpack).then((all) => play(new Player(readRecording(all), (message) => page.hear(message), () => page.curves.ring.clear()), byId))
+  packed.then(unpack)
+    .then((all) => {
+      const show = (message: Message) => page.handle(message), rewind = () => page.curves.ring.clear();
+      play(new Player(readRecording(all), show, rewind), byId);
+    })
     .catch((error: Error) => page.indicators.notice(error.message, 2));
   return true;
 }
@@ -46,9 +50,9 @@ function play(player: Player, byId: ById) {
   };
   time.oninput = () => seek(() => player.seek(Number(time.value)));
   byId("back").onclick = () => seek(() => player.step(-1));
-  byId("forth").onclick = () => seek(() => player.step(1));
+  byId("forward").onclick = () => seek(() => player.step(1));
   addEventListener("keydown", (event) => {
-    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forth" } as Record<string, string>)[event.key];
+    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forward" } as Record<string, string>)[event.key];
     if (name && isForTheScene(event)) byId(name).click();
   });
   const speed = byId<HTMLSelectElement>("speed");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, touch, keys and gamepads: what moves the eye, and what moves the hand.
+// Mouse, touch, keys and gamepads move the eye and the hand.
 import * as three from "three";
 import type { Eye } from "./camera.ts";
 import { dot, type Ray } from "./geometry.ts";
@@ -13,7 +13,7 @@ export interface PointerOptions {
   hand: Hand;
   picture: Picture | null;
   hit: (ray: three.Ray) => Hit | null;
-  leads: () => boolean; // who only looks turns the view with what else would drill
+  leads: () => boolean; // otherwise the drag that would drill turns the view
   mayMove: () => boolean;
   moved: () => void;
 }
@@ -23,53 +23,56 @@ interface Place {
   y: number;
 }
 interface InPicture extends Place {
-  column: number; // of pictures side by side
+  column: number; // of the pictures side by side
 }
 type Client = Pick<MouseEvent, "clientX" | "clientY">;
 
 const kKeyStep = 0.1e-3; // m
 const asArray = (v: three.Vector3): Vec3 => [v.x, v.y, v.z];
-const inMetres = (ray: three.Ray): Ray => ({ from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
+const inMetres = (ray: three.Ray): Ray => (
+  { from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
 const nameOfPad = ({ index }: Gamepad) => `gamepad ${index}`;
 const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
 
-/** Keys are of the scene wherever the focus is, but where it needs them itself. */
+/** Whether a key is for the scene: everywhere, except where the focused element needs it. */
 export const isForTheScene = (event: KeyboardEvent) => {
   const target = event.target instanceof Element ? event.target : null;
-  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") && !(event.key === " " && target?.closest("button"));
+  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") &&
+    !(event.key === " " && target?.closest("button"));
 };
 
 export class Pointer {
-  private down = new Map<number, Place>(); // pointers that were pressed on the canvas
-  private fingers = new Set<number>(); // those that are fingers
-  private holders = new Set<string>(); // what presses; the press ends with the last of them
-  private pulled = new Set<string>(); // triggers of gamepads
+  private down = new Map<number, Place>(); // pointers that are pressed on the canvas
+  private fingers = new Set<number>(); // those pointers that are fingers
+  private holders = new Set<string>(); // sources that press; the press ends with the last of them
+  private pulled = new Set<string>(); // pulled triggers of gamepads
   private waiting: PointerEvent | null = null;
 
   constructor(private o: PointerOptions) {
     const { canvas } = o;
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"] as const) canvas.addEventListener(name, (event) => this.up(event));
+    for (const name of ["pointerup", "pointercancel"] as const)
+      canvas.addEventListener(name, (event) => this.up(event));
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     addEventListener("keydown", (event) => { if (isForTheScene(event)) this.key(event); });
-    // Where the focus has gone while the key was down, or the window has lost it, the canvas hears of no release.
-    addEventListener("keyup", (event) => { if (event.key === " ") this.letGo("space"); });
-    const letAllGo = () => [...this.holders].forEach((source) => this.letGo(source));
-    addEventListener("blur", letAllGo);
-    document.addEventListener("visibilitychange", letAllGo);
+    // If the focus moves while a key is down, the canvas does not receive the release.
+    addEventListener("keyup", (event) => { if (event.key === " ") this.release("space"); });
+    const releaseAll = () => [...this.holders].forEach((source) => this.release(source));
+    addEventListener("blur", releaseAll);
+    document.addEventListener("visibilitychange", releaseAll);
   }
 
-  /** Another scene: what is still held does not press there. */
+  /** Begins another scene, in which sources that are still held do not press. */
   begin() { this.holders.clear(); }
 
-  /** Once for each picture: the newest place of the pointer, and the gamepads. */
+  /** Called once per picture: handles the newest place of the pointer, and the gamepads. */
   frame(seconds: number) {
     if (this.waiting) {
       const event = this.waiting;
       this.waiting = null;
-      this.let(() => this.point(event));
+      this.apply(() => this.point(event));
     }
     const pads = (navigator.getGamepads?.() ?? []).filter((pad) => pad?.connected) as Gamepad[];
     for (const pad of pads) this.gamepad(pad, seconds);
@@ -77,7 +80,7 @@ export class Pointer {
     gone.forEach((source) => this.trigger(source, false));
   }
 
-  private let(change: () => void) {
+  private apply(change: () => void) {
     if (!this.o.mayMove()) return;
     change();
     this.o.moved();
@@ -86,27 +89,29 @@ export class Pointer {
   private hold(source: string, hit: () => Hit | null) {
     if (!this.o.mayMove()) return;
     this.holders.add(source);
-    if (!this.o.hand.pressed) this.let(() => this.o.hand.press(hit()));
+    if (!this.o.hand.pressed) this.apply(() => this.o.hand.press(hit()));
   }
-  private letGo(source: string) {
-    if (this.holders.delete(source) && this.holders.size === 0) this.let(() => this.o.hand.release());
+  private release(source: string) {
+    if (this.holders.delete(source) && this.holders.size === 0) this.apply(() => this.o.hand.release());
   }
 
-  /** What lies under the tip, along the tool: keys and gamepads press where they have led it. */
+  /** The surface under the tip, along the tool. Keys and gamepads press there. */
   private under(): Hit | null {
     const { hand, hit } = this.o, along = new three.Vector3(...hand.axis).negate();
     const found = hit(new three.Ray(new three.Vector3(...hand.place).multiplyScalar(1e3), along));
-    return found && dot(found.normal, hand.axis) > 0 ? found : null; // from within, there is no surface to press on
+    return found && dot(found.normal, hand.axis) > 0 ? found : null; // from inside there is no surface to press on
   }
 
   private inPicture({ clientX, clientY }: Client): InPicture {
     const box = this.o.canvas.getBoundingClientRect(), columns = this.o.picture?.columns ?? 1;
-    const across = (columns * (clientX - box.left)) / box.width, column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
+    const across = (columns * (clientX - box.left)) / box.width;
+    const column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
     return { x: 2 * (across - column) - 1, y: 1 - (2 * (clientY - box.top)) / box.height, column };
   }
   private ray(event: Client): three.Ray {
     const { eye, picture } = this.o, { x, y, column } = this.inPicture(event);
-    return picture?.columns === 2 ? eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1)) : eye.ray(x, y);
+    if (picture?.columns !== 2) return eye.ray(x, y);
+    return eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1));
   }
 
   private point(event: Client) {
@@ -120,7 +125,7 @@ export class Pointer {
     canvas.setPointerCapture(event.pointerId);
     this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
     if (event.pointerType === "touch") this.fingers.add(event.pointerId);
-    if (this.fingers.size > 1) this.fingers.forEach((id) => this.letGo(`pointer ${id}`)); // two turn the view
+    if (this.fingers.size > 1) this.fingers.forEach((id) => this.release(`pointer ${id}`)); // two fingers turn the view
     else if (event.button === 0) this.hold(nameOf(event), () => hit(this.ray(event)));
   }
 
@@ -130,8 +135,8 @@ export class Pointer {
       const now = { x: event.clientX, y: event.clientY }, dx = now.x - before.x, dy = now.y - before.y;
       if (this.fingers.has(event.pointerId) && this.fingers.size > 1) return this.pinch(event.pointerId, before, now);
       this.down.set(event.pointerId, now);
-      // Of several buttons the first that is pressed and the last that is let go are events of their own, no other.
-      if ((event.buttons & 1) === 0) this.letGo(nameOf(event));
+      // With several buttons, only the first press and the last release have their own events.
+      if ((event.buttons & 1) === 0) this.release(nameOf(event));
       else if (event.button === 0) this.hold(nameOf(event), () => hit(this.ray(event)));
       if ((event.buttons & 2) !== 0 || ((event.buttons & 1) !== 0 && !leads())) return eye.orbit(dx / 150, dy / 150);
       if ((event.buttons & 4) !== 0) return eye.pan(dx / canvas.clientHeight, dy / canvas.clientHeight);
@@ -151,7 +156,7 @@ export class Pointer {
   private up(event: PointerEvent) {
     this.down.delete(event.pointerId);
     this.fingers.delete(event.pointerId);
-    this.letGo(nameOf(event));
+    this.release(nameOf(event));
   }
 
   private wheel(event: WheelEvent) {
@@ -161,7 +166,7 @@ export class Pointer {
       const { x, y } = this.inPicture(event);
       return this.o.eye.zoom(1.12 ** notches, x, y);
     }
-    this.let(() => {
+    this.apply(() => {
       if (event.altKey) this.o.hand.tilt(asArray(this.o.eye.right), notches * 0.05);
       else this.o.hand.push(-notches);
     });
@@ -180,7 +185,7 @@ export class Pointer {
     };
     if (event.ctrlKey || event.metaKey) return;
     const leads = this.o.leads(), act = moves[event.key] ?? moves[event.key.toLowerCase()];
-    if (leads && act) this.let(act);
+    if (leads && act) this.apply(act);
     else if (leads && event.key === " ") this.hold("space", () => this.under());
     else if (event.key === "+" || event.key === "=") eye.zoom(0.9);
     else if (event.key === "-") eye.zoom(1 / 0.9);
@@ -194,14 +199,15 @@ export class Pointer {
     if (axis(2) !== 0 || axis(3) !== 0) eye.orbit(-axis(2) * seconds * 2, -axis(3) * seconds * 2);
     const bumpers = (pad.buttons[5]?.pressed ? 1 : 0) - (pad.buttons[4]?.pressed ? 1 : 0);
     if (axis(0) !== 0 || axis(1) !== 0 || bumpers !== 0)
-      this.let(() => {
-        hand.move(asArray(eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1)).multiplyScalar(0.02 * seconds)));
+      this.apply(() => {
+        const direction = eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1));
+        hand.move(asArray(direction.multiplyScalar(0.02 * seconds)));
         hand.push(bumpers * seconds * 10);
       });
     this.trigger(nameOfPad(pad), (pad.buttons[7]?.value ?? 0) > 0.3);
   }
 
-  /** A trigger that is at rest is silent, so that it undoes no other press. */
+  /** A trigger at rest sends nothing, so that it does not end another press. */
   private trigger(source: string, isPulled: boolean) {
     if (isPulled === this.pulled.has(source)) return;
     if (isPulled) {
@@ -209,7 +215,7 @@ export class Pointer {
       this.hold(source, () => this.under());
     } else {
       this.pulled.delete(source);
-      this.letGo(source);
+      this.release(source);
     }
   }
 }

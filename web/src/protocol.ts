@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What server and page say to each other; docs/view.md has the tables.
+// The messages between server and page; docs/view.md has the tables.
 
 export const kVersion = 4;
 
@@ -13,7 +13,7 @@ export interface Pose {
 
 export const identity: Pose = { rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], translation: [0, 0, 0] };
 
-/** What a state or a bit is called, and what it tells a user. */
+/** Name of a state or a bit, and its sentence for the user. */
 export interface Sentence {
   value: number;
   name: string;
@@ -34,7 +34,7 @@ export interface SurfacePage {
   kind: "page";
   origin: Vec3;
   version: number;
-  vertices: Int16Array; // six numbers of 16 bits a vertex
+  vertices: Int16Array; // six numbers of 16 bits per vertex
   indices: Uint16Array;
 }
 
@@ -113,19 +113,19 @@ export interface Trace {
 
 export interface Notice {
   kind: "notice";
-  severity: number; // 0 tells, 1 warns, 2 something failed
+  severity: number; // 0 info, 1 warning, 2 error
   text: string;
 }
 
 export interface Instruments {
   kind: "instruments";
-  X_WG: Pose; // the head where the hand wants it
+  X_WG: Pose; // pose of the head at the set point of the hand
   power: number; // W
   ticks: number;
   missed: number;
   bucket: number; // s
   latency: Uint32Array;
-  removed: number[]; // m^3, by material from 1
+  removed: number[]; // m^3, by material id from 1
 }
 
 export type Message =
@@ -152,8 +152,8 @@ class Reader {
     return Array.from({ length: this.u32() }, () => (
       { value: this.u32(), name: this.text(this.u16()), text: this.text(this.u16()) }));
   }
-  text(length: number) { return new TextDecoder().decode(this.take(length)); }
-  take(length: number) {
+  text(length: number) { return new TextDecoder().decode(this.read(length)); }
+  read(length: number) {
     if (this.at + length > this.bytes.length) throw new RangeError("the message is too short");
     const part = this.bytes.slice(this.at, this.at + length);
     return this.move(length, part);
@@ -167,7 +167,7 @@ class Reader {
 
 const kControls: ControlKind[] = ["number", "switch", "choice", "button"];
 
-function read(kind: number, r: Reader): Message | null {
+function readMessage(kind: number, r: Reader): Message | null {
   switch (kind) {
     case 1: {
       const writer = r.u32() === 1, voxelSize = r.f64(), X_WV = r.pose();
@@ -182,8 +182,8 @@ function read(kind: number, r: Reader): Message | null {
       const version = r.u64(), vertices = r.u32(), indices = r.u32();
       return {
         kind: "page", origin, version,
-        vertices: new Int16Array(r.take(12 * vertices).buffer),
-        indices: new Uint16Array(r.take(2 * indices).buffer),
+        vertices: new Int16Array(r.read(12 * vertices).buffer),
+        indices: new Uint16Array(r.read(2 * indices).buffer),
       };
     }
     case 3: {
@@ -199,7 +199,7 @@ function read(kind: number, r: Reader): Message | null {
     }
     case 4: {
       const rate = r.u32(), count = r.u32();
-      return { kind: "sound", rate, samples: new Int16Array(r.take(2 * count).buffer) };
+      return { kind: "sound", rate, samples: new Int16Array(r.read(2 * count).buffer) };
     }
     case 5: {
       const X_HT = r.pose(), angled = r.u32() === 1, length = r.f64(), neck = r.f64(), bend = r.f64(), tip = r.f64();
@@ -219,7 +219,7 @@ function read(kind: number, r: Reader): Message | null {
     }
     case 7: {
       const first = r.u64(), count = r.u32();
-      return { kind: "trace", first, samples: new Float32Array(r.take(24 * count).buffer) };
+      return { kind: "trace", first, samples: new Float32Array(r.read(24 * count).buffer) };
     }
     case 8: {
       const severity = r.u32();
@@ -236,20 +236,20 @@ function read(kind: number, r: Reader): Message | null {
   }
 }
 
-/** Who of the two is older, for a message of another version; nothing for one of ours. */
+/** For a message of another version, whether the page is older or newer than its sender; null for the same version. */
 export function otherVersion(bytes: Uint8Array): string | null {
   const theirs = bytes[1] ?? kVersion;
   if (theirs === kVersion) return null;
   return `${theirs > kVersion ? "is older" : "is newer"} (protocol ${kVersion}, not ${theirs})`;
 }
 
-/** @returns nothing for what is not one of these messages in every byte */
+/** @returns null when any byte of the message is invalid */
 export function decode(bytes: Uint8Array): Message | null {
   try {
     const r = new Reader(bytes);
     const kind = r.u8();
     if (r.u8() !== kVersion || r.u16() !== 0) return null;
-    const message = read(kind, r);
+    const message = readMessage(kind, r);
     return r.complete ? message : null;
   } catch {
     return null;
@@ -269,19 +269,19 @@ class Writer {
   }
   all(values: number[]) { values.forEach((value) => this.f64(value)); return this; }
   text(value: string) { this.bytes.push(...new TextEncoder().encode(value)); return this; }
-  take() { return Uint8Array.from(this.bytes); }
+  finish() { return Uint8Array.from(this.bytes); }
 }
 
 export const commands = {
-  spindleSpeed: (speed: number) => new Writer(1).f64(speed).take(),
-  undoMark: () => new Writer(2).take(),
-  undo: () => new Writer(3).take(),
-  redo: () => new Writer(4).take(),
-  hold: (hold: boolean) => new Writer(5).u8(hold ? 1 : 0).take(),
+  spindleSpeed: (speed: number) => new Writer(1).f64(speed).finish(),
+  undoMark: () => new Writer(2).finish(),
+  undo: () => new Writer(3).finish(),
+  redo: () => new Writer(4).finish(),
+  hold: (hold: boolean) => new Writer(5).u8(hold ? 1 : 0).finish(),
   moveHand: (X_WH: Pose, pressed: boolean) =>
-    new Writer(6).all(X_WH.rotation).all(X_WH.translation).u8(pressed ? 1 : 0).take(),
-  stop: () => new Writer(7).take(),
-  lookAt: (point: Vec3) => new Writer(8).all(point).take(),
-  setControl: (id: number, value: number) => new Writer(9).u16(id).f64(value).take(),
-  load: (name: string) => new Writer(10).text(name).take(),
+    new Writer(6).all(X_WH.rotation).all(X_WH.translation).u8(pressed ? 1 : 0).finish(),
+  stop: () => new Writer(7).finish(),
+  lookAt: (point: Vec3) => new Writer(8).all(point).finish(),
+  setControl: (id: number, value: number) => new Writer(9).u16(id).f64(value).finish(),
+  load: (name: string) => new Writer(10).text(name).finish(),
 };

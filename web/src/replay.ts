@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording: the messages of a server with the time of each, to be played, scrubbed and stepped.
+// A recording: the messages of a server with their times. It can be played, scrubbed and stepped.
 //   "HCRP", version (uint32: 1), then for each: time (float64, s), length (uint32), the message
 import { decode, type Message, otherVersion, type SurfacePage } from "./protocol.ts";
 
@@ -12,14 +12,14 @@ export function readRecording(bytes: Uint8Array): Timed[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const magic = new TextDecoder().decode(bytes.subarray(0, 4));
   if (magic !== "HCRP" || view.getUint32(4, true) !== 1)
-    throw new Error("This is no recording that this page can play: export it again with the program that made the page.");
+    throw new Error("This page cannot play this recording: export it again with the program that made the page.");
   const all: Timed[] = [];
   for (let at = 8; at + 12 <= bytes.length;) {
     const time = view.getFloat64(at, true), length = view.getUint32(at + 8, true);
-    const bytesOfIt = bytes.slice(at + 12, at + 12 + length);
-    const other = otherVersion(bytesOfIt);
-    if (other) throw new Error(`This page ${other} than its recording: export it again by the program that runs.`);
-    const message = decode(bytesOfIt);
+    const part = bytes.slice(at + 12, at + 12 + length);
+    const other = otherVersion(part);
+    if (other) throw new Error(`This page ${other} than its recording: export it again with the present program.`);
+    const message = decode(part);
     if (message === null) throw new Error("The recording is damaged: export it again.");
     all.push({ time, message });
     at += 12 + length;
@@ -27,10 +27,10 @@ export function readRecording(bytes: Uint8Array): Timed[] {
   return all;
 }
 
-/** From the text of a page that has its recording in it. */
+/** Decodes a recording that is embedded in the page. */
 export const fromBase64 = (text: string) => Uint8Array.from(atob(text.replace(/\s/g, "")), (c) => c.charCodeAt(0));
 
-/** What gzip has compressed; anything else stays as it is. */
+/** Decompresses gzip data; other data is returned unchanged. */
 export async function unpack(raw: Uint8Array): Promise<Uint8Array> {
   if (raw[0] !== 0x1f || raw[1] !== 0x8b) return raw;
   const stream = new Blob([raw as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -48,7 +48,7 @@ export class Player {
   private next = 0;
   private at = 0;
 
-  constructor(all: Timed[], private tell: (message: Message) => void, private wentBack: () => void = () => undefined) {
+  constructor(all: Timed[], private show: (message: Message) => void, private onRewind: () => void = () => undefined) {
     for (const { time, message } of all) {
       if (message.kind !== "page") {
         this.others.push({ time, message });
@@ -76,29 +76,29 @@ export class Player {
     this.seek(this.frames[to] ?? 0);
   }
 
-  /** Tells what is new since the last time, or, going back, what is other than it was. */
+  /** Shows the messages since the last time; when rewinding, all that differ. */
   seek(time: number) {
     if (time < this.at) {
       this.next = 0;
-      this.wentBack();
+      this.onRewind();
     }
     this.at = time;
     const latest = new Map<string, Message>();
     for (; this.next < this.others.length && this.others[this.next].time <= time; ++this.next) {
       const message = this.others[this.next].message;
-      if (message.kind === "trace") this.tell(message);
+      if (message.kind === "trace") this.show(message);
       else latest.set(message.kind, message);
     }
     for (const kind of ["hello", "tool", "controls", "snapshot", "instruments", "notice"]) {
       const message = latest.get(kind);
-      if (message && !(kind === "hello" && this.shown.size > 0)) this.tell(message);
+      if (message && !(kind === "hello" && this.shown.size > 0)) this.show(message);
     }
     for (const [name, versions] of this.versions) {
       let page = versions[0].time <= time ? versions[0].page : null;
       for (const one of versions) if (one.time <= time) page = one.page;
       if (page === null || this.shown.get(name) === page) continue;
       this.shown.set(name, page);
-      this.tell(page);
+      this.show(page);
     }
   }
 }

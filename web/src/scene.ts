@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The workpiece as the server sends it: a draw call for each page, twelve bytes a vertex. Units of the scene are mm.
+// The surface of the workpiece: one draw call per page, twelve bytes per vertex. Units of the scene are mm.
 import * as three from "three";
 import type { Hello, Pose, SurfacePage, Vec3 } from "./protocol.ts";
 
-const kEdge = 32; // voxels of a page
-const kSteps = 512; // of a voxel
+const kEdge = 32; // voxels per page
+const kSteps = 512; // per voxel
 
 const vertexShader = `
 uniform vec3 colors[16];
@@ -113,12 +113,12 @@ export class Workpiece {
 
   get draws() { return this.pages.size; }
 
-  /** The plane beyond which nothing is drawn: normal . p > offset [mm]. */
+  /** Sets the section plane: points with normal . p > offset [mm] are not drawn. */
   cutAt(normal: three.Vector3 | null, offset: number) {
     (this.material.uniforms.section.value as three.Vector4)
       .set(normal?.x ?? 0, normal?.y ?? 0, normal?.z ?? 0, normal ? offset : 1);
   }
-  /** [mm] from a point to what is drawn of the surface, less by a voxel, for only corners of triangles are looked at. */
+  /** [mm] The distance from a point to the drawn surface, minus a voxel, because only corners are checked. */
   clearance(point: three.Vector3): number {
     const near = this.group.children.map((child) => {
       const { geometry, matrixWorld } = child as three.Mesh;
@@ -126,16 +126,16 @@ export class Workpiece {
     }).sort((a, b) => a.away - b.away);
     const section = this.material.uniforms.section.value as three.Vector4, corner = new three.Vector3();
     const plane = new three.Vector3(section.x, section.y, section.z);
-    let least = Infinity;
+    let min = Infinity;
     for (const { geometry, matrixWorld, away } of near) {
-      if (away >= least) break;
+      if (away >= min) break;
       const data = geometry.getAttribute("position");
       for (let n = 0; n < data.count; ++n) {
         const away = corner.fromBufferAttribute(data, n).applyMatrix4(matrixWorld).distanceTo(point);
-        if (away < least && plane.dot(corner) <= section.w) least = away;
+        if (away < min && plane.dot(corner) <= section.w) min = away;
       }
     }
-    return least - this.voxel;
+    return min - this.voxel;
   }
 
   isInside(point: three.Vector3, along: three.Vector3): boolean {
@@ -145,7 +145,7 @@ export class Workpiece {
 
   lightFrom(direction: three.Vector3) { this.material.uniforms.keyLight.value.copy(direction); }
 
-  /** [m] of the surface under a ray of the scene, with a normal that is a mean of what is around. */
+  /** [m] The point where a ray of the scene meets the surface, with a mean normal of its surroundings. */
   hit(ray: three.Ray): { point: Vec3; normal: Vec3 } | null {
     const found = this.first(ray);
     if (!found) return null;
@@ -156,7 +156,7 @@ export class Workpiece {
     return { point: [p.x / 1e3, p.y / 1e3, p.z / 1e3], normal: [normal.x, normal.y, normal.z] };
   }
 
-  /** What of the surface that is drawn a ray meets first. */
+  /** The first intersection of a ray with the drawn surface. */
   private first(ray: three.Ray): three.Intersection | undefined {
     const section = this.material.uniforms.section.value as three.Vector4;
     const plane = new three.Vector3(section.x, section.y, section.z);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server's samples to the loudspeaker, in a worklet of their own.
+// Plays the samples of the server in an audio worklet.
 export class Speaker {
   on = false;
-  heard = 0; // samples that came
-  recent = new Float32Array(8192); // newest last, for whoever looks at the tone
+  heard = 0; // number of received samples
+  recent = new Float32Array(8192); // newest last, for tests
   private context: AudioContext | null = null;
   private node: AudioWorkletNode | null = null;
 
-  /** Browsers allow sound only after a key or a click. */
+  /** Call after a key or a click: browsers allow sound only then. */
   async start() {
     if (!this.context) {
       this.context = new AudioContext({ sampleRate: 48_000, latencyHint: "interactive" });

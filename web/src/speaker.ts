@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs in the thread of the sound: a queue of samples, a tenth of a second at most, silence when it is empty.
+// Runs in the audio thread: a queue of samples, at most 0.2 s long. An empty queue is silent.
 declare class AudioWorkletProcessor { readonly port: MessagePort; }
 declare function registerProcessor(name: string, processor: new () => AudioWorkletProcessor): void;
 
-const kMost = 4800;
+const kMaxQueued = 4800; // samples, 0.1 s
 
 class Speaker extends AudioWorkletProcessor {
   private waiting: Float32Array[] = [];
@@ -15,7 +15,7 @@ class Speaker extends AudioWorkletProcessor {
     this.port.onmessage = (event: MessageEvent<Float32Array>) => {
       this.waiting.push(event.data);
       let total = this.waiting.reduce((sum, part) => sum + part.length, -this.at);
-      for (; total > 2 * kMost && this.waiting.length > 1; this.at = 0) total -= this.waiting.shift()!.length - this.at;
+      for (; total > 2 * kMaxQueued && this.waiting.length > 1; this.at = 0) total -= this.waiting.shift()!.length - this.at;
     };
   }
 
@@ -26,7 +26,7 @@ class Speaker extends AudioWorkletProcessor {
         this.waiting.shift();
         this.at = 0;
       }
-      // A gap fades, so that it does not click.
+      // Fade into a gap, so that it does not click.
       this.level = this.waiting.length > 0 ? this.waiting[0][this.at++] : this.level * 0.995;
       out[n] = this.level;
     }

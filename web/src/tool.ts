@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tool: its head with cutting and smooth edges in two colours, shank and handle, the ghost of where the hand wants
-// it, and the arrow of the force. Units of the scene are mm.
+// The tool: its head with cutting and smooth edges in two colours, shank and handle, a ghost at the set point of the
+// hand, and the arrow of the force. Units of the scene are mm.
 import * as three from "three";
 import { outline } from "./outline.ts";
 import type { Pose, Snapshot, Tool } from "./protocol.ts";
@@ -14,7 +14,7 @@ function lathe(points: [number, number][], material: three.Material): three.Mesh
   return new three.Mesh(flipped(geometry), material);
 }
 
-/** The mirror image has its triangles the other way round. */
+/** Reverses the triangles, because mirroring inverts their orientation. */
 function flipped(geometry: three.BufferGeometry): three.BufferGeometry {
   const index = geometry.index!;
   for (let n = 0; n < index.count; n += 3) {
@@ -65,22 +65,22 @@ export class ToolView {
     this.tip = tool.tip;
     const cutting = metal(kCutting, 0.45), smooth = metal(kSmooth, 0.35), grip = metal(kHandle, 0.55);
     const ghost = new three.MeshBasicMaterial({ color: kGhost, transparent: true, opacity: 0.3, depthWrite: false });
-    let top = tool.tip, widest = 0;
+    let top = tool.tip, maxRadius = 0;
     for (const stretch of outline(tool.tip, tool.edges)) {
       this.spin.add(lathe(stretch.points, stretch.cutting ? cutting : smooth));
       this.ghost.add(lathe(stretch.points, ghost));
       for (const [rho, z] of stretch.points) {
         top = Math.max(top, z);
-        widest = Math.max(widest, rho);
+        maxRadius = Math.max(maxRadius, rho);
       }
     }
-    this.reach = 1e3 * Math.max(widest, top - tool.tip);
+    this.reach = 1e3 * Math.max(maxRadius, top - tool.tip);
     this.addFlutes(tool);
-    this.addHandle(tool, 1e3 * top, 1e3 * widest, smooth, grip);
+    this.addHandle(tool, 1e3 * top, 1e3 * maxRadius, smooth, grip);
     this.group.visible = true;
   }
 
-  /** Blades as dark lines, so that the spin is seen. */
+  /** Adds blades as dark lines, so that the rotation is visible. */
   private addFlutes(tool: Tool) {
     const material = new three.LineBasicMaterial({ color: 0x5a4010 });
     const points = outline(tool.tip, tool.edges).filter((one) => one.cutting).flatMap((one) => one.points);
@@ -93,14 +93,15 @@ export class ToolView {
     }
   }
 
-  private addHandle(tool: Tool, top: number, widest: number, smooth: three.Material, grip: three.Material) {
+  private addHandle(tool: Tool, top: number, maxRadius: number, smooth: three.Material, grip: three.Material) {
     const X_TH = toMatrix(tool.X_HT).invert();
     const hand = new three.Vector3().applyMatrix4(X_TH);
-    const shank = Math.max(0.25, Math.min(widest * 0.55, 1.2));
+    const shank = Math.max(0.25, Math.min(maxRadius * 0.55, 1.2));
     const up = new three.Vector3(0, 0, 1);
     const elbow = tool.angled ? up.clone().multiplyScalar(1e3 * tool.neck) : hand;
     const neck = Math.min(elbow.length(), top + 9);
-    if (neck > top) this.handle.add(rod(up.clone().multiplyScalar(top), up.clone().multiplyScalar(neck), shank, smooth));
+    if (neck > top)
+      this.handle.add(rod(up.clone().multiplyScalar(top), up.clone().multiplyScalar(neck), shank, smooth));
     if (!tool.angled) {
       if (hand.length() > neck) this.handle.add(rod(up.clone().multiplyScalar(neck), hand, Math.max(1.9, shank), grip));
       return;
@@ -111,7 +112,7 @@ export class ToolView {
     this.handle.add(corner, rod(elbow, hand, 2.4, grip));
   }
 
-  /** @param speed  [rad/s] of the spindle, shown slower than it turns */
+  /** Places tool, ghost and arrow. The spindle is shown slower than it runs. */
   place(snapshot: Snapshot, X_WG: Pose | null, seconds: number) {
     const { X_WT, force, speed } = snapshot;
     this.group.matrix.copy(toMatrix(X_WT));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten seconds of a thousand samples each, and what of them is drawn: least and greatest of each column.
+// Ten seconds of a thousand samples each, drawn as minimum and maximum of each column.
 export const kSamples = 10_000;
 export const kChannels = 6;
 
 export class TraceRing {
   private values = new Float32Array(kSamples * kChannels);
-  private next = -1; // tick behind the last sample
+  private next = -1; // tick after the last sample
   private filled = 0;
 
-  /** @param first  tick of the first sample; what is older than the newest is left out, gaps are 0 */
+  /** @param first  tick of the first sample; samples that are already there are skipped, gaps are 0 */
   add(first: number, samples: Float32Array) {
     const count = samples.length / kChannels;
     if (first < this.next - kSamples || this.next < 0) this.clear(first);
@@ -31,7 +31,7 @@ export class TraceRing {
     return this.filled > 0 ? this.values[((this.next - 1) % kSamples) * kChannels + channel] : 0;
   }
 
-  /** The magnitude or a component of the newest `seconds` in `columns` pairs of least and greatest. */
+  /** The newest `ticks` of a channel in `columns` pairs of minimum and maximum. */
   decimate(channel: number, columns: number, ticks = kSamples) {
     const low = new Float64Array(columns).fill(NaN), high = new Float64Array(columns).fill(NaN);
     const begin = this.next - ticks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bindings/csharp promises, under Mono. Ends with 1 at the first promise that is broken.
+// Tests bindings/csharp under Mono. Ends with 1 at the first failure.
 using System;
 using System.Diagnostics;
 using System.IO;
@@ -21,7 +21,8 @@ handle = 'ray'
 handle_length_mm = 20
 spindle_rpm = 40000
 ";
-  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\nspindle_rpm = 40000\n";
+  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\n" +
+                           "spindle_rpm = 40000\n";
 
   static void Require(bool condition, string what) {
     if (condition) return;
@@ -45,14 +46,14 @@ spindle_rpm = 40000
   }
 
   static StepInput Above(double depth) {
-    return new StepInput { X_WH = Pose.At(3e-3, 3e-3, 3e-3 + 1e-3 + 20e-3 - depth), linearVelocity = new Vec3(0, 0, -2e-3),
-                           dt = 1e-3 };
+    return new StepInput { X_WH = Pose.At(3e-3, 3e-3, 3e-3 + 1e-3 + 20e-3 - depth),
+                           linearVelocity = new Vec3(0, 0, -2e-3), dt = 1e-3 };
   }
 
   // Sizes as C has them: tests/unit/c/c_structs_test.cpp.
   static void Sizes() {
-    Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo), typeof(StepInput),
-                     typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
+    Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo),
+                     typeof(StepInput), typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
                      typeof(Vertex), typeof(SoundInput), typeof(RecordingReport) };
     int[] sizes = { 96, 16, 336, 88, 160, 272, 240, 160, 440, 1344, 12, 32, 24 };
     for (int n = 0; n < types.Length; ++n)
@@ -69,7 +70,8 @@ spindle_rpm = 40000
       Require(values.Count == Enum.GetNames(types[n]).Length, types[n].Name + " has other values than in C");
       foreach (Match value in values) {
         string name = Enum.GetName(types[n], uint.Parse(value.Groups[2].Value));
-        Require(name != null && name.ToUpperInvariant() == value.Groups[1].Value.Replace("_", ""), value + " is " + name);
+        Require(name != null && name.ToUpperInvariant() == value.Groups[1].Value.Replace("_", ""),
+                value + " is " + name);
       }
     }
   }
@@ -77,7 +79,8 @@ spindle_rpm = 40000
   static void Steps() {
     using (Simulation simulation = Simulation.FromToml(Scene, new SimulationOptions { undoBlocks = 4096 })) {
       SceneInfo scene = simulation.Scene;
-      Require(scene.materials == 1 && Math.Abs(scene.voxelSize - 0.2e-3) < 1e-12 && scene.boxMax.z == 3e-3, "the scene");
+      Require(scene.materials == 1 && Math.Abs(scene.voxelSize - 0.2e-3) < 1e-12 && scene.boxMax.z == 3e-3,
+              "the scene");
       Require(Math.Abs(scene.X_HT.position.z + 20e-3) < 1e-12, "the head's place");
       simulation.SetUndoMark();
       double removed = 0;
@@ -86,7 +89,8 @@ spindle_rpm = 40000
         result = simulation.Step(Above(2e-6 * n));
         removed += result.removedVolume;
       }
-      Require(result.force.z > 1 && removed > 0 && (result.status & 15) == 0, "a step: " + result.force + " " + result.status);
+      Require(result.force.z > 1 && removed > 0 && (result.status & 15) == 0,
+              "a step: " + result.force + " " + result.status);
       MaterialInfo bone = simulation.Material(1);
       Require(bone.Name == "cortical_bone" && Math.Abs(bone.removedVolume - removed) < 1e-9 * removed, "the material");
       Require(simulation.Touches(Above(2e-3).X_WH) && !simulation.Touches(Above(-1e-3).X_WH), "what touches");
@@ -96,12 +100,13 @@ spindle_rpm = 40000
       Require(!simulation.PathPose(0, out pose), "there is no path");
       StepInput wrong = Above(0);
       wrong.X_WH.r00 = 2;
-      Require(Library.StatusText(simulation.Step(wrong).status) == "pose_rejected", "a pose that is none");
+      Require(Library.StatusText(simulation.Step(wrong).status) == "pose_rejected", "an invalid pose");
     }
   }
 
   static void Errors() {
-    HapticutException refusal = Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
+    HapticutException refusal =
+        Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
     Require(refusal.Code == HapticutException.Refused &&
             refusal.Message == "scene:8: tool.radius_mm: must be a number > 0, not -1.", refusal.Message);
     Require(Refused(() => Simulation.FromToml(Scene.Replace("cortical_bone", "k\u00f6rper")), "a material").Message
@@ -113,7 +118,7 @@ spindle_rpm = 40000
     released.Dispose();
     try {
       released.Step(Above(0));
-      Require(false, "an object that was let go of was used");
+      Require(false, "a released object was used");
     } catch (ObjectDisposedException) {
     }
   }
@@ -135,7 +140,7 @@ spindle_rpm = 40000
     Require(Refused(() => simulation.Step(Above(0)), "a step in a loop").Code == HapticutException.Busy, "busy");
     WaitFor(() => loop.Latest().removedVolume > 0, "the loop cuts nothing");
 
-    // The runtime makes exceptions of SIGSEGV; the loop has no part in it.
+    // The runtime turns SIGSEGV into exceptions; the loop does not interfere.
     int caught = 0;
     for (int n = 0; n < 100; ++n)
       try {
@@ -146,8 +151,8 @@ spindle_rpm = 40000
     Require(caught == 100, "an exception was lost");
     ulong before = loop.Latest().tick;
     GC.Collect();
-    WaitFor(() => loop.Latest().tick > before + 100, "the loop ticks no more");
-    Require(loop.Latest().arming != Arming.Fault, "a force was taken away that nobody asked for");
+    WaitFor(() => loop.Latest().tick > before + 100, "the loop has stopped ticking");
+    Require(loop.Latest().arming != Arming.Fault, "the force was switched off without a request");
 
     loop.Send(CommandKind.SetUndoMark);
     WaitFor(() => loop.Latest().undoMarks == 1, "a command");
@@ -184,14 +189,15 @@ spindle_rpm = 40000
     LoopReport report = loop.Stop();
     Require(report.ticks > 100 && report.End.Length > 0, "the report");
     simulation.Step(Above(-5e-3));
-    // In the order of a collector: any.
+    // In any order, like a garbage collector.
     simulation.Dispose();
     device.Dispose();
     surface.Dispose();
     loop.Dispose();
 
-    // A loop that nobody has stopped ends with its object.
-    Loop.Start(Simulation.FromToml(Scene, new SimulationOptions { ForCoupling = true }), Device.Open("mock:rest"), options);
+    // A loop that was not stopped ends with its object.
+    Loop.Start(Simulation.FromToml(Scene, new SimulationOptions { ForCoupling = true }), Device.Open("mock:rest"),
+               options);
   }
 
   static void Frames() {
@@ -202,29 +208,34 @@ spindle_rpm = 40000
       Quaternion q = new Quaternion(any(), any(), any(), any());
       double length = Math.Sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
       q = new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
-      Vec3 p = vector(), force = vector(), torque = vector(), velocity = vector(), turn = vector();
+      Vec3 p = vector(), force = vector(), torque = vector(), velocity = vector(), rotation = vector();
       Near(UnityFrame.Vector(UnityFrame.Vector(p)), p, "Unity, there and back");
       Near(UnityFrame.Axial(UnityFrame.Axial(p)), p, "Unity, there and back");
       Near(UnrealFrame.PositionBack(UnrealFrame.Position(p)), p, "Unreal, there and back");
       Near(UnrealFrame.Axial(UnrealFrame.Axial(p)), p, "Unreal, there and back");
-      double power = force.Dot(velocity) + torque.Dot(turn);
-      Near(UnityFrame.Vector(force).Dot(UnityFrame.Vector(velocity)) + UnityFrame.Axial(torque).Dot(UnityFrame.Axial(turn)), power,
-           "Unity, power");
+      double power = force.Dot(velocity) + torque.Dot(rotation);
+      Near(UnityFrame.Vector(force).Dot(UnityFrame.Vector(velocity)) +
+               UnityFrame.Axial(torque).Dot(UnityFrame.Axial(rotation)), power, "Unity, power");
       Near(UnrealFrame.Vector(force).Dot(UnrealFrame.Vector(velocity)) +
-               UnrealFrame.Axial(torque).Dot(UnrealFrame.Axial(turn)), power, "Unreal, power");
-      // To turn and then to change the frame is to change the frame and then to turn.
-      Near(UnityFrame.Vector(Turned(q, p)), Turned(UnityFrame.Rotation(q), UnityFrame.Vector(p)), "Unity, rotation");
-      Near(UnrealFrame.Vector(Turned(q, p)), Turned(UnrealFrame.Rotation(q), UnrealFrame.Vector(p)), "Unreal, rotation");
-      // r x F is a torque in any frame.
+               UnrealFrame.Axial(torque).Dot(UnrealFrame.Axial(rotation)), power, "Unreal, power");
+      // Rotation and change of frame commute.
+      Near(UnityFrame.Vector(Rotated(q, p)), Rotated(UnityFrame.Rotation(q), UnityFrame.Vector(p)), "Unity, rotation");
+      Near(UnrealFrame.Vector(Rotated(q, p)), Rotated(UnrealFrame.Rotation(q), UnrealFrame.Vector(p)),
+           "Unreal, rotation");
+      // r x F is a torque in every frame.
       Near(UnityFrame.Axial(Cross(p, force)), Cross(UnityFrame.Vector(p), UnityFrame.Vector(force)), "Unity, lever");
-      Near(UnrealFrame.Axial(Cross(p, force)), Cross(UnrealFrame.Vector(p), UnrealFrame.Vector(force)), "Unreal, lever");
+      Near(UnrealFrame.Axial(Cross(p, force)), Cross(UnrealFrame.Vector(p), UnrealFrame.Vector(force)),
+           "Unreal, lever");
       Quaternion back = Quaternion.Of(q.At(p));
       double sign = q.w < 0 ? -1 : 1;
-      Near(new Vec3(back.x, back.y, back.z), new Vec3(sign * q.x, sign * q.y, sign * q.z), "a rotation, there and back");
+      Near(new Vec3(back.x, back.y, back.z), new Vec3(sign * q.x, sign * q.y, sign * q.z),
+           "a rotation, there and back");
     }
   }
-  static Vec3 Cross(Vec3 a, Vec3 b) { return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x); }
-  static Vec3 Turned(Quaternion q, Vec3 v) {
+  static Vec3 Cross(Vec3 a, Vec3 b) {
+    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  }
+  static Vec3 Rotated(Quaternion q, Vec3 v) {
     Pose X = q.At(new Vec3());
     return new Vec3(X.r00 * v.x + X.r01 * v.y + X.r02 * v.z, X.r10 * v.x + X.r11 * v.y + X.r12 * v.z,
                     X.r20 * v.x + X.r21 * v.y + X.r22 * v.z);

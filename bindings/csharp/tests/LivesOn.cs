@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program in C# that catches exceptions which its runtime makes of SIGSEGV, while a loop of hapticut runs beside it.
+// A program in C# whose runtime turns SIGSEGV into exceptions, while a loop of hapticut runs.
 using System;
 using System.Runtime.InteropServices;
 using System.Threading;
@@ -39,24 +39,24 @@ static class LivesOn {
 
   static void GoesOnTicking() {
     ulong before = loop_ticks();
-    WaitFor(() => loop_ticks() > before + 50, "the loop ticks no more");
+    WaitFor(() => loop_ticks() > before + 50, "the loop has stopped ticking");
   }
 
   static int Main() {
-    // As a library does it: the signal is none of its business.
+    // Without stop_on_crash the loop ignores the signal.
     Require(loop_start(0) == 1, "the loop does not start");
     WaitFor(() => loop_has_force() == 1, "there is no force");
     Require(CaughtOf(100) == 100, "an exception was lost");
     GoesOnTicking();
-    Require(loop_has_fault() == 0, "a force was taken away that nobody asked for");
+    Require(loop_has_fault() == 0, "the force was switched off without a request");
     loop_stop();
 
-    // Where it was asked to: the force goes, the program lives, and after a reset the force comes back.
+    // With stop_on_crash the force is switched off, the program survives, and after a reset the force comes back.
     Require(loop_start(1) == 1, "the loop does not start again");
     WaitFor(() => loop_has_force() == 1, "there is no force again");
-    Require(CaughtOf(1) == 1, "an exception was lost on its way through our handler");
+    Require(CaughtOf(1) == 1, "the handler of hapticut lost an exception");
     GoesOnTicking();
-    Require(loop_has_fault() == 1, "the force was not taken away");
+    Require(loop_has_fault() == 1, "the force was not switched off");
     loop_reset_fault();
     WaitFor(() => loop_has_force() == 1, "the force did not come back after a reset");
     loop_stop();

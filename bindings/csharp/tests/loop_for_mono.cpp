@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loop on a mock device as a program of another runtime holds it: bindings/csharp/tests/LivesOn.cs.
+// A loop on a mock device for bindings/csharp/tests/LivesOn.cs.
 #include <memory>
 
 #include "hapticut/device/device.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace hapticut;
 
-/// Touches nothing for a while, then pushes, again and again: the guard lets its force through.
+/// Alternates between no force and a push, so that the guard allows the force.
 class PushingModel final : public LoopModel {
   Wrench step(const DeviceState& /*state*/, double /*dt*/, LoopSnapshot& /*snapshot*/) noexcept override {
     Wrench wrench;

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Compiles a program and runs it beside a library, with the header of C as its argument: cmake -DPROGRAM=a.cs;b.cs -DSAYS=... -DWORK=... -DLIBRARY=... -P run.cmake
+# Compiles a program and runs it with a library and the path of the C header as argument:
+# cmake -DPROGRAM=a.cs;b.cs -DSAYS=... -DWORK=... -DLIBRARY=... -P run.cmake
 cmake_minimum_required(VERSION 3.25)
 find_program(MCS mcs)
 find_program(MONO mono)
 if(NOT MCS OR NOT MONO)
-  message("SKIPPED: mono and its compiler are not here; apt-get install mono-runtime mono-mcs.")
+  message("SKIPPED: mono and its compiler are missing; apt-get install mono-runtime mono-mcs.")
   return()
 endif()
 file(MAKE_DIRECTORY "${WORK}")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# C# under Mono, which the sanitizers keep from its signals.
+# C# under Mono. Not with sanitizers, which intercept the signals of Mono.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   return()
 endif()
-# hapticut_mono_test(Suite.Name label library "what it says" program.cs...): a program that calls a library and says so.
+# hapticut_mono_test(Suite.Name label library "output" program.cs...): runs a program and checks its output.
 function(hapticut_mono_test name label library says)
   add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${ARGN}" "-DSAYS=${says}" "-DWORK=${PROJECT_BINARY_DIR}/mono/${name}"
     "-DLIBRARY=$<TARGET_FILE:${library}>" -P "${PROJECT_SOURCE_DIR}/bindings/csharp/tests/run.cmake")
@@ -11,7 +11,7 @@ function(hapticut_mono_test name label library says)
 endfunction()
 file(GLOB HAPTICUT_CSHARP "${PROJECT_SOURCE_DIR}/bindings/csharp/*.cs")
 
-# A runtime that uses SIGSEGV itself goes on living beside a loop.
+# A runtime that uses SIGSEGV keeps running beside a loop.
 add_library(loop_for_mono MODULE "${CMAKE_CURRENT_LIST_DIR}/loop_for_mono.cpp")
 target_link_libraries(loop_for_mono PRIVATE hapticut::hapticut hapticut_build_flags)
 hapticut_mono_test(Mono.CatchesItsNullReferencesBesideARunningLoop csharp loop_for_mono "lives" "${CMAKE_CURRENT_LIST_DIR}/LivesOn.cs")

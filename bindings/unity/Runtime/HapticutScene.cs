@@ -5,20 +5,20 @@ using UnityEngine;
 
 namespace Hapticut {
 
-  /// <summary>A scene in TOML, drilled with a device in a loop of the library's while it is enabled. Its transform is the
-  /// world of hapticut; its children are the pages of the surface.</summary>
+  /// <summary>A scene in TOML. While the component is enabled, a device drills the scene in a loop of the library. Its
+  /// transform is the world of hapticut; its children are the pages of the surface.</summary>
   public sealed class HapticutScene : MonoBehaviour {
     [Tooltip("TOML: docs/command-line.md of hapticut")] public TextAsset scene;
     [Tooltip("mock:spiral,hand=nominal; openhaptics; ...")] public string device = "mock:spiral,hand=nominal";
     [Tooltip("axis of the device's base that points up")] public Up up = Up.Y;
-    [Tooltip("of what is drawn of the workpiece")] public UnityEngine.Material material;
-    [Tooltip("moved to where the head of the tool is")] public Transform tool;
-    [Tooltip("of the workpiece that are drawn anew in a frame, at most")] public int pagesPerFrame = 32;
-    [Tooltip("as fast as it goes: for tests with a mock device")] public bool simulatedTime;
+    [Tooltip("material of the drawn workpiece")] public UnityEngine.Material material;
+    [Tooltip("moved to the pose of the tool's head")] public Transform tool;
+    [Tooltip("maximum number of pages of the surface that are updated per frame")] public int pagesPerFrame = 32;
+    [Tooltip("as fast as possible: for tests with a mock device")] public bool simulatedTime;
 
-    /// <summary>Of the last frame.</summary>
+    /// <summary>The state of the last frame.</summary>
     public LoopState State { get; private set; }
-    /// <summary>For the audio thread: the latest input, replaced as a whole.</summary>
+    /// <summary>The latest input for the audio thread, replaced as a whole.</summary>
     internal volatile SoundSource heard;
     internal sealed class SoundSource { internal SoundInput input; }
 
@@ -30,7 +30,7 @@ namespace Hapticut {
     readonly Dictionary<ulong, SurfacePage> pages_ = new Dictionary<ulong, SurfacePage>();
     static readonly List<HapticutScene> all_ = new List<HapticutScene>();
 
-    /// <summary>Ends every loop; they begin again when their scenes are enabled again.</summary>
+    /// <summary>Ends all loops. A loop starts again when its scene is enabled again.</summary>
     public static void StopAll() {
       foreach (HapticutScene one in all_.ToArray()) one.End();
     }
@@ -62,10 +62,10 @@ namespace Hapticut {
       for (int n = 0; n < pagesPerFrame && surface_.Poll(page_); ++n) Show(page_);
     }
 
-    /// <summary>A command to the loop, obeyed at its next tick.</summary>
+    /// <summary>Sends a command, which the loop applies at the next tick.</summary>
     public void Send(CommandKind kind, double value = 0) { if (loop_ != null) loop_.Send(kind, value); }
 
-    /// <summary>Another tool: TOML with a table [tool].</summary>
+    /// <summary>Exchanges the tool: TOML with a table [tool].</summary>
     public void SetTool(string toml) { if (loop_ != null) loop_.SetTool(toml); }
 
     public void EmergencyStop() { if (loop_ != null) loop_.EmergencyStop(); }

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Hapticut {
 
-  /// <summary>The sound of a scene's drill, made in the audio thread. Put it beside an AudioSource that plays.</summary>
+  /// <summary>The sound of a scene's drill, rendered in the audio thread. Add it beside a playing AudioSource.</summary>
   [RequireComponent(typeof(AudioSource))]
   public sealed class HapticutSound : MonoBehaviour {
     public HapticutScene scene;

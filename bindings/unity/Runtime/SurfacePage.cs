@@ -4,11 +4,12 @@ using UnityEngine.Rendering;
 
 namespace Hapticut {
 
-  /// <summary>A page of the surface as a Mesh. Its 12 bytes a vertex go to the graphics card as they are, but for y and z,
-  /// which change places. That shows the same picture in the other handedness; so triangles are still counter-clockwise, and
-  /// are turned round, for Unity wants them clockwise.</summary>
+  /// <summary>A page of the surface as a Mesh. Its 12 bytes per vertex go to the graphics card unchanged, except that y
+  /// and z are swapped. The swap mirrors the page into the left-handed frame of Unity, where the triangles still look
+  /// counter-clockwise. Unity needs clockwise triangles, so they are reversed.</summary>
   sealed class SurfacePage {
-    // Numbers of 16 bits reach the shader as n/32767, those of 8 as n/127. w of the position is the material's id/32767.
+    // The shader receives 16-bit numbers as n/32767 and 8-bit numbers as n/127. w of the position is the material's
+    // id/32767.
     static readonly VertexAttributeDescriptor[] Layout = {
       new VertexAttributeDescriptor(VertexAttribute.Position, VertexAttributeFormat.SNorm16, 4),
       new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.SNorm8, 4)
@@ -31,7 +32,7 @@ namespace Hapticut {
       object_.transform.localRotation = HapticutScene.Rotation(page.X_WP);
       object_.transform.localScale = new Vector3(scale, scale, scale);
       SwapAxes(page.vertices, page.vertexCount);
-      TurnRound(page.indices, page.indexCount);
+      ReverseTriangles(page.indices, page.indexCount);
       const MeshUpdateFlags trust = MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontRecalculateBounds;
       mesh_.SetVertexBufferParams(page.vertexCount, Layout);
       mesh_.SetVertexBufferData(page.vertices, 0, 0, 12 * page.vertexCount, 0, trust);
@@ -61,7 +62,7 @@ namespace Hapticut {
       }
     }
 
-    static void TurnRound(short[] indices, int count) {
+    static void ReverseTriangles(short[] indices, int count) {
       for (int n = 0; n + 2 < count; n += 3) {
         short second = indices[n + 1];
         indices[n + 1] = indices[n + 2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bindings/unity uses of the engine, declared for a compiler and done just as far as the test looks.
+// The part of the engine that bindings/unity uses, implemented as far as the test needs it.
 using System;
 using System.Collections.Generic;
 
@@ -54,7 +54,9 @@ namespace UnityEngine {
     public short[] order;
     public Bounds bounds { get; set; }
     public void MarkDynamic() {}
-    public void SetVertexBufferParams(int count, params Rendering.VertexAttributeDescriptor[] layout) { vertices = count; }
+    public void SetVertexBufferParams(int count, params Rendering.VertexAttributeDescriptor[] layout) {
+      vertices = count;
+    }
     public void SetVertexBufferData<T>(T[] from, int start, int bufferStart, int count, int stream = 0,
                                        Rendering.MeshUpdateFlags flags = 0) where T : struct {
       data = new byte[count];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bindings/unity with a stand-in for the engine: a scene is drilled, seen and heard, stopped by a reload, refused.
+// Tests bindings/unity with a fake engine: a scene is drilled, drawn and heard, stopped by a reload, and refused.
 using System;
 using System.Reflection;
 using System.Threading;
@@ -19,7 +19,8 @@ handle = 'ray'
 handle_length_mm = 20
 spindle_rpm = 40000
 ";
-  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\nspindle_rpm = 40000\n";
+  const string OtherTool = "[tool]\nhead = 'sphere'\nradius_mm = 0.6\nhandle = 'ray'\nhandle_length_mm = 20\n" +
+                           "spindle_rpm = 40000\n";
 
   static void Require(bool condition, string what) {
     if (condition) return;
@@ -28,8 +29,8 @@ spindle_rpm = 40000
     Environment.Exit(1);
   }
 
-  // As the engine calls what is private.
-  static void Tell(MonoBehaviour one, string message, params object[] with) {
+  // Calls a private method, as the engine does.
+  static void Call(MonoBehaviour one, string message, params object[] with) {
     try {
       one.GetType().GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(one, with);
     } catch (TargetInvocationException thrown) {
@@ -39,7 +40,7 @@ spindle_rpm = 40000
 
   static void FramesUntil(HapticutScene scene, Func<bool> condition, string what) {
     for (int n = 0; n < 60000 && !condition(); ++n) {
-      Tell(scene, "Update");
+      Call(scene, "Update");
       Thread.Sleep(1);
     }
     Require(condition(), what);
@@ -50,8 +51,9 @@ spindle_rpm = 40000
 
   static int Main() {
     Transform tool = new Transform();
-    HapticutScene scene = new HapticutScene { scene = new TextAsset(Scene), up = Up.Z, simulatedTime = true, tool = tool };
-    Tell(scene, "OnEnable");
+    HapticutScene scene =
+        new HapticutScene { scene = new TextAsset(Scene), up = Up.Z, simulatedTime = true, tool = tool };
+    Call(scene, "OnEnable");
     Require(scene.enabled && Debug.Errors.Count == 0, "the scene begins");
 
     // 5 s of drilling.
@@ -59,7 +61,7 @@ spindle_rpm = 40000
     Require(scene.State.removedVolume > 0, "something is cut");
     FramesUntil(scene, () => Meshes(one => MeshOf(one).uploads > 1) > 0, "a page that was cut is drawn again");
     Require(Meshes(one => MeshOf(one).indices > 0) >= 4, "there are pages");
-    // In Unity y is up: the block is 4 mm high, and 12 mm and 10 mm wide; its tool is above or in it.
+    // In Unity y is up: the block is 4 mm high, 12 mm and 10 mm wide; the tool is above or inside it.
     foreach (GameObject page in GameObject.All) {
       Mesh mesh = MeshOf(page);
       Require(page.transform.parent == scene.transform, "a page is a child of the scene");
@@ -78,17 +80,17 @@ spindle_rpm = 40000
     Require(tool.localPosition.y > 0 && tool.localPosition.y < 0.02f, "the tool is drawn");
 
     HapticutSound sound = new HapticutSound { scene = scene, volume = 1 };
-    Tell(sound, "OnEnable");
+    Call(sound, "OnEnable");
     float[] stereo = new float[2048];
     for (int n = 0; n < 20; ++n) {
       Array.Clear(stereo, 0, stereo.Length);
-      Tell(sound, "OnAudioFilterRead", stereo, 2);
+      Call(sound, "OnAudioFilterRead", stereo, 2);
     }
     float loudest = 0;
     foreach (float sample in stereo) loudest = Math.Max(loudest, Math.Abs(sample));
     Require(loudest > 1e-3f && loudest <= 1 && stereo[0] == stereo[1], "the sound: " + loudest);
-    Tell(sound, "OnDisable");
-    Tell(sound, "OnAudioFilterRead", stereo, 2);
+    Call(sound, "OnDisable");
+    Call(sound, "OnAudioFilterRead", stereo, 2);
 
     scene.SetTool(OtherTool);
     scene.Send(CommandKind.SetUndoMark);
@@ -98,27 +100,30 @@ spindle_rpm = 40000
     scene.ResetFault();
     FramesUntil(scene, () => scene.State.arming != Arming.Fault, "the reset");
 
-    // The editor reloads: nothing of the loop is left, and it begins again.
-    System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(HapticutScene).Assembly.GetType("Hapticut.StopBeforeReload").TypeHandle);
+    // The editor reloads: the loop ends completely, and starts again.
+    Type stops = typeof(HapticutScene).Assembly.GetType("Hapticut.StopBeforeReload");
+    System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(stops.TypeHandle);
     UnityEditor.AssemblyReloadEvents.Reload();
     Require(Meshes(one => !one.destroyed) == 0, "the pages are gone");
-    Tell(scene, "Update");
+    Call(scene, "Update");
     GameObject.All.Clear();
-    Tell(scene, "OnEnable");
+    Call(scene, "OnEnable");
     FramesUntil(scene, () => GameObject.All.Count >= 4 && scene.State.tick > 0, "the scene begins again");
-    Tell(scene, "OnDisable");
-    Tell(scene, "OnDisable");
+    Call(scene, "OnDisable");
+    Call(scene, "OnDisable");
 
     HapticutScene wrong = new HapticutScene { scene = new TextAsset(Scene.Replace("radius_mm = 1", "radius_mm = -1")) };
-    Tell(wrong, "OnEnable");
+    Call(wrong, "OnEnable");
     Require(!wrong.enabled && Debug.Errors.Count == 1 &&
-            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0, not -1.", "a scene with an error");
+            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0, not -1.",
+            "a scene with an error");
     Console.WriteLine("drilled, seen, heard");
     return 0;
   }
 
-  // Triangles look outwards: where they are clockwise in left-handed axes, (b - a) x (c - a) points to the one who looks, as
-  // normals do. Of (0, 0, 0), (0, 1, 0), (1, 0, 0), clockwise for a camera that looks along +z, it is (0, 0, -1).
+  // Checks that triangles face outwards: for a clockwise triangle in left-handed axes, (b - a) x (c - a) points towards
+  // the viewer, like the normals. For (0, 0, 0), (0, 1, 0), (1, 0, 0), clockwise for a camera along +z, it is
+  // (0, 0, -1).
   static void ClockwiseFromOutside(GameObject page, Mesh mesh) {
     int outwards = 0;
     for (int n = 0; n + 2 < mesh.indices; n += 3) {
@@ -126,13 +131,15 @@ spindle_rpm = 40000
       double[] u = { b[0] - a[0], b[1] - a[1], b[2] - a[2] }, v = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
       double[] face = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
       int at = 12 * (ushort)mesh.order[n] + 8;
-      double along = (face[0] * (sbyte)mesh.data[at] + face[1] * (sbyte)mesh.data[at + 1] + face[2] * (sbyte)mesh.data[at + 2]);
+      double along = face[0] * (sbyte)mesh.data[at] + face[1] * (sbyte)mesh.data[at + 1] +
+                     face[2] * (sbyte)mesh.data[at + 2];
       if (along > 0) ++outwards;
     }
     Require(outwards >= 0.97 * mesh.indices / 3, "triangles look outwards: " + outwards + " of " + mesh.indices / 3);
   }
   static double[] At(Mesh mesh, int n) {
     int at = 12 * (ushort)mesh.order[n];
-    return new double[] { BitConverter.ToInt16(mesh.data, at), BitConverter.ToInt16(mesh.data, at + 2), BitConverter.ToInt16(mesh.data, at + 4) };
+    return new double[] { BitConverter.ToInt16(mesh.data, at), BitConverter.ToInt16(mesh.data, at + 2),
+                          BitConverter.ToInt16(mesh.data, at + 4) };
   }
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The Unity package under Mono, with a stand-in for the engine, and as scripts/package-unity.sh fills it. The engine takes
-# no notice of a folder with a ~.
+# Tests the Unity package under Mono with a fake engine, and the package that scripts/package-unity.sh makes. The engine
+# ignores folders that end with ~.
 if(NOT HAPTICUT_C OR BUILD_SHARED_LIBS OR CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   return()
 endif()

@@ -9,52 +9,52 @@
 #include "hapticut/device/device.hpp"
 
 /// @file
-/// Devices of Force Dimension (omega, delta, sigma, lambda), and the Falcon, through the library DHD. Part of the
-/// component `forcedimension`, which is built where the SDK is found.
+/// Devices of Force Dimension (omega, delta, sigma, lambda) and the Falcon, through the library DHD. They are part of
+/// the component `forcedimension`, which is built if the SDK is found.
 namespace hapticut {
 
 /// How a device of Force Dimension is opened.
 struct ForceDimensionOptions {
-  /// "omega.7" is one of either hand, "omega.7-left" and "omega.7-right" one of that hand.
+  /// "omega.7" is a model for either hand, "omega.7-left" and "omega.7-right" are models for one hand.
   std::string device_name;
 
-  /// Let go of it before it moves. Until it is calibrated there is no force.
+  /// Release the device before it moves. There is no force until it is calibrated.
   bool calibrate = false;
   double effector_mass = 0;
 
-  /// In steps of 125 us. While a callback hangs, our own watchdog fades the force out from 10 ms on and goes on
-  /// commanding; a shorter time here lets the device be faster than that.
+  /// In steps of 125 us. While a callback hangs, the watchdog of this library fades the force out from 10 ms on by
+  /// further commands. With a shorter time here the device switches its force off earlier.
   double watchdog = 20e-3;
 
-  /// With a clock of your own a run may be in simulated time: it is asked once per tick.
+  /// A custom clock allows a run in simulated time. It is called once per tick.
   std::function<double()> clock;
 };
 
 constexpr auto fields_of(Of<ForceDimensionOptions>) {
   using O = ForceDimensionOptions;
   return std::tuple{
-      field("device_name", &O::device_name, "a serial number (1234), or a model; empty: the first that is free"),
+      field("device_name", &O::device_name, "a serial number (1234) or a model; empty: the first free device"),
       field("calibrate", &O::calibrate,
-            "the device calibrates itself by moving, where it is not calibrated; false: calibrate it by hand"),
+            "whether an uncalibrated device calibrates itself by moving; false: calibrate it by hand"),
       field("effector_mass", &O::effector_mass, "kg", Range::not_negative(),
-            "that gravity compensation carries at the tip; 0: what the device knows of itself"),
+            "at the tip, for gravity compensation; 0: the device's own value"),
       field("watchdog", &O::watchdog, "s", Range::between(2e-3, 31.875e-3),
-            "without a command after which the device itself switches its forces off"),
-      field("clock", &O::clock, "of the readings, in seconds; null: the monotonic clock"),
+            "time without a command after which the device switches its forces off"),
+      field("clock", &O::clock, "of the readings, in [s]; null: the monotonic clock"),
   };
 }
 
 /// Opens a device.
 ///
-/// Base frame of the device: +x to the right, +y up, +z towards the user, the origin where the library has its own, in
-/// the middle of the workspace. (The library's own frame has x towards the user, y to the right, z up.) The stylus
-/// frame is that of the base when the library calls the orientation the identity.
+/// Base frame of the device: +x to the right, +y up, +z towards the user. The origin is that of the DHD library, in the
+/// middle of the workspace. (The frame of DHD has x towards the user, y to the right, z up.) The stylus frame equals
+/// the base frame when DHD reports the identity as orientation.
 ///
-/// The loop is ours: one reading and one force command per tick, also when the force is zero, because the weight of the
-/// arm is compensated with each command. Forces that the device itself switched off (too fast a motion, its watchdog)
-/// are switched on again after a tenth of a second, and faded in when the tool is free; those that a button, a dead
-/// man's switch or another program switched off come back only from there.
-/// @throws Error with the library's own words and what to do
+/// This library drives the loop: one reading and one force command per tick, also when the force is zero, because the
+/// device compensates the weight of its arm with each command. When the device switches its forces off (too fast a
+/// motion, its watchdog), they are switched on again after 0.1 s, and faded in when the tool is free. When a button, a
+/// dead man's switch or another program switches the forces off, only the same cause can switch them on again.
+/// @throws Error with the message of DHD and what to do
 [[nodiscard]] std::unique_ptr<Device> open_force_dimension(const ForceDimensionOptions& options = {});
 
 /// Makes `open_device("forcedimension")` and `open_device("forcedimension:NAME")` work.

@@ -14,56 +14,58 @@ namespace hapticut {
 
 class Workpiece;
 
-/// A copy of one block of the workpiece, on its way to a picture or a recording.
+/// A copy of one block of the workpiece, for a picture or a recording.
 struct ChangedBlock {
-  VoxelIndex origin = {0, 0, 0};                    ///< of its first voxel
-  std::uint64_t version = 0;                        ///< grows with every block that is sent
-  std::uint32_t workpiece = 0;                      ///< how often it was exchanged before: ToolSnapshot::workpiece
-  std::array<MaterialId, kBlockVoxels> material{};  ///< kEmpty where there is nothing
+  VoxelIndex origin = {0, 0, 0};  ///< of the first voxel of the block
+  std::uint64_t version = 0;      ///< grows with every block that is sent
+  std::uint32_t workpiece = 0;    ///< number of exchanges of the workpiece so far: ToolSnapshot::workpiece
+  std::array<MaterialId, kBlockVoxels> material{};  ///< kEmpty for an empty voxel
   std::array<float, kBlockVoxels> fill{};           ///< [1]
 };
 
-/// Content of a block of a workpiece, for pictures and copies.
-/// @param block  `origin` is given
+/// Copies the content of a block of a workpiece.
+/// @param block  its `origin` is the input, its arrays are the output
 /// @realtime no allocation, no lock; O(512)
 void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept;
 
-/// Changed blocks out of the loop: bounded, never blocking, and never losing a block for good.
+/// A bounded queue of changed blocks from the loop to another thread. It never blocks, and never loses the last version
+/// of a block.
 ///
-/// The loop marks a block when it changes and sends what is marked as far as the queue has room; a block that finds no
-/// room stays marked, and its newest content goes out later. So a slow reader sees fewer versions of a block, but in
-/// the end the last one of each.
+/// The loop marks a block when it changes, and sends marked blocks while the queue has room. A block that does not fit
+/// stays marked, and its newest content is sent later. So a slow reader receives fewer versions of a block, but always
+/// the last one.
 ///
-/// One thread marks and sends, one other receives.
+/// One thread marks and sends, one other thread receives.
 class BlockOutbox {
  public:
   /// @param region    voxels whose blocks may be marked
-  /// @param capacity  [blocks] > 0 under way at once; 2.6 kB each
+  /// @param capacity  [blocks] > 0 of the queue; 2.6 kB each
   /// @throws Error when the region is empty or too large for a table of its blocks
   BlockOutbox(const IndexBox& region, std::size_t capacity);
   ~BlockOutbox();
   BlockOutbox(const BlockOutbox&) = delete;
   BlockOutbox& operator=(const BlockOutbox&) = delete;
 
-  /// Notes that a block changed.  @return false when it is outside of the region
+  /// Marks a block as changed.  @return false when the block is outside the region
   /// @realtime no allocation, no lock; O(1)
   bool mark(const VoxelIndex& origin) noexcept;
 
-  /// Sends marked blocks as they are now, oldest mark first, at most `most` of them and as many as there is room for.
+  /// Sends the current content of marked blocks, oldest mark first, while the queue has room.
   /// @param workpiece_number  ChangedBlock::workpiece
-  /// @realtime no allocation, no lock; O(most)
-  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept;
+  /// @param max_blocks        [blocks] to be sent at most
+  /// @realtime no allocation, no lock; O(max_blocks)
+  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept;
 
-  /// The blocks that may be marked.
+  /// The grid of blocks that may be marked.
   [[nodiscard]] const BlockGrid& blocks() const noexcept { return blocks_; }
 
-  /// Blocks that are marked and not sent. For the thread that marks.
+  /// The number of blocks that are marked and not yet sent. For the thread that marks.
   [[nodiscard]] std::size_t marked() const noexcept { return count_; }
 
-  /// Marks that were outside of the region. For the thread that marks.
+  /// The number of marks outside the region. For the thread that marks.
   [[nodiscard]] std::uint64_t outside() const noexcept { return outside_; }
 
-  /// Takes one block. For the receiving thread.  @return false when there is none
+  /// Receives one block. For the receiving thread.  @return false when the queue is empty
   bool receive(ChangedBlock& block);
 
  private:
@@ -71,7 +73,7 @@ class BlockOutbox {
 
   BlockGrid blocks_;
   std::vector<bool> is_marked_;
-  std::vector<std::uint32_t> order_;  // ring of marked blocks; has room for all there are
+  std::vector<std::uint32_t> order_;  // ring of marked blocks, with room for all blocks
   std::size_t head_ = 0, count_ = 0;
   std::uint64_t version_ = 0, outside_ = 0;
   ChangedBlock scratch_;

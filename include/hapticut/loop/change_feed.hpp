@@ -10,7 +10,7 @@
 
 namespace hapticut {
 
-/// How changed blocks are fed to another thread.
+/// How changed blocks are sent to another thread.
 struct ChangeFeedOptions {
   std::size_t block_capacity = 256;
   std::size_t blocks_per_step = 16;
@@ -19,23 +19,23 @@ struct ChangeFeedOptions {
 constexpr auto fields_of(Of<ChangeFeedOptions>) {
   using O = ChangeFeedOptions;
   return std::tuple{
-      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "under way at once; 2.6 kB each"),
-      field("blocks_per_step", &O::blocks_per_step, "blocks", Range::positive(), "sent at most; 0.5 us each"),
+      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "of the queue; 2.6 kB each"),
+      field("blocks_per_step", &O::blocks_per_step, "blocks", Range::positive(), "sent per step at most; 0.5 us each"),
   };
 }
 
-/// Copies of the blocks that change, for one other thread that works beside any loop: an observer of the simulation.
-/// Where nobody can list what has changed, as after another workpiece was put in place, every block is sent again, a
-/// few at a time and after those that are known to have changed.
+/// An observer of the simulation that sends copies of changed blocks to one other thread. When the changes are unknown,
+/// for example after an exchange of the workpiece, it sends all blocks again: a few at a time, and after the blocks
+/// that are known to have changed.
 class ChangeFeed final : public StepObserver {
  public:
-  /// Follows the simulation to its own end, and sends with each step. The blocks are those within the bounds that the
-  /// workpiece has now: for a workpiece of other bounds make another feed.
-  /// @param simulation  must outlive it, and stay where it is
+  /// Attaches to the simulation for the lifetime of the feed, and sends with each step. Covers the blocks within the
+  /// current bounds of the workpiece; a workpiece of other bounds needs another feed.
+  /// @param simulation  must outlive the feed, and must not be moved
   /// @throws Error as BlockOutbox, or when an option is out of range or the simulation has too many observers
   explicit ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options = {});
 
-  /// For a loop that says from when on it is to `follow`, and sends by `tick` alone.
+  /// For a loop that calls `attach`, and `tick` in every tick. Sends only in `tick`.
   /// @param region  voxels whose blocks are sent
   /// @throws Error as BlockOutbox
   ChangeFeed(Simulation& simulation, const IndexBox& region, std::size_t block_capacity);
@@ -43,27 +43,29 @@ class ChangeFeed final : public StepObserver {
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 
-  /// From now on, until `leave`. While no step is made.
+  /// Observes the simulation from now on, until `detach`. Not during a step.
   /// @throws Error when the simulation has too many observers
-  void follow();
-  void leave() noexcept;
+  void attach();
 
-  /// Sends what has changed, with a step or without.
-  /// @param most              blocks
+  /// Ends the observation. Not during a step.
+  void detach() noexcept;
+
+  /// Sends changed blocks, also in a tick without a step.
+  /// @param max_blocks        [blocks] to be sent at most
   /// @param workpiece_number  ChangedBlock::workpiece
-  /// @realtime no allocation, no lock; O(most)
-  void tick(std::size_t most, std::uint32_t workpiece_number) noexcept;
+  /// @realtime no allocation, no lock; O(max_blocks)
+  void tick(std::size_t max_blocks, std::uint32_t workpiece_number) noexcept;
 
-  /// Blocks that are still to be sent. For the thread that makes the steps.
+  /// The number of blocks that are not yet sent. For the thread that makes the steps.
   [[nodiscard]] std::size_t waiting() const noexcept { return outbox_.marked() + all_ - swept_; }
 
-  /// How often a block outside of the region has changed. For the thread that makes the steps.
+  /// The number of changes of blocks outside the region. For the thread that makes the steps.
   [[nodiscard]] std::uint64_t outside() const noexcept { return outbox_.outside(); }
 
-  /// Takes one block. For the receiving thread.  @return false when there is none
+  /// Receives one block. For the receiving thread.  @return false when the queue is empty
   bool receive(ChangedBlock& block) { return outbox_.receive(block); }
 
-  /// Sends a block again, whether it has changed or not. For the thread that makes the steps.
+  /// Marks a block to be sent, whether it has changed or not. For the thread that makes the steps.
   /// @realtime no allocation, no lock; O(1)
   void mark(const VoxelIndex& origin) noexcept { outbox_.mark(origin); }
 
@@ -77,8 +79,8 @@ class ChangeFeed final : public StepObserver {
 
   Simulation& simulation_;
   BlockOutbox outbox_;
-  std::size_t all_, swept_;   // blocks; of them marked since all were to be sent
-  std::size_t per_step_ = 0;  // blocks
+  std::size_t all_, swept_;   // [blocks] in the region; [blocks] marked since all must be sent
+  std::size_t per_step_ = 0;  // [blocks]
   bool is_observing_ = false;
 };
 

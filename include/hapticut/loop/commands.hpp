@@ -20,13 +20,13 @@
 
 namespace hapticut {
 
-/// What a model can be told while the loop runs, by `RealtimeLoop::send`: obeyed between two ticks, in the order in
-/// which it was sent. What needs memory is made by the sender, in the constructor of the command; the loop swaps
-/// pointers, and what was in place before goes back in the command, to be freed outside of the loop.
+/// Commands to a model while the loop runs, sent by `RealtimeLoop::send`. The loop applies them between two ticks, in
+/// the order of sending. The sender allocates all memory in the constructor of the command. The loop only swaps
+/// pointers; the replaced objects go back in the command and are freed outside the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
-/// (`SafetyEvent::model_swapped`), for material may be where the tool is. docs/recording.md says which commands end a
-/// recording.
+/// (`SafetyEvent::model_swapped`), because the tool may be inside material. docs/recording.md lists the commands that
+/// end a recording.
 namespace commands {
 
 /// A command without fields.
@@ -34,49 +34,51 @@ template <class Word>
 requires std::is_empty_v<Word>
 constexpr auto fields_of(Of<Word>) { return std::tuple{}; }
 
-/// The spindle's speed while there is a force.
+/// Sets the spindle's speed while there is a force.
 struct SetSpindleSpeed {
   AngularSpeed speed = {};
 };
 
 constexpr auto fields_of(Of<SetSpindleSpeed>) {
-  return std::tuple{field("speed", &SetSpindleSpeed::speed, "rad/s", range_of(&Spindle::speed), "0: it stands")};
+  return std::tuple{
+      field("speed", &SetSpindleSpeed::speed, "rad/s", range_of(&Spindle::speed), "0: the spindle stands")};
 }
 
-/// The hand moves, the tool stays.
+/// Opens the clutch: the hand moves, the tool stays.
 struct OpenClutch {};
 
-/// The tool follows again, from where it is.
+/// Closes the clutch: the tool follows the hand again, from its present pose.
 struct CloseClutch {};
 
-/// How far the tool moves with the hand.
+/// Sets how far the tool moves with the hand.
 struct SetScale {
   double scale = 1;
 };
 
 constexpr auto fields_of(Of<SetScale>) {
-  return std::tuple{field("scale", &SetScale::scale, "1", range_of(&WorkspaceMapOptions::scale), "world over hand")};
+  return std::tuple{field("scale", &SetScale::scale, "1", range_of(&WorkspaceMapOptions::scale),
+                          "distance in the world per distance of the hand")};
 }
 
-/// Marks the workpiece as it is in this tick. Without SimulationModelOptions::undo_blocks it is refused.
+/// Marks the state of the workpiece in this tick. Refused without SimulationModelOptions::undo_blocks.
 struct SetUndoMark {};
 
-/// Puts the workpiece back to the last mark, over as many ticks as it takes and without a force. Without a mark it is
-/// refused.
+/// Returns the workpiece to the last mark. This takes as many ticks as needed, without a force. Refused without a mark.
 struct Undo {};
 
-/// Goes forth again to what was undone last, the same way. When something has been cut since, it is refused.
+/// Redoes the last undo. This takes as many ticks as needed, without a force. Refused when something was cut since.
 struct Redo {};
 
-/// The hand goes on feeling what it felt last, wherever it moves, and the spindle stands, for what the hand cannot feel
-/// is not cut; or it feels the contact again, after the tool was free. An exchange or an undo ends it.
+/// Holds the last force, wherever the hand moves. The spindle stands meanwhile, because nothing may be cut that the
+/// hand cannot feel. After `hold` = false the hand feels the contact again once the tool was free. An exchange or an
+/// undo ends the hold.
 struct HoldForce {
   bool hold = true;
 };
 
-constexpr auto fields_of(Of<HoldForce>) { return std::tuple{field("hold", &HoldForce::hold, "false: no longer")}; }
+constexpr auto fields_of(Of<HoldForce>) { return std::tuple{field("hold", &HoldForce::hold, "false: end the hold")}; }
 
-/// Whether and how material is removed.
+/// Sets whether and how material is removed.
 struct SetRemoval {
   RemovalLaw removal = RemovalLaw::none;
 };
@@ -85,66 +87,66 @@ constexpr auto fields_of(Of<SetRemoval>) {
   return std::tuple{field("removal", &SetRemoval::removal, "none: the spindle cuts nothing")};
 }
 
-/// Which components of the force are on: Effects::enabled.
+/// Sets which components of the force are on: Effects::enabled.
 struct SetForceMask {
   AxisMask enabled;
 };
 
 constexpr auto fields_of(Of<SetForceMask>) {
-  return std::tuple{field("enabled", &SetForceMask::enabled, "from now on")};
+  return std::tuple{field("enabled", &SetForceMask::enabled, "the new value")};
 }
 
-/// Dry friction: see SimulationConfig::friction.
+/// Sets the dry friction: see SimulationConfig::friction.
 struct SetFriction {
   std::optional<DryFriction> friction;
 };
 
 constexpr auto fields_of(Of<SetFriction>) {
-  return std::tuple{field("friction", &SetFriction::friction, "empty: each material's own")};
+  return std::tuple{field("friction", &SetFriction::friction, "empty: the friction of each material")};
 }
 
-/// What is added to the force and what limits it.
+/// Sets the effects that are added to the force, and its limits.
 struct SetEffects {
   Effects effects;
 };
 
-constexpr auto fields_of(Of<SetEffects>) { return std::tuple{field("effects", &SetEffects::effects, "from now on")}; }
+constexpr auto fields_of(Of<SetEffects>) { return std::tuple{field("effects", &SetEffects::effects, "the new value")}; }
 
-/// Another tool for the same workpiece: see Simulation::set_tool.
+/// Exchanges the tool: see Simulation::set_tool.
 struct SetTool {
-  /// @param voxel_size  [m] of the workpiece that is in place when the command is obeyed; otherwise it is refused
-  /// @param config      that the simulation was made with
+  /// @param voxel_size  [m] of the workpiece; the loop refuses the command if its workpiece has another one
+  /// @param config      of the simulation
   /// @throws Error when the head does not suit the voxels or the law
   SetTool(Tool tool, double voxel_size, const SimulationConfig& config);
 
   PreparedTool tool;
-  VirtualCoupling::Lists lists;  ///< as long as the tool needs them, where there is a coupling
+  VirtualCoupling::Lists lists;  ///< sized for the tool, used if there is a coupling
 };
 
-/// Other constants of the materials: see Simulation::set_materials. Another number of materials than the workpiece has
-/// is refused.
+/// Exchanges the constants of the materials: see Simulation::set_materials. Refused when the number of materials
+/// differs from that of the workpiece.
 struct SetMaterials {
-  /// @param config  that the simulation was made with
+  /// @param config  of the simulation
   /// @throws Error when a stiffness is out of range
   SetMaterials(MaterialTable materials, const SimulationConfig& config);
 
   PreparedMaterials materials;
 };
 
-/// Another workpiece, with the tool for it, from a simulation that was made for it: see
-/// Simulation::exchange(Simulation&). All blocks of it come, some with each tick, with another ChangedBlock::workpiece;
-/// the sender, who has the workpiece, can make a picture of it at once.
+/// Exchanges workpiece and tool for those of a prepared simulation: see Simulation::exchange(Simulation&). All blocks
+/// of the new workpiece are sent, some with each tick, with another ChangedBlock::workpiece. The sender has the
+/// workpiece and can draw it at once.
 struct ExchangeWorkpiece {
-  /// @param prepared  with memory for undo, where it is wanted
+  /// @param prepared  with memory for undo, if needed
   explicit ExchangeWorkpiece(Simulation prepared);
 
   std::unique_ptr<Simulation> simulation;
-  VirtualCoupling::Lists lists;  ///< as long as it needs them, where there is a coupling
+  VirtualCoupling::Lists lists;  ///< sized for the simulation, used if there is a coupling
 };
 
 }  // namespace commands
 
-/// A message into the loop. The place of a command, from 1, is its code in C; new ones come last.
+/// A command to the loop. Its position in this list, from 1, is its code in C. Add new commands at the end.
 using LoopCommand =
     std::variant<commands::SetSpindleSpeed, commands::OpenClutch, commands::CloseClutch, commands::SetScale,
                  commands::SetUndoMark, commands::Undo, commands::Redo, commands::HoldForce, commands::SetRemoval,

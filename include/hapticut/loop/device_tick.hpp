@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-/// The device's side of a step.
+/// The device data of a step.
 struct DeviceTick {
   DeviceState state;
   DeviceOutput output;
@@ -15,9 +15,9 @@ struct DeviceTick {
 
 constexpr auto fields_of(Of<DeviceTick>) {
   return std::tuple{
-      field("state", &DeviceTick::state, "the reading that led to the step, as the guard let it through"),
-      field("output", &DeviceTick::output, "what the device rendered until then"),
-      field("arming", &DeviceTick::arming, "of the guard until then"),
+      field("state", &DeviceTick::state, "the reading that led to the step, as admitted by the guard"),
+      field("output", &DeviceTick::output, "of the device until the step"),
+      field("arming", &DeviceTick::arming, "state of the guard until the step"),
   };
 }
 

@@ -11,36 +11,36 @@
 
 namespace hapticut {
 
-/// What computes the force: the simulation, with its coupling and its map from hand to world. All of it but `check` is
-/// called in the thread of the loop and must not allocate or wait.
+/// The model that computes the force: the simulation with its coupling and its map from hand to world. The thread of
+/// the loop calls all functions except `check`; they must not allocate or wait.
 class LoopModel {
  public:
   virtual ~LoopModel() = default;
 
-  /// One tick.
-  /// @param state     the guarded reading; `valid` false: the pose is the last good one and no force will be felt
+  /// Computes one tick.
+  /// @param state     the admitted reading; if `valid` is false, the pose is the last good one and no force is rendered
   /// @param dt        [s] since the last tick
-  /// @param snapshot  `X_WT` and `tool` to be filled in
+  /// @param snapshot  its `X_WT` and `tool` must be filled in
   /// @return [N], [N·m] on the stylus about its point, in B
   virtual Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept = 0;
 
-  /// What is known of the contact behind the wrench of the last `step`, for the guard.
+  /// What is known about the contact that causes the wrench of the last `step`, for the guard.
   [[nodiscard]] virtual ModelContact contact() const noexcept { return {}; }
 
-  /// Whether a command makes sense; in the thread that sends it, before it is sent.
-  /// @throws Error naming what is out of range; then it is not sent
+  /// Checks a command before it is sent, in the sending thread.
+  /// @throws Error naming the value that is out of range; the command is then not sent
   virtual void check(const LoopCommand& /*command*/) const {}
 
-  /// A command that was checked; before the step of the same tick. What it brings is swapped with what was in place,
-  /// which goes back in it.
-  /// @return false when it does not suit what is in place, or the model does not know it; it is then counted
+  /// Applies a checked command, before the step of the same tick. Swaps the objects of the command with those in place.
+  /// @return false when the command does not suit the objects in place, or the model does not know it. The loop counts
+  ///         refused commands
   virtual bool obey(LoopCommand& /*command*/) noexcept { return false; }
 
-  /// Whose changed blocks the loop sends; null: of none.
+  /// The simulation whose changed blocks the loop sends; null: no blocks are sent.
   [[nodiscard]] virtual Simulation* simulation() noexcept { return nullptr; }
 };
 
-/// How the loop exchanges data.
+/// Options of a loop.
 struct RealtimeLoopOptions {
   RunOptions run;
   IndexBox region;
@@ -51,22 +51,23 @@ struct RealtimeLoopOptions {
 constexpr auto fields_of(Of<RealtimeLoopOptions>) {
   using O = RealtimeLoopOptions;
   return std::tuple{
-      field("run", &O::run, "of the device"),
-      field("region", &O::region, "voxels whose changes are sent; empty: no changes are"),
-      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "under way at once"),
-      field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::not_negative(), "sent at most"),
+      field("run", &O::run, "the run of the device"),
+      field("region", &O::region, "voxels whose changes are sent; empty: no changes are sent"),
+      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "of the queue"),
+      field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::not_negative(), "sent per tick at most"),
   };
 }
 
-/// A device, a model and the exchange of both with other threads: commands in by a bounded queue, the latest state out
-/// by a triple buffer, changed blocks out by a bounded queue. The loop never waits for any of them. Stop, emergency
-/// stop and reset come by the device's mailbox, whatever the queue of commands is full of.
+/// Runs a device with a model, and exchanges data with other threads. Commands come in through a bounded queue, the
+/// latest state goes out through a triple buffer, and changed blocks go out through a bounded queue. The loop never
+/// waits for any of them. Stop, emergency stop and reset come through the device's mailbox, so a full queue of commands
+/// does not delay them.
 ///
-/// One thread sends commands, one looks at snapshots, one receives blocks; they may be the same. Each of these calls
-/// also frees what commands have replaced.
+/// One thread sends commands, one reads snapshots, one receives blocks; they may be the same thread. Each of these
+/// calls also frees the objects that commands have replaced.
 class RealtimeLoop {
  public:
-  /// None of device, model and simulation may go away before the loop.
+  /// Device, model and simulation must outlive the loop.
   RealtimeLoop(Device& device, LoopModel& model, const RealtimeLoopOptions& options);
 
   /// Stops, and waits until the run has ended.
@@ -74,8 +75,8 @@ class RealtimeLoop {
   RealtimeLoop(const RealtimeLoop&) = delete;
   RealtimeLoop& operator=(const RealtimeLoop&) = delete;
 
-  /// Begins a run in a thread of its own.
-  /// @throws Error when one runs already, or the simulation has too many observers
+  /// Begins a run in a new thread.
+  /// @throws Error when a run is in progress, or the simulation has too many observers
   void start();
 
   /// Waits until the run has ended.  @throws what Device::run threw
@@ -86,21 +87,21 @@ class RealtimeLoop {
 
   [[nodiscard]] bool is_running() const noexcept;
 
-  /// Stop, emergency stop, reset: those of the device. From any thread, also in a signal handler.
+  /// The requests of the device: stop, emergency stop, reset. From any thread, also in a signal handler.
   [[nodiscard]] Requests& requests() noexcept;
 
-  /// Sends a command to be obeyed at the next tick.
-  /// @return false when the queue is full: that is counted, and `command` is as it was, to be sent again
-  /// @throws Error when it is out of range: see LoopModel::check
+  /// Sends a command, which the loop applies at the next tick.
+  /// @return false when the queue is full. The loop counts it, and `command` is unchanged and can be sent again
+  /// @throws Error when a value is out of range: see LoopModel::check
   bool send(LoopCommand&& command);
 
-  /// The latest snapshot; the reference is good until the next call.
+  /// The latest snapshot. The reference is valid until the next call.
   [[nodiscard]] const LoopSnapshot& latest() noexcept;
 
-  /// Takes one changed block.  @return false when there is none
+  /// Receives one changed block.  @return false when the queue is empty
   bool receive(ChangedBlock& block);
 
-  /// Commands that may be under way at once.
+  /// [commands] The capacity of the queue.
   static constexpr std::size_t kCommands = 256;
 
  private:

@@ -13,21 +13,22 @@
 
 namespace hapticut {
 
-/// How a simulation is driven by a device.
+/// How a device drives a simulation.
 struct SimulationModelOptions {
   WorkspaceMapOptions map;
 
-  /// As the device feels them: at another scale of the map the gains in the world are others. Without a coupling, the
-  /// contact must be as soft as what the device renders (`stiffness_for_device`).
+  /// The gains are those at the device; `gains_in_world` converts them. Without a coupling, the contact must not be
+  /// stiffer than the device can render (`stiffness_for_device`).
   std::optional<CouplingGains> coupling;
 
-  /// Nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
+  /// Then nothing is cut that the hand cannot feel, and a tool that is inside the material at the start does not cut
+  /// its way out.
   bool spindle_needs_force = true;
 
-  /// As the foot pedal of a handpiece, or a button of the stylus: without one the spindle turns all the time.
+  /// For example the foot pedal of a handpiece, or a button of the stylus.
   int pedal = -1;
 
-  /// 2.7 kB each, for the way back and forth: see Workpiece::reserve_undo.
+  /// 2.7 kB each, for undo and redo: see Workpiece::reserve_undo.
   std::size_t undo_blocks = 0;
   std::size_t undo_blocks_per_tick = 64;
 };
@@ -36,32 +37,34 @@ constexpr auto fields_of(Of<SimulationModelOptions>) {
   using O = SimulationModelOptions;
   return std::tuple{
       field("map", &O::map, "from the device's base to the world"),
-      field("coupling", &O::coupling, "between hand and tool; empty: the device is driven directly by the contact"),
-      field("spindle_needs_force", &O::spindle_needs_force,
-            "the spindle stands while the guard holds the force back, and from then on until the tool has touched "
-            "nothing"),
+      field("coupling", &O::coupling,
+            "gains of the coupling between hand and tool; empty: the contact drives the device directly"),
+      field(
+          "spindle_needs_force", &O::spindle_needs_force,
+          "whether the spindle stands while the guard holds the force back, and afterwards until the tool has touched "
+          "nothing"),
       field("pedal", &O::pedal, "1", Range{-1, 31},
-            "the button of the device while which the spindle turns; -1: none, and it turns all the time"),
+            "button of the device that must be pressed for the spindle to run; -1: the spindle runs without a button"),
       field("undo_blocks", &O::undo_blocks, "blocks", Range::not_negative(),
-            "that may be cut after the undo marks, together; 0: reserves nothing"),
+            "that may be cut after all undo marks together; 0: no undo"),
       field("undo_blocks_per_tick", &O::undo_blocks_per_tick, "blocks", Range::positive(),
-            "put back at most, or forth; 0.5 us each"),
+            "restored per tick of an undo or redo at most; 0.5 us each"),
   };
 }
 
-/// A simulation as the model of a loop: the device moves its tool, its force goes to the device, and the blocks that it
-/// changes go to the thread that shows them.
+/// A simulation as the model of a loop. The device moves the tool, the force goes to the device, and changed blocks go
+/// to the thread that draws them.
 ///
-/// The simulation and the device are the loop's while it runs: set up before `RealtimeLoop::start`, look at results
-/// after `wait`, and send commands (loop/commands.hpp) and receive snapshots in between.
+/// Simulation and device belong to the loop while it runs. Set them up before `RealtimeLoop::start`, and read results
+/// after `wait`. In between, send commands (loop/commands.hpp) and receive snapshots.
 class SimulationModel final : public LoopModel {
  public:
-  /// @param device  whose guard must know of clutch and scale; the one that the loop runs
+  /// @param device  the device of the loop; the model reports changes of clutch and scale to its guard
   /// @throws Error when the map is not valid, the coupling does not suit the simulation, the workpiece is too large for
-  ///         undo, or the device would be driven directly by a contact that is stiffer than what it renders
+  ///         undo, or a contact that is stiffer than the device renders would drive the device directly
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
-  /// Lets the spindle turn again as it was asked to, for steps without a loop.
+  /// Lets the spindle run again at its set speed, for steps without a loop.
   ~SimulationModel() override;
   SimulationModel(const SimulationModel&) = delete;
   SimulationModel& operator=(const SimulationModel&) = delete;
@@ -69,62 +72,62 @@ class SimulationModel final : public LoopModel {
   /// The voxels whose blocks may change: RealtimeLoopOptions::region for pictures of the workpiece.
   [[nodiscard]] IndexBox region() const { return region_; }
 
-  // --- for commands, in any thread, while the loop runs or not ------------------------------------------------------
-  /// @return a command for the workpiece that was in place when this model was made, or one of the same voxels
+  // --- commands: any thread, also while the loop runs ---------------------------------------------------------------
+  /// @return a command for the workpiece of when this model was made, or for one with the same voxel size
   /// @throws Error as commands::SetTool
   [[nodiscard]] commands::SetTool prepare_tool(Tool tool) const;
 
   /// @throws Error as commands::SetMaterials
   [[nodiscard]] commands::SetMaterials prepare_materials(MaterialTable materials) const;
 
-  /// @return a command that puts another workpiece in place, with the configuration of this simulation when this model
-  ///         was made and its memory for undo
+  /// @return a command that exchanges the workpiece. It has the configuration that the simulation had when this model
+  /// was
+  ///         made, and the same memory for undo
   /// @throws Error as the constructor of Simulation
   [[nodiscard]] commands::ExchangeWorkpiece prepare_workpiece(Workpiece workpiece, Tool tool) const;
 
   void check(const LoopCommand& command) const override;
 
-  // --- the loop's side ----------------------------------------------------------------------------------------------
+  // --- for the loop -------------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
-  [[nodiscard]] double spindle_speed() const noexcept {
-    return simulation_->spindle_setting();
-  }  ///< [rad/s] while there is a force
+  /// [rad/s] The set speed of the spindle, in use while there is a force.
+  [[nodiscard]] double spindle_speed() const noexcept { return simulation_->spindle_setting(); }
   bool obey(LoopCommand& command) noexcept override;
   [[nodiscard]] Simulation* simulation() noexcept override { return simulation_; }
 
  private:
   template <class Model>
-  struct Commands;                          // what each asks of its sender, and what it does
-  enum class Travel { none, back, forth };  // over an undo mark
+  struct Commands;                            // checks and applies each command
+  enum class Restoring { none, undo, redo };  // of a marked state
 
   void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
                           double scale) const;
   void require_gains_within(const WorkspaceMapOptions& map) const;
-  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] Wrench follow_hand(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   [[nodiscard]] Wrench hold_force(const DeviceState& state) const noexcept;
-  void turn_spindle(const DeviceState& state) noexcept;
-  void travel(const DeviceState& state) noexcept;
-  void rest() noexcept;
+  void update_spindle(const DeviceState& state) noexcept;
+  void restore_blocks(const DeviceState& state) noexcept;
+  void hold_tool() noexcept;
   [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt,
                                               double motor) const noexcept;
-  void show(LoopSnapshot& snapshot) const noexcept;
+  void fill_in(LoopSnapshot& snapshot) const noexcept;
 
-  bool begin(Travel way, std::size_t marks) noexcept;
+  bool begin_restoring(Restoring what, std::size_t marks) noexcept;
   void feel_nothing(StepStatus status) noexcept;
   void after_exchange() noexcept;
 
-  // As it was when the model was made; the senders of commands read it while the loop runs.
+  // The state of when the model was made. The senders of commands read it while the loop runs.
   const SimulationConfig config_;
   const double voxel_size_;  // [m]
   const std::size_t undo_blocks_;
   const IndexBox region_;
   const WorkspaceMapOptions first_map_;
-  const std::optional<CouplingGains> gains_;  // of the coupling, as the device feels them
-  const double renders_;                      // [N/m] the device; 0: not known, or a coupling stands between
-  const double relative_stiffness_;           // [1] largest of the materials
-  const double contact_stiffness_;            // [m^3] of the head, of unit k_v
+  const std::optional<CouplingGains> gains_;  // of the coupling, at the device
+  const double device_stiffness_;             // [N/m] that it renders; 0: not known, or there is a coupling
+  const double relative_stiffness_;           // [1] maximum of the materials
+  const double contact_stiffness_;            // [m^3] of the head, per unit of k_v
 
   Simulation* simulation_;
   Device* device_;
@@ -136,14 +139,14 @@ class SimulationModel final : public LoopModel {
 
   SpindleInterlock interlock_;
   Pose X_BS_;                // of the last valid reading
-  std::uint32_t epoch_ = 0;  // of it
+  std::uint32_t epoch_ = 0;  // of that reading
   Pose X_WH_;                // of the tool's handle
   ToolSnapshot tool_;
-  Travel travel_ = Travel::none;
-  bool unfelt_ = false;   // the next wrench, because the guard hears of its reason at the next reading only
-  bool touches_ = true;   // something, for all that is known
-  bool books_energy_;     // the law, so that it is known what is stored
-  ModelContact contact_;  // of the last tick
+  Restoring restoring_ = Restoring::none;
+  bool skip_force_ = false;  // drop the next wrench, because the guard reads the interruption at the next reading only
+  bool touches_ = true;      // the tool touches something, or may touch something
+  bool books_energy_;        // the law reports the stored energy
+  ModelContact contact_;     // of the last tick
 };
 
 }  // namespace hapticut

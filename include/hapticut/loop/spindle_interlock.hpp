@@ -6,21 +6,22 @@
 
 namespace hapticut {
 
-/// Lets a spindle turn only while the hand feels what it cuts: it stands while the guard holds the force back, and from
-/// then on until the tool has touched nothing. SimulationModel has one; a loop of one's own asks it before each step:
+/// Lets a spindle run only while the hand feels what it cuts. The spindle stands while the guard holds the force back,
+/// and afterwards until the tool has touched nothing. SimulationModel has an interlock. A custom loop calls `update`
+/// before each step:
 ///
 ///     SpindleInterlock interlock;
 ///     device->run([&](const DeviceState& state) {
-///       interlock.turn(simulation, device->last_arming());
+///       interlock.update(simulation, device->last_arming());
 ///       return DeviceCommand{coupling.step(state.X_BS, state.velocity, device->period()).hand};
 ///     });
 ///
-/// After the loop it may still be held: `simulation.hold_spindle(false)` for steps without a guard.
+/// After the loop the spindle may still be held. Call `simulation.hold_spindle(false)` for steps without a guard.
 class SpindleInterlock {
  public:
-  /// Whether the spindle may turn in the coming tick.
-  /// @param arming   of the guard, Device::last_arming
-  /// @param touches  whether the tool touches anything, or it is not known
+  /// Whether the spindle may run in the coming tick.
+  /// @param arming   state of the guard, Device::last_arming
+  /// @param touches  whether the tool touches anything, or may touch something
   bool admits(ArmingState arming, bool touches) noexcept {
     if (arming != ArmingState::ramp && arming != ArmingState::on)
       admits_ = false;
@@ -29,15 +30,15 @@ class SpindleInterlock {
     return admits_;
   }
 
-  /// Until the tool has touched nothing again.
+  /// Holds the spindle until the tool has touched nothing.
   void interrupt() noexcept { admits_ = false; }
 
-  /// Lets the spindle of a simulation turn in its coming step, as it was asked to, or holds it.
-  void turn(Simulation& simulation, ArmingState arming) noexcept {
+  /// Lets the spindle of a simulation run at its set speed in the coming step, or holds it.
+  void update(Simulation& simulation, ArmingState arming) noexcept {
     const StepResult& last = simulation.last_result();
     const bool touches =
         simulation.steps() == 0 || last.contact.voxels > 0 || has_any(last.status, kRejected | StepStatus::tool_waits);
-    simulation.hold_spindle(!admits(arming, touches));  // not a ramp, or it would cut while it runs down
+    simulation.hold_spindle(!admits(arming, touches));  // without a ramp, or it would cut while it slows down
   }
 
  private:

@@ -9,15 +9,14 @@
 
 namespace hapticut {
 
-/// How often a duration was seen: in buckets of 1 us up to 2 ms, beyond in sixteen for each doubling, up to two
-/// minutes.
+/// Counts durations in buckets of 1 us up to 2 ms, and above in sixteen buckets per doubling, up to two minutes.
 /// @realtime adding allocates nothing, takes no lock
 class LatencyHistogram {
  public:
   static constexpr std::size_t kBuckets = 2000;
   static constexpr double kBucketWidth = 1e-6;  // [s]
 
-  /// @param seconds [s] >= 0; what is not a number counts as longer than all buckets
+  /// @param seconds [s] >= 0; NaN counts as longer than all buckets
   void add(double seconds) noexcept {
     const double bucket = seconds / kBucketWidth;
     if (bucket < double(kBuckets)) {
@@ -34,13 +33,14 @@ class LatencyHistogram {
   }
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double min() const { return count_ > 0 ? min_ : 0; }                    ///< [s]
-  [[nodiscard]] double max() const { return max_; }                                     ///< [s]
-  [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / double(count_) : 0; }  ///< [s]
-  [[nodiscard]] std::uint64_t longer() const { return longer_; }                        ///< than the buckets of 1 us
-  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }  ///< those of 1 us
+  [[nodiscard]] double min() const { return count_ > 0 ? min_ : 0; }                             ///< [s]
+  [[nodiscard]] double max() const { return max_; }                                              ///< [s]
+  [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / double(count_) : 0; }           ///< [s]
+  [[nodiscard]] std::uint64_t longer() const { return longer_; }                                 ///< number above 2 ms
+  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }  ///< of 1 us each
 
-  /// How many lasted at least so long, but for those in the bucket of `seconds` itself.  @param seconds [s] > 0
+  /// The number of durations of at least `seconds`, without those in the bucket of `seconds` itself.
+  /// @param seconds [s] > 0
   [[nodiscard]] std::uint64_t at_least(double seconds) const {
     constexpr double kRounding = 1e-9;  // [buckets]
     const auto first = [](double n) {
@@ -53,10 +53,10 @@ class LatencyHistogram {
     return sum;
   }
 
-  /// [s] the upper edge of the bucket below which a share of all durations lies: at most 1 us too much up to 2 ms, at
-  /// most 4.5 % beyond, and never more than the maximum.  @param share [1] 0 ... 1
-  [[nodiscard]] double quantile(double share) const {
-    const auto wanted = std::uint64_t(std::ceil(std::clamp(share, 0.0, 1.0) * double(count_)));
+  /// [s] The upper edge of the bucket below which a fraction of all durations lies. It is at most 1 us too large up to
+  /// 2 ms, at most 4.5 % too large above, and never more than the maximum.  @param fraction [1] 0 ... 1
+  [[nodiscard]] double quantile(double fraction) const {
+    const auto wanted = std::uint64_t(std::ceil(std::clamp(fraction, 0.0, 1.0) * double(count_)));
     std::uint64_t seen = 0;
     for (std::size_t n = 0; n < kBuckets; ++n) {
       seen += buckets_[n];
@@ -71,7 +71,7 @@ class LatencyHistogram {
   }
 
  private:
-  static constexpr std::size_t kLongBuckets = 257;  // the last one for all that is longer still
+  static constexpr std::size_t kLongBuckets = 257;  // the last bucket is unbounded
   static constexpr double kStepsOfOctave = 16;      // [1] 2^(1/16) = 1.044
 
   static double long_step(double bucket) noexcept { return kStepsOfOctave * std::log2(bucket / double(kBuckets)); }

@@ -11,7 +11,7 @@
 
 namespace hapticut {
 
-/// How a thread is made fit for a 1 kHz loop.
+/// How a thread is prepared for a 1 kHz loop.
 struct RealtimeOptions {
   int priority = 80;
   bool lock_memory = true;
@@ -23,19 +23,19 @@ struct RealtimeOptions {
 constexpr auto fields_of(Of<RealtimeOptions>) {
   using O = RealtimeOptions;
   return std::tuple{
-      field("priority", &O::priority, "1", Range::between(0, 99), "of SCHED_FIFO; 0: leave the scheduler as it is"),
-      field("lock_memory", &O::lock_memory, "keep the process in memory, and let malloc give nothing back"),
+      field("priority", &O::priority, "1", Range::between(0, 99), "of SCHED_FIFO; 0: do not change the scheduler"),
+      field("lock_memory", &O::lock_memory,
+            "whether to lock the process in memory and to keep malloc from returning memory"),
       field("flush_denormals", &O::flush_denormals,
-            "numbers below 1e-308 count as zero: they are slow and mean nothing here"),
+            "whether numbers below 1e-308 count as zero; they are slow and irrelevant here"),
       field("cpu", &O::cpu, "1", Range::between(-1, 1023), "the only processor that the thread may use; -1: any"),
-      field("stack", &O::stack, "bytes", Range::between(0, 4 * 1024 * 1024),
-            "of the stack that are touched in advance"),
+      field("stack", &O::stack, "bytes", Range::between(0, 4 * 1024 * 1024), "of the stack, touched in advance"),
   };
 }
 
-/// Makes the calling thread fit for a loop for as long as it lives, and puts it back afterwards.
+/// Prepares the calling thread for a real-time loop, and restores its settings in the destructor.
 ///
-/// What is not permitted is left out and said in a warning that names the cure: the loop then runs, with more jitter.
+/// If the system does not permit a setting, a warning says so and names the cure. The loop then runs with more jitter.
 class RealtimeScope {
  public:
   /// @throws Error when an option is out of range
@@ -57,34 +57,34 @@ class RealtimeScope {
   unsigned old_control_ = 0;
 };
 
-/// Absolute ticks of the monotonic clock.
+/// Periodic ticks at absolute times of the monotonic clock.
 ///
-/// The next tick is always a whole number of periods after the first, so no error adds up; a loop that is late by more
-/// than a period skips the ticks it missed and counts them, instead of catching up in a burst.
+/// Each tick is a whole number of periods after the first, so no error accumulates. A loop that is late by more than a
+/// period skips the ticks that it missed and counts them, instead of catching up in a burst.
 /// @realtime no allocation, no lock
 class PeriodicClock {
  public:
   /// @param period [s] > 0
-  /// @throws Error when it is not
+  /// @throws Error when the period is out of range
   explicit PeriodicClock(double period);
 
   struct Tick {
-    double time = 0;           ///< [s] since the first
-    double late = 0;           ///< [s] between the moment that was asked for and now
-    std::uint64_t missed = 0;  ///< ticks that were skipped before this one
+    double time = 0;           ///< [s] since the first tick
+    double late = 0;           ///< [s] between the requested moment and now
+    std::uint64_t missed = 0;  ///< number of ticks skipped before this one
   };
 
   /// Sleeps until the next tick.
   Tick wait() noexcept;
 
-  /// [s] since the first tick.
+  /// [s] The time since the first tick.
   [[nodiscard]] double now() const noexcept;
 
  private:
   std::int64_t period_, start_, next_;  // [ns]
 };
 
-/// [s] of the monotonic clock.
+/// [s] The time of the monotonic clock.
 [[nodiscard]] double monotonic_time() noexcept;
 
 }  // namespace hapticut

@@ -7,12 +7,12 @@
 
 namespace hapticut {
 
-/// The latest value of one writer for one reader, without a lock: neither ever waits, and the reader never sees half a
-/// value. Values in between are lost, which is what a picture on a screen wants.
+/// Passes the latest value of one writer to one reader without a lock. Neither side ever waits, and the reader never
+/// sees a partly written value. Intermediate values are lost, which suits a picture on a screen.
 ///
-/// Three copies: one being written, one being read, one in between. The byte `middle_` says which is in between, and
-/// whether it is newer than what the reader has.
-/// @realtime no allocation after construction, no lock, when assigning a T is so
+/// There are three copies: one for the writer, one for the reader, and one in the middle. The byte `middle_` holds the
+/// index of the middle copy, and whether that copy is newer than the reader's.
+/// @realtime no allocation after construction and no lock, if the assignment of T does neither
 template <typename T>
 class TripleBuffer {
  public:
@@ -20,10 +20,10 @@ class TripleBuffer {
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  /// The writer's copy, to be filled and published. It holds an old value.
+  /// The writer's copy, to be filled in and published. It holds an old value.
   [[nodiscard]] T& writing() noexcept { return copies_[writing_]; }
 
-  /// Makes the writer's copy the latest.
+  /// Makes the writer's copy the latest value.
   void publish() noexcept { writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & kIndex; }
 
   void write(const T& value) noexcept {

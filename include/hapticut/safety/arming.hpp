@@ -10,7 +10,7 @@ namespace hapticut {
 
 /// Whether a force is allowed.
 enum class ArmingState : std::uint8_t {
-  off,        ///< before the run and after it: no force
+  off,        ///< before and after a run: no force
   armed,      ///< the run has begun; waiting for valid readings: no force
   wait_free,  ///< waiting until the tool touches nothing: no force
   ramp,       ///< the force is faded in
@@ -22,8 +22,8 @@ constexpr auto names_of(Of<ArmingState>) {
   using enum ArmingState;
   return std::array{
       Named{off, "off",
-            "Nobody leads, so the loop stands without force: move the tool, or reload a page that looks on."},
-      Named{armed, "armed", "The guard waits for the first readings of the hand: if it lasts, check the device."},
+            "No hand leads the tool, so there is no force: move the tool, or reload this page if it only watches."},
+      Named{armed, "armed", "The guard waits for the first readings of the hand: if this lasts, check the device."},
       Named{wait_free, "wait_free", "No force until the tool touches nothing: lift it off the workpiece."},
       Named{ramp, "ramp", "The force is being faded in: wait a moment."},
       Named{on, "on", "The force is on."},
@@ -47,21 +47,23 @@ constexpr auto fields_of(Of<ArmingOptions>) {
   using O = ArmingOptions;
   return std::tuple{
       field("valid_ticks", &O::valid_ticks, "ticks", Range::between(1, 10000),
-            "of accepted readings in a row before the device counts as ready"),
+            "accepted readings in a row after which the device counts as ready"),
       field("free_force", &O::free_force, "N", Range::positive(),
-            "below which the tool counts as free, of a model that does not say whether it touches anything"),
-      field("free_torque", &O::free_torque, "N m", Range::positive(), "the same of the torque"),
-      field("free_ticks", &O::free_ticks, "ticks", Range::between(1, 10000), "in a row that the tool must be free"),
-      field("ramp", &O::ramp, "s", Range::between(0.02, 60), "over which the first force is faded in"),
+            "force below which the tool counts as free, if the model does not report whether it touches anything"),
+      field("free_torque", &O::free_torque, "N m", Range::positive(),
+            "torque below which the tool counts as free, under the same condition"),
+      field("free_ticks", &O::free_ticks, "ticks", Range::between(1, 10000),
+            "ticks in a row for which the tool must be free"),
+      field("ramp", &O::ramp, "s", Range::between(0.02, 60), "duration of the fade-in of the first force"),
       field("short_ramp", &O::short_ramp, "s", Range::between(0.02, 60),
-            "after a late tick, a clutch or another interruption that was announced"),
+            "duration of the fade-in after a late tick, a clutch or another announced interruption"),
   };
 }
 
 /// The state machine that decides whether the hand may feel a force: off, armed, wait until free, fade in, on, fault.
 ///
-/// A tool that begins inside the material, and one that is found there after an interruption, gets no force until it
-/// has been free: otherwise the model would throw the hand out.
+/// If the tool is inside the material at the start or after an interruption, there is no force until the tool has been
+/// free. Otherwise the model would push the hand out abruptly.
 /// @realtime no allocation, no lock
 class Arming {
  public:
@@ -71,7 +73,7 @@ class Arming {
   void start(SafetyLog& log) noexcept;
   void stop() noexcept { state_ = ArmingState::off; }
 
-  /// Back to waiting until the tool is free; nothing changes in `off`, `armed` and `fault`.
+  /// Returns to `wait_free`. Changes nothing in the states `off`, `armed` and `fault`.
   void interrupt(SafetyEvent reason, bool short_ramp, SafetyLog& log, double value = 0) noexcept;
 
   void fail(SafetyLog& log, double value = 0) noexcept;
@@ -79,13 +81,13 @@ class Arming {
   /// Leaves `fault`.
   void reset(SafetyLog& log) noexcept;
 
-  /// One tick.
-  /// @param dt           [s] since the last
-  /// @param reading_ok   the gate accepted the reading
-  /// @param force        [N] that the model asks for
-  /// @param torque       [N·m] that the model asks for
-  /// @param touching     whether the tool touches anything; empty: judged by force and torque
-  /// @return [1] the share of the force that is allowed
+  /// Advances the state machine by one tick.
+  /// @param dt           [s] since the last tick
+  /// @param reading_ok   whether the gate accepted the reading
+  /// @param force        [N] commanded by the model
+  /// @param torque       [N·m] commanded by the model
+  /// @param touching     whether the tool touches anything; empty: force and torque decide
+  /// @return [1] the fraction of the force that is allowed
   double tick(double dt, bool reading_ok, double force, double torque, std::optional<bool> touching,
               SafetyLog& log) noexcept;
 
@@ -96,11 +98,11 @@ class Arming {
 
   ArmingOptions options_;
   ArmingState state_ = ArmingState::off;
-  int ticks_ = 0;        // in a row, of what the state waits for
-  bool looked_ = false;  // at the first force since the wait began
-  bool first_ = true;    // no force since the start or since a fault
+  int ticks_ = 0;           // in a row that fulfil what the state waits for
+  bool inspected_ = false;  // whether the first force since the wait began was inspected
+  bool first_ = true;       // there was no force since the start or since a fault
   bool short_ramp_ = false;
-  double progress_ = 0;  // [1] of the ramp
+  double progress_ = 0;  // [1] of the fade-in
 };
 
 }  // namespace hapticut

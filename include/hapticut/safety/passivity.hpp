@@ -10,21 +10,23 @@
 
 namespace hapticut {
 
-/// How the passivity controller watches. Forces and ways stand for torques and turns as well, compared by a lever
-/// (PassivityController).
+/// Settings of the passivity controller. They apply to torques and rotations as well, which a lever converts to forces
+/// and distances (PassivityController).
 struct PassivityOptions {
   bool enabled = true;
   double credit = 0;
   double allowance = 0;
 
-  /// What a force that is held between ticks gives back of a passive spring, k |dx|^2/2 a tick, is not held against
-  /// it; with `delay`, 1 + 2 delay times as much. SafetyGuard fills in what the device renders.
+  /// Holding the force of a passive spring between ticks returns energy, k |dx|^2/2 per tick, or 1 + 2 delay times as
+  /// much with `delay`. The controller tolerates this energy. SafetyGuard fills in the stiffness that the device
+  /// renders.
   double stiffness = 0;
-  double greatest = 0;
+  double max_force = 0;
 
-  /// Without a bound, a force of any size answers the smallest motion. SafetyGuard fills in what the device can render.
+  /// Without a bound, the smallest motion could cause any force. SafetyGuard fills in the damping that the device can
+  /// render.
   double max_damping = 0;
-  double slowest = 1e-6;
+  double min_speed = 1e-6;
   double free = 1e-3;
   int delay = 0;
 };
@@ -32,76 +34,76 @@ struct PassivityOptions {
 constexpr auto fields_of(Of<PassivityOptions>) {
   using O = PassivityOptions;
   return std::tuple{
-      field("enabled", &O::enabled, "false: watches nothing and damps nothing"),
+      field("enabled", &O::enabled, "whether the controller watches and damps"),
       field("credit", &O::credit, "J", Range::not_negative(),
-            "that the model may have absorbed and give back later: more is forgotten; 0: what it says that it has "
-            "stored, or all of it"),
+            "limit of the absorbed energy that the model may return later; 0: the energy that the model reports as "
+            "stored, or no limit"),
       field("allowance", &O::allowance, "J", Range::not_negative(),
-            "that the model may generate, for a device whose own friction takes it"),
+            "energy that the model may generate, for a device whose own friction absorbs it"),
       field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
-            "of the stiffest contact that counts as passive; 0: what the device renders"),
-      field("greatest", &O::greatest, "N", Range::not_negative(), "of the damping; 0: the device's peak"),
-      field("max_damping", &O::max_damping, "N s/m", Range::not_negative(), "of the damping at most; 0: no bound"),
-      field("slowest", &O::slowest, "m/s", Range::positive(), "below which nothing is damped"),
-      field("free", &O::free, "N", Range::not_negative(), "a shorter force counts as zero"),
+            "of the stiffest contact that counts as passive; 0: that which the device renders"),
+      field("max_force", &O::max_force, "N", Range::not_negative(), "limit of the damping force; 0: the device's peak"),
+      field("max_damping", &O::max_damping, "N s/m", Range::not_negative(), "limit of the damping; 0: no limit"),
+      field("min_speed", &O::min_speed, "m/s", Range::positive(), "speed below which nothing is damped"),
+      field("free", &O::free, "N", Range::not_negative(), "force below which the contact counts as free"),
       field("delay", &O::delay, "ticks", Range::between(0, 8),
-            "between a written force and the one that acts, beyond the hold"),
+            "between writing a force and its effect, beyond the hold"),
   };
 }
 
-/// Watches how much energy a model puts into a hand, and takes out by damping what it should not have.
+/// Measures how much energy a model puts into a hand, and removes by damping the energy that it should not put in.
 ///
-/// The account is of the contact: the force that was applied less its effects (weight, vibration). It is exact for a
-/// force that is held between ticks (Stramigioli et al., Ryu et al.), and open while there is a force:
+/// The account covers the contact only: the applied force without its effects (weight, vibration). It is exact for a
+/// force that is held between ticks (Stramigioli et al., Ryu et al.). It stays open as long as there is a force:
 ///
 ///     W(n) = min(W(n-1) - F · dx + (1 + 2 delay) k |dx|^2/2,  stored),   dx = x(n) - x(n-1)
 ///
-/// F is the force of the last tick. Where encoders stood still for some ticks and then step by dx, the hand has moved
-/// in all of them, and F is the mean since their last step (at most of the last 20 ms): otherwise each step would seem
-/// to go with what is left of the answer to the one before, which no hand felt. Forces and ways have torques and turns
-/// with them, T/lever and lever dtheta, in one account: of a hand that pivots about the tool's tip force and torque
-/// each do work, and together none.
+/// F is the force of the last tick. If the encoders stand still for some ticks and then step by dx, the hand has moved
+/// during all of these ticks. F is then the mean force since the last encoder step, over at most 20 ms. Otherwise each
+/// step would be paired with the rest of the response to the step before, which the hand did not feel.
+/// Torques and rotations enter the same account as T/lever and lever dtheta: when a hand pivots about the tool's tip,
+/// force and torque each do work, but their sum does none.
 ///
-/// W > 0 is energy that went into the model and that it has stored; what it cut and rubbed away is forgotten. The term
-/// with k is what holding the force of a passive spring gives back by itself. When W falls below minus the allowance,
-/// a damping force `-a v` is added with `a = -W / (v^2 T)`, bounded by a damping and a force (time-domain passivity
-/// control, Hannaford and Ryu 2002). It acts one tick late and is bounded by the device: a strong help, not a proof.
-/// With the last force the account is closed: nothing is damped in free air.
+/// W > 0 is energy that the model has absorbed and stored; energy lost by cutting and rubbing is not counted. The term
+/// with k is the energy that holding the force of a passive spring returns. When W falls below minus the allowance, the
+/// controller adds a damping force `-a v` with `a = -W / (v^2 T)`, limited by max_damping and max_force (time-domain
+/// passivity control, Hannaford and Ryu 2002). The damping acts one tick late and is limited by the device, so it helps
+/// strongly but proves nothing. The account is closed when the force ends: nothing is damped in free air.
 ///
-/// A spindle that drags the tool sideways does generate energy; the controller then holds the hand back gently, which
-/// is what a guard is for. Where the model says what its motor gave, that is added to W. Then all that the hand may get
-/// is known, and in advance as well: of a force that pushes the hand on as it moves now, and a quarter faster, no more
-/// is given than W + k |dx|^2/2 covers. It is what keeps the work from the hand that a turn of the tool does where no
-/// motor renders the torque. In contact F is then the mean or the last force, whichever gives the hand more.
+/// A spindle that drags the tool sideways does generate energy. The controller then holds the hand back slightly, as a
+/// guard should. If the model reports the work of its motor, that work is added to W. Then all energy that the hand may
+/// get is known, also in advance: a force that pushes the hand on as it moves now, or a quarter faster, is reduced to
+/// what W + k |dx|^2/2 covers. This keeps from the hand the work that a rotation of the tool does when no motor renders
+/// the torque. In contact F is then the mean force or the last force, whichever gives the hand more energy.
 /// @realtime no allocation, no lock
 class PassivityController {
  public:
-  /// @param greatest         [N] of the damping, where the options do not say it
-  /// @param lever            [m] sqrt(rotational stiffness/stiffness) of the device; 0: no torque is watched
-  /// @param max_torque  [N m] of the damping
+  /// @param max_force   [N] of the damping, if PassivityOptions::max_force is 0
+  /// @param lever       [m] sqrt(rotational stiffness/stiffness) of the device; 0: torque is not watched
+  /// @param max_torque  [N·m] of the damping
   /// @throws Error when an option is out of range
-  PassivityController(const PassivityOptions& options, double greatest, double lever = 0, double max_torque = 0);
+  PassivityController(const PassivityOptions& options, double max_force, double lever = 0, double max_torque = 0);
 
-  /// What is known in a tick.
+  /// The input of one tick.
   struct Tick {
-    Wrench asked;                      ///< by the model
-    Wrench effects;                    ///< of it what is not of contact
+    Wrench commanded;                  ///< by the model
+    Wrench effects;                    ///< the part of `commanded` that is not contact
     Wrench applied;                    ///< written to the device at the last tick
     Vec3 motion = Vec3::Zero();        ///< [m] of the device since the last tick
-    Vec3 turn = Vec3::Zero();          ///< [rad] the same
+    Vec3 rotation = Vec3::Zero();      ///< [rad] rotation vector of the device since the last tick
     double dt = 0;                     ///< [s] since the last tick
-    std::optional<double> stored;      ///< [J] by the model; empty: not known
-    std::optional<double> motor = {};  ///< [J] that its motor gave since the last tick; empty: not known
+    std::optional<double> stored;      ///< [J] in the model; empty: not known
+    std::optional<double> motor = {};  ///< [J] work of the model's motor since the last tick; empty: not known
     bool in_air = false;               ///< the tool touches nothing
   };
 
-  /// @return the wrench with what damping it takes
+  /// @return the commanded wrench with the damping added
   [[nodiscard]] Wrench control(const Tick& tick) noexcept;
 
   void restart() noexcept;
 
-  [[nodiscard]] double stored() const { return stored_; }  ///< [J] W
-  [[nodiscard]] double taken() const { return taken_; }    ///< [N] length of the damping force of the last tick
+  [[nodiscard]] double stored() const { return stored_; }                ///< [J] W
+  [[nodiscard]] double damping_force() const { return damping_force_; }  ///< [N] norm of that of the last tick
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -109,14 +111,14 @@ class PassivityController {
   [[nodiscard]] double work_of(const Vector6& acted, const Vector6& motion, double dt) noexcept;
 
   PassivityOptions options_;
-  double max_, lever_, max_torque_;
-  double stored_ = 0, taken_ = 0;
-  double asked_ = 0;  // [N] for at the last tick
-  Vector6 effects_;   // [N] of that
-  Vector6 mean_;      // [N] that acted since the reading last stepped, along each axis
-  Vector6 still_;     // [ticks] since then
+  double max_force_, lever_, max_torque_;
+  double stored_ = 0, damping_force_ = 0;
+  double commanded_ = 0;  // [N] at the last tick
+  Vector6 effects_;       // [N] in it
+  Vector6 mean_;          // [N] that acted since the reading last stepped, along each axis
+  Vector6 still_;         // [ticks] since then
   static constexpr auto kMaxDelay = std::size_t(range_of(&PassivityOptions::delay).high);
-  std::array<Vector6, kMaxDelay> under_way_;
+  std::array<Vector6, kMaxDelay> delayed_;
   int next_ = 0;
 };
 

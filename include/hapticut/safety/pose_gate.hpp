@@ -9,9 +9,9 @@
 
 namespace hapticut {
 
-/// What a reading must be to be believed.
+/// Limits of a plausible reading.
 struct PoseGateOptions {
-  double fastest = 2.0;
+  double max_speed = 2.0;
   double max_angular_speed = 30;
   double workspace_margin = 0.05;
   double rotation_tolerance = 1e-3;
@@ -24,43 +24,44 @@ struct PoseGateOptions {
 constexpr auto fields_of(Of<PoseGateOptions>) {
   using O = PoseGateOptions;
   return std::tuple{
-      field("fastest", &O::fastest, "m/s", Range::positive(), "a hand with a stylus reaches 1 to 2"),
-      field("max_angular_speed", &O::max_angular_speed, "rad/s", Range::positive(), "the same of its turning"),
+      field("max_speed", &O::max_speed, "m/s", Range::positive(), "of the hand; with a stylus it reaches 1 to 2"),
+      field("max_angular_speed", &O::max_angular_speed, "rad/s", Range::positive(), "of the hand"),
       field("workspace_margin", &O::workspace_margin, "m", Range::not_negative(),
-            "beyond the device's own box that is still believed"),
+            "around the device's own workspace that still counts as plausible"),
       field("rotation_tolerance", &O::rotation_tolerance, "1", Range::between(0, 0.1),
-            "of the entries of R R^T - 1; inexact ones are made exact"),
-      field("hold", &O::hold, "s", Range::between(1e-3, 50e-3), "without a good reading after which the gate gives up"),
+            "of the entries of R R^T - 1; within it the rotation is made orthonormal"),
+      field("hold", &O::hold, "s", Range::between(1e-3, 50e-3),
+            "time without a good reading after which the pose counts as lost"),
       field("frozen", &O::frozen, "s", Range::between(2e-3, 1),
-            "of a position that stands still bit by bit while others move"),
+            "time for which a position may be exactly constant while rotation or speed contradict it"),
       field("frozen_rotation", &O::frozen_rotation, "rad", Range::limit(),
-            "within 0.1 s that contradict a position that stands still"),
+            "rotation within 0.1 s that contradicts a constant position"),
       field("frozen_speed", &O::frozen_speed, "m/s", Range::limit(),
-            "reported speed that contradicts a position that stands still"),
+            "reported speed that contradicts a constant position"),
   };
 }
 
-/// The first stage of the safety pipeline: lets plausible readings through, holds the last good one in place of others.
+/// The first stage of the safety pipeline: passes plausible readings on, and replaces the others by the last good one.
 /// @realtime no allocation, no lock
 class PoseGate {
  public:
   enum class Verdict : std::uint8_t {
     accepted,  ///< the reading is good
-    held,      ///< the last good pose stands in for it
-    lost,      ///< too many bad ones in a row, or a frozen position: nothing can be said about the pose
+    held,      ///< the last good pose replaces it
+    lost,      ///< too many bad readings in a row, or a frozen position: the pose is unknown
   };
 
   /// @throws Error when an option is out of range
   PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions& options);
 
-  /// Judges a reading.
-  /// @param dt  [s] since the last reading, that a hand had for its way
+  /// Checks a reading.
+  /// @param dt  [s] since the last reading, in which the hand could move
   Verdict check(const DeviceState& reading, double dt, SafetyLog& log) noexcept;
 
-  /// The reading to go on with: the last accepted one, its velocity zero when held, `valid` false when lost.
+  /// The reading to compute with: the last accepted one. Its velocity is zero when held, `valid` is false when lost.
   [[nodiscard]] const DeviceState& state() const { return state_; }
 
-  /// Forgets the past: the next plausible pose is taken wherever it is.
+  /// Clears the memory: the next plausible pose is accepted wherever it is.
   void restart() noexcept;
 
  private:
@@ -72,10 +73,10 @@ class PoseGate {
   bool bounded_;
   DeviceState state_;
   bool started_ = false;
-  double elapsed_ = 0;             // [s] that a hand had for the way from the last good pose
+  double elapsed_ = 0;             // [s] since the last good pose, in which the hand could move
   double bad_ = 0;                 // [s] since the last good reading
-  std::optional<double> resting_;  // [s] since the orientation of a resting stylus was looked at
-  double contradicted_ = 0;        // [s] that the position has stood still while others moved
+  std::optional<double> resting_;  // [s] since the orientation of a resting stylus was stored
+  double contradicted_ = 0;        // [s] for which the position was constant in contradiction
   Pose X_BS_still_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-/// When the motors count as too warm.
+/// Limits at which the motors count as too warm.
 struct ThermalOptions {
   double time_constant = 60;
   double warm = 1.0;
@@ -19,33 +19,35 @@ struct ThermalOptions {
 constexpr auto fields_of(Of<ThermalOptions>) {
   using O = ThermalOptions;
   return std::tuple{
-      field("time_constant", &O::time_constant, "s", Range::positive(),
-            "over which the mean of the squared force is taken"),
-      field("warm", &O::warm, "1", Range::positive(), "of the continuous force squared at which the force is reduced"),
-      field("cool", &O::cool, "1", Range::not_negative(), "at which it may grow again, not above warm"),
-      field("hot", &O::hot, "1", Range::between(0, 1), "of a measured temperature at which the force is reduced"),
-      field("cold", &O::cold, "1", Range::between(0, 1), "at which it may grow again, not above hot"),
-      field("rate", &O::rate, "1/s", Range::positive(), "at which the limit shrinks and grows: 0.001 a tick at 1 kHz"),
+      field("time_constant", &O::time_constant, "s", Range::positive(), "of the mean of the squared force"),
+      field("warm", &O::warm, "1", Range::positive(),
+            "mean squared force over the continuous force squared, at which the force is reduced"),
+      field("cool", &O::cool, "1", Range::not_negative(), "that ratio at which the force may grow again, at most warm"),
+      field("hot", &O::hot, "1", Range::between(0, 1), "measured temperature at which the force is reduced"),
+      field("cold", &O::cold, "1", Range::between(0, 1),
+            "measured temperature at which the force may grow again, at most hot"),
+      field("rate", &O::rate, "1/s", Range::positive(), "of the change of the force limit: 0.001 per tick at 1 kHz"),
   };
 }
 
-/// A limit on the force that keeps the motors from overheating: peak force while they are cool, falling to the
-/// continuous force when the temperature that the device measures says so, or, where it measures none, the mean of the
-/// squared force.
+/// Limits the force so that the motors do not overheat. The limit is the peak force while the motors are cool, and
+/// falls to the continuous force when they are warm. The measured temperature decides; if the device measures none, the
+/// mean of the squared force decides.
 /// @realtime no allocation, no lock
 class ThermalBudget {
  public:
-  /// @param peak        [N] the limit of cool motors; 0: no motors
-  /// @param continuous  [N] what they bear for ever; 0: unknown, no limit but by a measured temperature
+  /// @param peak        [N] limit while the motors are cool; 0: no motors
+  /// @param continuous  [N] force that the motors bear permanently; 0: unknown, so only a measured temperature limits
   /// @throws Error when an option is out of range
   ThermalBudget(double peak, double continuous, const ThermalOptions& options);
 
-  /// [N] that may be applied now.
+  /// [N] The force that may be applied now.
   [[nodiscard]] double limit() const { return limit_; }
 
-  /// Accounts for a tick.
-  /// @param force        [N] that was applied
-  /// @param temperature  [1] that the device measured; 0: not measured
+  /// Accounts for one tick.
+  /// @param force        [N] applied
+  /// @param temperature  [1] measured by the device; 0: not measured
+  /// @param dt           [s]
   void tick(double force, double temperature, double dt) noexcept;
 
  private:

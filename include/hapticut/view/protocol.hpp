@@ -18,12 +18,12 @@
 #include "hapticut/tool/tool.hpp"
 
 /// @file
-/// What the server of the page and the page say to each other: binary messages, little-endian, each with a head of four
-/// bytes: its kind, the version of the protocol, and two that are 0. docs/view.md has the tables.
+/// The messages between the view server and the page. They are binary and little-endian. Each begins with four bytes:
+/// the kind, the version of the protocol, and two zeros. docs/view.md has the tables.
 namespace hapticut::view {
 
 inline constexpr std::uint8_t kProtocolVersion = 4;
-inline constexpr std::size_t kMaxCommand = 128;  ///< bytes; a page never has reason to send more
+inline constexpr std::size_t kMaxCommand = 128;  ///< [bytes] maximum length of a message from a page
 
 using Message = std::vector<std::uint8_t>;
 
@@ -41,20 +41,20 @@ enum class MessageKind : std::uint8_t {
   instruments = 9,
 };
 
-/// What a material is called and how it is shown.
+/// Name and colour of a material.
 struct ShownMaterial {
   std::string name;
   Color color;
 };
 
-/// What a page must know before anything else.
+/// The first information for a page.
 struct Scene {
-  GridFrame frame;                       ///< of the pages
+  GridFrame frame;                       ///< of the pages of the surface
   std::vector<ShownMaterial> materials;  ///< by id from 1
 };
 
-/// With the sentences of every state of the guard and of every bit of a step, for the page has no list of its own.
-/// @param writer  this page may send commands
+/// Encodes the greeting: the scene, and the sentences for all states of the guard and all bits of StepStatus.
+/// @param writer  whether this page may send commands
 [[nodiscard]] Message encode_hello(const Scene& scene, bool writer);
 [[nodiscard]] Message encode(const SurfacePage& page);
 [[nodiscard]] Message encode(const LoopSnapshot& snapshot);
@@ -62,36 +62,36 @@ struct Scene {
 /// @param samples  -1 ... 1, of one channel
 [[nodiscard]] Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate);
 
-/// One thing that a page can turn, as the program describes it; the page draws it.
+/// A control of a page. The program describes it, and the page draws it.
 struct Control {
   enum class Kind : std::uint8_t { number = 0, on_off = 1, choice = 2, button = 3 };
 
-  std::uint16_t id = 0;  ///< names it in SetControl
+  std::uint16_t id = 0;  ///< identifies the control in SetControl
   Kind kind = Kind::number;
-  double value = 0;          ///< of a switch 0 or 1, of a choice its number, of a button 1: it can be pressed
-  double min = 0, max = 1;   ///< what is accepted
-  std::string panel, label;  ///< where it stands, what it is called
+  double value = 0;          ///< on_off: 0 or 1; choice: its number; button: 1 if it can be pressed
+  double min = 0, max = 1;   ///< accepted values
+  std::string panel, label;  ///< panel that shows it, and its label
   std::string unit;
-  std::string choices = {};  ///< names with | between them
+  std::string choices = {};  ///< names, separated by |
 };
 
-/// Force and torque of a tick, for curves.
+/// Force and torque of a tick, for the curves.
 struct TraceSample {
   std::array<float, 3> force;   ///< [N]
   std::array<float, 3> torque;  ///< [N·m]
 };
 
-/// What a notice is about.
-enum class Severity : std::uint32_t { tells = 0, warns = 1, failed = 2 };
+/// How severe a notice is.
+enum class Severity : std::uint32_t { info = 0, warning = 1, error = 2 };
 
-/// What a page shows beside the scene.
+/// Values that a page shows beside the scene.
 struct Instruments {
-  Pose X_WG;                             ///< the head where the hand wants it
+  Pose X_WG;                             ///< pose of the head at the set point of the hand
   double power = 0;                      ///< [W] of the tool
-  std::uint64_t ticks = 0, missed = 0;   ///< since the loop began; ticks that came more than a period late
-  double bucket = 0;                     ///< [s] width of the buckets below
-  std::vector<std::uint32_t> latency{};  ///< ticks by how late they were, the last bucket with all that were later
-  std::vector<double> removed{};         ///< [m^3] by material from 1
+  std::uint64_t ticks = 0, missed = 0;   ///< since the loop began; `missed`: ticks that were more than a period late
+  double bucket = 0;                     ///< [s] width of the buckets of `latency`
+  std::vector<std::uint32_t> latency{};  ///< number of ticks by lateness; the last bucket has all later ones
+  std::vector<double> removed{};         ///< [m^3] by material id from 1
 };
 
 [[nodiscard]] Message encode(const Tool& tool);
@@ -104,61 +104,65 @@ struct Instruments {
 
 // --- from the page --------------------------------------------------------------------------------------------------
 
-inline constexpr Range kPlaces = Range::between(-1e3, 1e3);  ///< [m] of a point that a page may name
+inline constexpr Range kPlaces = Range::between(-1e3, 1e3);  ///< [m] accepted coordinates of points
 
-/// Where the pointer wants the hand.
+/// Moves the set point of the hand to the pointer.
 struct MoveHand {
   Pose X_WH;
   bool pressed = false;
 };
 
 constexpr auto fields_of(Of<MoveHand>) {
-  return std::tuple{field("X_WH", &MoveHand::X_WH, "of the handle"),
-                    field("pressed", &MoveHand::pressed, "the button")};
+  return std::tuple{field("X_WH", &MoveHand::X_WH, "pose of the handle"),
+                    field("pressed", &MoveHand::pressed, "whether the button is pressed")};
 }
 
-/// The emergency stop.
+/// Triggers the emergency stop.
 struct Stop {};
 
 constexpr auto fields_of(Of<Stop>) { return std::tuple{}; }
 
+/// Sets the point that the user looks at; pages of the surface near it come first.
 struct LookAt {
   Vec3 p_WQ = Vec3::Zero();
 };
 
 constexpr auto fields_of(Of<LookAt>) { return std::tuple{field("p_WQ", &LookAt::p_WQ, "m", kPlaces, "in W")}; }
 
-/// Turns what `Control::id` names. Whether there is such a one, and whether the value is within its range, knows who
-/// described it.
+/// Sets the value of a control. The program that described the control checks the id and the range.
 struct SetControl {
   std::uint16_t id = 0;
   double value = 0;
 };
 
 constexpr auto fields_of(Of<SetControl>) {
-  return std::tuple{field("id", &SetControl::id, "1", "of a control"),
+  return std::tuple{field("id", &SetControl::id, "1", "Control::id"),
                     field("value", &SetControl::value, "1", "in the control's unit")};
 }
 
-/// Another scene, by its name or the path of a file.
+/// Loads another scene, by its name or the path of a file.
 struct Load {
   std::string name;  ///< UTF-8 without control characters, at most kMaxName bytes
 };
 inline constexpr std::size_t kMaxName = 120;
 
-constexpr auto fields_of(Of<Load>) { return std::tuple{field("name", &Load::name, "of a scene, or a file's path")}; }
+constexpr auto fields_of(Of<Load>) {
+  return std::tuple{field("name", &Load::name, "name of a scene, or path of a file")};
+}
 
-/// Said by the server itself: the writer has gone. A hand without a device must stop, and a real one be faded out.
+/// Sent by the server, not by a page: the page that could send commands has disconnected. A simulated hand must stop,
+/// and the force of a real device must fade out.
 struct WriterLeft {};
 
-/// The place of a command, from 1, is its kind, and its fields are what follows; what has no fields_of is no command of
-/// a page. A new one stands before WriterLeft, which comes last, for no page sends it. It raises kProtocolVersion, here
-/// and in web/src/protocol.ts: a server closes its door to a page that sends what it does not know.
+/// All commands. The position of a command in this list, from 1, is its kind, and its fields follow in the message. A
+/// struct without fields_of cannot come from a page. Add new commands before WriterLeft, and raise kProtocolVersion
+/// here and in web/src/protocol.ts, because the server disconnects a page that sends unknown commands.
 using ViewCommand = std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo,
                                  commands::HoldForce, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
 
-/// @return nothing when the message is not one of these in every byte: another version or length, a number that is not
-///         finite, a matrix that is no rotation, a value that has no meaning
+/// Decodes a command.
+/// @return nothing when any byte of the message is invalid: another version or length, a number that is not finite, a
+///         matrix that is not a rotation, a value without a meaning
 [[nodiscard]] std::optional<ViewCommand> decode_command(std::span<const std::uint8_t> message);
 
 }  // namespace hapticut::view

@@ -68,7 +68,7 @@ Json to_json(const LoopReport& r) {
       {"ticks", r.run.ticks},
       {"missed_ticks", r.run.missed},
       {"end", r.run.end},
-      {"guard", name_of(r.run.guard)},
+      {"arming", name_of(r.run.arming)},
       {"wake_up_us", to_json(r.run.wake_up)},
       {"compute_us", to_json(r.run.compute)},
       {"deadline_misses", r.run.compute.at_least(r.run.period)},

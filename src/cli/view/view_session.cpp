@@ -154,7 +154,7 @@ void ViewSession::pause() {
   }
   take_blocks();
   // Each command of a page tries again: that is said once.
-  if (!failure.empty() && failure != last_failure_) server_.send_notice(view::Severity::failed, failure);
+  if (!failure.empty() && failure != last_failure_) server_.send_notice(view::Severity::error, failure);
   last_failure_ = std::move(failure);
 }
 
@@ -163,7 +163,7 @@ void ViewSession::hold() {
   try {
     end_recording();
   } catch (const Error& error) {
-    server_.send_notice(view::Severity::failed, as_sentence(error));
+    server_.send_notice(view::Severity::error, as_sentence(error));
   }
   controls_.show_recording(false);
   owes_controls_ = true;
@@ -174,7 +174,7 @@ void ViewSession::obey(const view::ViewCommand& command) {
     if (!std::holds_alternative<view::WriterLeft>(command)) start();
     std::visit([this](const auto& one) { handle(one); }, command);
   } catch (const Error& error) {
-    server_.send_notice(view::Severity::failed, as_sentence(error));
+    server_.send_notice(view::Severity::error, as_sentence(error));
   }
 }
 
@@ -183,7 +183,7 @@ void ViewSession::send(LoopCommand&& command) {
   if (loop_->send(std::move(command)))
     ++sent_;
   else
-    server_.send_notice(view::Severity::warns, "The loop has too much to do: try it again.");
+    server_.send_notice(view::Severity::warning, "The loop has too much to do: try it again.");
 }
 
 void ViewSession::handle(const view::MoveHand& command) {
@@ -204,12 +204,12 @@ void ViewSession::begin_cut() {
 void ViewSession::handle(const view::SetControl& command) {
   const Change what = controls_.set(command);
   if (what == Change::none)
-    return server_.send_notice(view::Severity::warns, "That value is out of range, or there is no such control.");
+    return server_.send_notice(view::Severity::warning, "That value is out of range, or there is no such control.");
   try {
     change(what);
   } catch (const Error& error) {
     controls_.take_back();
-    server_.send_notice(view::Severity::failed, as_sentence(error));
+    server_.send_notice(view::Severity::error, as_sentence(error));
   }
   owes_controls_ = true;
 }
@@ -278,7 +278,7 @@ void ViewSession::begin_recording() {
   removed_before_ = 0;
   recording_ = free_name();
   recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
-  server_.send_notice(view::Severity::tells, "Recording to " + recording_ + ".");
+  server_.send_notice(view::Severity::info, "Recording to " + recording_ + ".");
 }
 
 void ViewSession::end_recording() {
@@ -286,7 +286,7 @@ void ViewSession::end_recording() {
   const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
   recorder->close();
   recorder->require_complete();
-  server_.send_notice(view::Severity::tells, recording_ + " is complete: see it by hapticut view " + recording_ + ".");
+  server_.send_notice(view::Severity::info, recording_ + " is complete: see it by hapticut view " + recording_ + ".");
 }
 
 void ViewSession::take_blocks() {
@@ -373,7 +373,7 @@ void ViewSession::tell_guard() {
     const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
                        entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
                        entry.event == SafetyEvent::pose_units;  // a pointer may stand still
-    if (!is_state && !noise) server_.send_notice(view::Severity::warns, sentence_of(entry));
+    if (!is_state && !noise) server_.send_notice(view::Severity::warning, sentence_of(entry));
   }
 }
 

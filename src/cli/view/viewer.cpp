@@ -11,7 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 view::ViewServerOptions heard_by(view::ViewServerOptions options, StopLine& line) {
-  options.at_once = [&line](const view::ViewCommand& command) { line.hear(command); };
+  options.on_urgent = [&line](const view::ViewCommand& command) { line.hear(command); };
   return options;
 }
 
@@ -59,7 +59,7 @@ void Viewer::obey(const view::ViewCommand& command) {
   if (is_loading()) {
     is_led_ = !std::holds_alternative<view::WriterLeft>(command);
     if (is_a_wish(command))
-      server_.send_notice(view::Severity::warns, loaded_ + " is still being loaded: try again then.");
+      server_.send_notice(view::Severity::warning, loaded_ + " is still being loaded: try again then.");
   } else if (const auto* wanted = std::get_if<view::Load>(&command)) {
     load(wanted->name);
   } else {
@@ -69,7 +69,7 @@ void Viewer::obey(const view::ViewCommand& command) {
 
 void Viewer::load(const std::string& name) {
   session_->hold();
-  server_.send_notice(view::Severity::tells, "Loading " + name + " ...");
+  server_.send_notice(view::Severity::info, "Loading " + name + " ...");
   is_led_ = true;
   loaded_ = name;
   loading_ = std::async(std::launch::async,
@@ -79,9 +79,9 @@ void Viewer::load(const std::string& name) {
 void Viewer::finish_loading() {
   try {
     replace(loading_.get());
-    server_.send_notice(view::Severity::tells, loaded_ + " is ready.");
+    server_.send_notice(view::Severity::info, loaded_ + " is ready.");
   } catch (const std::exception& error) {
-    server_.send_notice(view::Severity::failed, as_sentence(error));
+    server_.send_notice(view::Severity::error, as_sentence(error));
     if (is_led_) session_->start();
   }
 }

@@ -21,22 +21,23 @@ namespace {
 
 constexpr double kWatchdogUnit = 125e-6;  // [s]
 
-// Of a device that is not in the table: less than any that is.
+// Limits of a device that is not in the table: lower than those of all devices in it.
 constexpr double kCarefulStiffness = 400;  // [N/m]
 constexpr double kCarefulDamping = 2;      // [N·s/m]
 
-// An arm reaches farther than the ball that programs are told to stay in, how far is not documented: a pose that is
-// farther away than this is not believed.
+// An arm reaches farther than the documented workspace; how far is not documented. A pose beyond this factor is not
+// plausible.
 constexpr double kReach = 1.4;  // [1] of the table's workspace
 
-// Entries of the status, by number for the same reason as errors. A newer library may have more of them.
+// Entries of the status, by number because names in the header have changed between versions. A newer library may have
+// more entries.
 constexpr std::size_t kReset = 3, kForce = 5, kWristDetected = 8, kWristInitialised = 12, kCause = 14;
 constexpr std::size_t kStatusEntries = DHD_MAX_STATUS < 64 ? 64 : DHD_MAX_STATUS;
 
-/// Devices that this process has open: the library might hand out the same one twice.
+/// Devices that this process has open, because the library might open the same device twice.
 std::array<std::atomic<bool>, 128> open_devices{};
 
-/// Expert mode, which is one for all devices of the process.
+/// Expert mode is one state for all devices of the process.
 std::mutex expert_mutex;
 
 class ExpertMode {
@@ -55,7 +56,7 @@ class ExpertMode {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// The library's last error in this thread, in words and with its number.
+/// The library's last error in this thread, as text with its number.
 std::string last_error() {
   const int code = dhdErrorGetLast();
   const char* words = dhdErrorGetLastStr();
@@ -63,8 +64,8 @@ std::string last_error() {
          std::to_string(code) + ")";
 }
 
-Answer answer(int result) noexcept {
-  Answer a;
+Reply reply_of(int result) noexcept {
+  Reply a;
   a.saturated = result == DHD_MOTOR_SATURATED;
   if (result >= 0) return a;
   a.ok = false;
@@ -110,7 +111,7 @@ Connection::Connection(const ForceDimensionOptions& options) : options_(options)
     open_devices[number_] = false;
     throw;
   }
-  of_opening_ = warnings_.size();
+  opening_warnings_ = warnings_.size();
 }
 
 Connection::~Connection() {
@@ -156,7 +157,7 @@ void Connection::describe_device() {
   c.input_degrees_of_freedom = has_wrist_ ? 6 : 3;
   c.output_degrees_of_freedom = active_wrist_ ? 6 : 3;
   double x = 0, y = 0, z = 0;
-  reports_turning_ = has_wrist_ && dhdGetAngularVelocityRad(&x, &y, &z, id_) >= 0;
+  reports_angular_velocity_ = has_wrist_ && dhdGetAngularVelocityRad(&x, &y, &z, id_) >= 0;
 
   const int type = dhdGetSystemType(id_);
   const Model* model = find_model(type);
@@ -171,9 +172,8 @@ void Connection::describe_device() {
     c.peak_force = kCarefulForce;
     c.stiffness = kCarefulStiffness;
     c.damping = kCarefulDamping;
-    warnings_.push_back("The device " + c.model + " (type " + std::to_string(type) + ") is not known; " +
-                        format_number(kCarefulForce) + " N and " + format_number(kCarefulStiffness) +
-                        " N/m are asked of it.");
+    warnings_.push_back("The device " + c.model + " (type " + std::to_string(type) + ") is unknown; it is limited to " +
+                        format_number(kCarefulForce) + " N and " + format_number(kCarefulStiffness) + " N/m.");
   }
   if (!active_wrist_) return;
   if (model != nullptr && model->torque > 0) {
@@ -181,8 +181,8 @@ void Connection::describe_device() {
     c.rotational_stiffness = model->rotational_stiffness;
   } else {
     c.peak_torque = kCarefulTorque;
-    warnings_.push_back("It is not known how much torque the device " + c.model + " has; " +
-                        format_number(kCarefulTorque) + " N·m are asked of it.");
+    warnings_.push_back("The peak torque of the device " + c.model + " is unknown; it is limited to " +
+                        format_number(kCarefulTorque) + " N·m.");
   }
 }
 
@@ -196,7 +196,7 @@ void Connection::calibrate() {
   drdStop(false, id_);
   if (!done)
     throw Error("The device " + capabilities_.model + " could not calibrate itself: " + reason +
-                "; let go of it and keep its workspace free, or calibrate it by hand.");
+                "; release it and keep its workspace free, or calibrate it by hand.");
 }
 
 void Connection::complain(const std::string& what) {
@@ -204,34 +204,34 @@ void Connection::complain(const std::string& what) {
 }
 
 void Connection::begin() {
-  warnings_.resize(of_opening_);
+  warnings_.resize(opening_warnings_);
   begun_ = true;
-  const auto must = [this](int result, const char* what) {
-    if (answer(result).ok) return;
+  const auto require = [this](int result, const char* what) {
+    if (reply_of(result).ok) return;
     throw Error("The device " + capabilities_.model + " cannot " + what + ": " + last_error() +
                 "; check its power and its lights, and that no other program uses it.");
   };
   try {
-    (void)dhdSetBrakes(DHD_OFF, id_);  // not every device has them
+    (void)dhdSetBrakes(DHD_OFF, id_);  // not every device has brakes
     if (dhdSetGravityCompensation(DHD_ON, id_) < 0) complain("does not compensate the weight of its arm");
     if (options_.effector_mass > 0 && dhdSetEffectorMass(options_.effector_mass, id_) < 0)
-      complain("does not take ForceDimensionOptions::effector_mass");
-    if (dhdSetMaxForce(capabilities_.peak_force, id_) < 0) complain("does not limit its force by itself");
+      complain("refuses ForceDimensionOptions::effector_mass");
+    if (dhdSetMaxForce(capabilities_.peak_force, id_) < 0) complain("has no force limit of its own");
     if (active_wrist_ && dhdSetMaxTorque(capabilities_.peak_torque, id_) < 0)
-      complain("does not limit its torque by itself");
+      complain("has no torque limit of its own");
 
-    (void)write({});  // so that there is a command when the forces are switched on
+    (void)write({});  // a command must exist when the forces are switched on
     const ExpertMode expert{std::unique_lock(expert_mutex)};
     Status status;
-    const Answer asked = ask(status);
-    must(asked.ok ? 0 : -1, "say in which state it is");
+    const Reply asked = read_status(status);
+    require(asked.ok ? 0 : -1, "report its status");
     if (status.calibrated) {
       const int on = dhdEnableForce(DHD_ON, id_);
-      // A button that is not pressed, and the like: the loop goes on without forces and says so.
-      if (on >= 0 || answer(on).fault != DeviceFault::none) must(on, "switch its forces on");
+      // For example a button that is not pressed: the loop runs without forces and reports it.
+      if (on >= 0 || reply_of(on).fault != DeviceFault::none) require(on, "switch its forces on");
     }
     if (dhdSetWatchdog(static_cast<unsigned char>(std::lround(options_.watchdog / kWatchdogUnit)), id_) < 0)
-      complain("has no watchdog, so it keeps its last force should this program be stopped by a debugger or SIGKILL");
+      complain("has no watchdog, so it keeps its last force when a debugger or SIGKILL stops this program");
     (void)write({});
   } catch (...) {
     end();
@@ -248,39 +248,39 @@ void Connection::end() noexcept {
   dhdSetBrakes(DHD_ON, id_);
 }
 
-Answer Connection::read(DeviceState& state) noexcept {
+Reply Connection::read(DeviceState& state) noexcept {
   std::array<double, 3> p{}, v{}, w{};
   double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Answer pose = answer(has_wrist_ ? dhdGetPositionAndOrientationFrame(&p[0], &p[1], &p[2], m, id_)
-                                        : dhdGetPosition(&p[0], &p[1], &p[2], id_));
+  const Reply pose = reply_of(has_wrist_ ? dhdGetPositionAndOrientationFrame(&p[0], &p[1], &p[2], m, id_)
+                                         : dhdGetPosition(&p[0], &p[1], &p[2], id_));
   if (!pose.ok) return pose;
   state.X_BS.translation = to_base(Vec3(p[0], p[1], p[2]));
   Mat3 R_D;
   R_D << m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2];
   state.X_BS.rotation = orthonormalized(to_base(R_D));
 
-  const Answer moving = answer(dhdGetLinearVelocity(&v[0], &v[1], &v[2], id_));
+  const Reply moving = reply_of(dhdGetLinearVelocity(&v[0], &v[1], &v[2], id_));
   if (moving.fault != DeviceFault::none) return moving;
   state.velocity.linear = moving.ok ? to_base(Vec3(v[0], v[1], v[2])) : Vec3::Zero();
-  if (reports_turning_) {
-    const Answer turning = answer(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
-    if (turning.fault != DeviceFault::none) return turning;
-    state.velocity.angular = turning.ok ? to_base(Vec3(w[0], w[1], w[2])) : Vec3::Zero();
+  if (reports_angular_velocity_) {
+    const Reply rotating = reply_of(dhdGetAngularVelocityRad(&w[0], &w[1], &w[2], id_));
+    if (rotating.fault != DeviceFault::none) return rotating;
+    state.velocity.angular = rotating.ok ? to_base(Vec3(w[0], w[1], w[2])) : Vec3::Zero();
   }
   state.buttons = dhdGetButtonMask(id_);
   return pose;
 }
 
-Answer Connection::write(const Wrench& wrench) noexcept {
+Reply Connection::write(const Wrench& wrench) noexcept {
   const Vec3 f = to_library(wrench.force);
-  if (!active_wrist_) return answer(dhdSetForce(f.x(), f.y(), f.z(), id_));
+  if (!active_wrist_) return reply_of(dhdSetForce(f.x(), f.y(), f.z(), id_));
   const Vec3 t = to_library(wrench.torque);
-  return answer(dhdSetForceAndTorqueAndGripperForce(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), 0, id_));
+  return reply_of(dhdSetForceAndTorqueAndGripperForce(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), 0, id_));
 }
 
-Answer Connection::ask(Status& status) noexcept {
+Reply Connection::read_status(Status& status) noexcept {
   std::array<int, kStatusEntries> entries{};
-  const Answer asked = answer(dhdGetStatus(entries.data(), id_));
+  const Reply asked = reply_of(dhdGetStatus(entries.data(), id_));
   if (!asked.ok) return asked;
   status.force = entries[kForce] != 0;
   const bool wrist_unknown = has_wrist_ && entries[kWristDetected] != 0 && entries[kWristInitialised] == 0;
@@ -290,11 +290,11 @@ Answer Connection::ask(Status& status) noexcept {
   return asked;
 }
 
-Answer Connection::switch_on() noexcept {
+Reply Connection::switch_on() noexcept {
   const ExpertMode expert{std::unique_lock(expert_mutex, std::try_to_lock)};
   if (!expert.is_on()) return {false, false, error::kBusy, DeviceFault::none};
   (void)dhdSetBrakes(DHD_OFF, id_);
-  return answer(dhdEnableForce(DHD_ON, id_));
+  return reply_of(dhdEnableForce(DHD_ON, id_));
 }
 
 void Connection::copy_last_error(std::array<char, 128>& words) noexcept {

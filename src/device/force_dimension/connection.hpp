@@ -10,23 +10,23 @@
 #include "hapticut/device/force_dimension.hpp"
 
 /// @file
-/// The library, without its header: that one defines uchar, ushort, uint and ulong at global scope, and stays in
-/// connection.cpp.
+/// The interface to the library DHD. Its header defines uchar, ushort, uint and ulong at global scope, so only
+/// connection.cpp includes it.
 namespace hapticut::force_dimension {
 
-/// How a call went. Positive answers of the library (time guard, saturated motors) are not errors.
-struct Answer {
+/// The outcome of a call. Positive results of the library (time guard, saturated motors) are not errors.
+struct Reply {
   bool ok = true;
   bool saturated = false;                 ///< the motors cannot render all of the command
-  int error = 0;                          ///< of the library
-  DeviceFault fault = DeviceFault::none;  ///< that the error means; none: try again
+  int error = 0;                          ///< number of the library's error
+  DeviceFault fault = DeviceFault::none;  ///< meaning of the error; none: try again
 };
 
-/// What the device says about itself.
+/// The status that the device reports.
 struct Status {
-  bool force = false;       ///< its forces are on
-  bool calibrated = false;  ///< its pose means something
-  ForceOff cause = ForceOff::none;
+  bool force = false;               ///< its forces are switched on
+  bool calibrated = false;          ///< its pose is valid
+  ForceOff cause = ForceOff::none;  ///< why its forces are off
 };
 
 /// A device that the library has opened.
@@ -41,23 +41,23 @@ class Connection {
   [[nodiscard]] const DeviceCapabilities& capabilities() const { return capabilities_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Brakes off, gravity compensation and watchdog on, and the forces, unless the device waits for something that the
-  /// loop will see in its status.  @throws Error
+  /// Switches the brakes off, and gravity compensation, watchdog and forces on. If the device keeps its forces off, the
+  /// loop sees why in its status.  @throws Error
   void begin();
 
-  /// Zero force, forces off, brakes on; whatever fails on the way.
+  /// Sends a zero force, switches forces off and brakes on. Continues after errors.
   void end() noexcept;
 
-  /// @name What the loop calls: no allocation, no lock of ours
+  /// @name Functions for the loop, without allocation or lock in this library
   /// @{
-  /// Pose, velocity and buttons, in B. The angular velocity is left alone where the device reports none.
-  [[nodiscard]] Answer read(DeviceState& state) noexcept;
-  [[nodiscard]] bool reports_turning() const noexcept { return reports_turning_; }
-  [[nodiscard]] Answer write(const Wrench& wrench) noexcept;
-  [[nodiscard]] Answer ask(Status& status) noexcept;
-  /// Does nothing, and is not `ok`, when another thread is in expert mode.
-  [[nodiscard]] Answer switch_on() noexcept;
-  /// The library's words for the last error of this thread.
+  /// Reads pose, velocity and buttons, in B. Leaves the angular velocity unchanged if the device reports none.
+  [[nodiscard]] Reply read(DeviceState& state) noexcept;
+  [[nodiscard]] bool reports_angular_velocity() const noexcept { return reports_angular_velocity_; }
+  [[nodiscard]] Reply write(const Wrench& wrench) noexcept;
+  [[nodiscard]] Reply read_status(Status& status) noexcept;
+  /// Switches the forces on. Does nothing, and is not `ok`, when another thread is in expert mode.
+  [[nodiscard]] Reply switch_on() noexcept;
+  /// Copies the library's text of the last error of this thread.
   static void copy_last_error(std::array<char, 128>& words) noexcept;
   /// @}
 
@@ -68,12 +68,12 @@ class Connection {
   void complain(const std::string& what);
 
   char id_ = -1;
-  std::size_t number_ = 0;  // the same
+  std::size_t number_ = 0;  // equals id_
   ForceDimensionOptions options_;
   DeviceCapabilities capabilities_;
-  bool has_wrist_ = false, active_wrist_ = false, reports_turning_ = false, begun_ = false;
+  bool has_wrist_ = false, active_wrist_ = false, reports_angular_velocity_ = false, begun_ = false;
   std::vector<std::string> warnings_;
-  std::size_t of_opening_ = 0;  // of them; the others are of the last run
+  std::size_t opening_warnings_ = 0;  // number of warnings from opening; the others are of the last run
 };
 
 }  // namespace hapticut::force_dimension

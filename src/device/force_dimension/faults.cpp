@@ -10,7 +10,7 @@ DeviceFault fault_of(ForceOff cause) noexcept {
       return DeviceFault::overloaded;
     case ForceOff::usb:
       return DeviceFault::disconnected;
-    case ForceOff::none:  // off, and the device does not say why
+    case ForceOff::none:  // the device does not report why its forces are off
     case ForceOff::button:
     case ForceOff::software:
     case ForceOff::deadman:
@@ -20,7 +20,7 @@ DeviceFault fault_of(ForceOff cause) noexcept {
   return DeviceFault::switched_off;
 }
 
-bool comes_back(ForceOff cause) noexcept { return cause == ForceOff::velocity || cause == ForceOff::watchdog; }
+bool can_reenable(ForceOff cause) noexcept { return cause == ForceOff::velocity || cause == ForceOff::watchdog; }
 
 const char* describe(ForceOff cause) noexcept {
   switch (cause) {
@@ -29,18 +29,18 @@ const char* describe(ForceOff cause) noexcept {
     case ForceOff::velocity:
       return "it moved faster than it allows, and braked; move it more slowly";
     case ForceOff::watchdog:
-      return "its watchdog waited too long for a command; simulate less per tick, or see what kept the loop waiting";
+      return "its watchdog waited too long for a command; simulate less per tick, or find out what delayed the loop";
     case ForceOff::software:
       return "a program switched them off; end other programs that use the device";
     case ForceOff::usb:
       return "its USB connection was lost; check the cable";
     case ForceOff::deadman:
-      return "its dead man's switch was let go; hold it";
+      return "its dead man's switch was released; hold it";
     case ForceOff::none:
     case ForceOff::count:
       break;
   }
-  return "it does not say why; look at its force button and its lights";
+  return "it does not report why; check its force button and its lights";
 }
 
 DeviceFault fault_of(int code) noexcept {

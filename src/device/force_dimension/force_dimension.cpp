@@ -15,14 +15,14 @@
 namespace hapticut {
 namespace {
 
-using force_dimension::Answer;
 using force_dimension::Connection;
 using force_dimension::ForceOff;
+using force_dimension::Reply;
 using force_dimension::Status;
 
-constexpr double kStatusTime = 10e-3;  // [s] between two looks at the status, and ...
-constexpr double kRecoveryTime = 0.1;  // [s] ... between two tries to switch the forces on again
-constexpr int kMaxFailures = 100;      // calls in a row after which a device that does not answer is lost
+constexpr double kStatusTime = 10e-3;  // [s] between two polls of the status
+constexpr double kRecoveryTime = 0.1;  // [s] between two attempts to switch the forces on again
+constexpr int kMaxFailures = 100;      // failed calls in a row after which a device counts as lost
 
 class ForceDimensionDevice final : public PolledDevice {
  public:
@@ -39,26 +39,26 @@ class ForceDimensionDevice final : public PolledDevice {
   void end_run() noexcept override;
   [[nodiscard]] std::vector<std::string> warnings() override;
   [[nodiscard]] bool is_simulated() const override { return simulated_; }
-  void scale_output(double share) noexcept override;
+  void scale_output(double scale) noexcept override;
 
  private:
-  void look_at_status() noexcept;
-  void note(const Answer& answer) noexcept;
+  void poll_status() noexcept;
+  void record(const Reply& reply) noexcept;
 
   ForceDimensionOptions options_;
-  bool simulated_ = bool(options_.clock);  // the options gave us a clock
+  bool simulated_ = bool(options_.clock);  // the options have a custom clock
   Connection connection_;
-  AngularVelocityEstimate turning_;
+  AngularVelocityEstimate angular_velocity_;
 
-  // Of a run.
+  // State of a run.
   double period_ = 1e-3, begin_ = 0, last_read_ = 0;
   std::uint64_t tick_ = 0, next_try_ = 0;
   std::uint32_t epoch_ = 0;
-  bool on_ = true, calibrated_ = true;  // at the last look
-  bool ours_ = false;                   // its forces are off because they were not switched on yet
-  ForceOff cause_ = ForceOff::none;     // why they are off
-  bool answered_ = true;                // the last reading
-  int failures_ = 0;                    // calls in a row
+  bool on_ = true, calibrated_ = true;  // at the last poll
+  bool enable_pending_ = false;         // the forces are off because they were not switched on yet
+  ForceOff cause_ = ForceOff::none;     // why the forces are off
+  bool answered_ = true;                // the last reading succeeded
+  int failures_ = 0;                    // failed calls in a row
   std::uint64_t saturated_ = 0;
   std::array<std::uint64_t, std::size_t(ForceOff::count)> switched_off_{};
   Wrench rendered_;
@@ -77,11 +77,11 @@ void ForceDimensionDevice::begin_run(const RunOptions& options) {
                 " s is shorter than two ticks of " + format_number(options.guard.period) +
                 " s, so the device would switch its forces off all the time; shorten GuardOptions::period.");
   connection_.begin();
-  turning_.restart();
+  angular_velocity_.restart();
   period_ = options.guard.period;
   tick_ = next_try_ = saturated_ = 0;
   on_ = calibrated_ = answered_ = true;
-  ours_ = false;
+  enable_pending_ = false;
   cause_ = ForceOff::none;
   failures_ = fatal_error_ = 0;
   rendered_ = {};
@@ -92,44 +92,44 @@ void ForceDimensionDevice::begin_run(const RunOptions& options) {
   rendering_ = true;
 }
 
-// What went wrong, and whether the run can go on.
-void ForceDimensionDevice::note(const Answer& answer) noexcept {
-  if (answer.saturated) ++saturated_;
-  if (answer.ok || fatal_ != DeviceFault::none) return;
-  fatal_ = answer.fault;
+// Records an error, and whether it ends the run.
+void ForceDimensionDevice::record(const Reply& reply) noexcept {
+  if (reply.saturated) ++saturated_;
+  if (reply.ok || fatal_ != DeviceFault::none) return;
+  fatal_ = reply.fault;
   if (fatal_ == DeviceFault::none && ++failures_ > kMaxFailures) fatal_ = DeviceFault::disconnected;
   if (fatal_ == DeviceFault::none) return;
-  fatal_error_ = answer.error;
+  fatal_error_ = reply.error;
   Connection::copy_last_error(fatal_words_);
 }
 
-// The device switches its forces off by itself, and is calibrated or not.
-void ForceDimensionDevice::look_at_status() noexcept {
+// Polls whether the device has switched its forces off, and whether it is calibrated.
+void ForceDimensionDevice::poll_status() noexcept {
   Status status;
-  const Answer asked = connection_.ask(status);
-  note(asked);
+  const Reply asked = connection_.read_status(status);
+  record(asked);
   if (!asked.ok) return;
   if (!status.calibrated) {
     calibrated_ = on_ = false;
-    ours_ = true;  // to switch on when it is
+    enable_pending_ = true;  // switch the forces on after calibration
     return;
   }
-  if (!calibrated_) ++epoch_;  // poses before and after do not compare
+  if (!calibrated_) ++epoch_;  // poses before and after are not comparable
   calibrated_ = true;
   if (status.force) {
     on_ = true;
-    ours_ = false;
+    enable_pending_ = false;
     return;
   }
-  if (!ours_ && (on_ || status.cause != cause_)) {
+  if (!enable_pending_ && (on_ || status.cause != cause_)) {
     ++switched_off_[std::size_t(status.cause)];
     next_try_ = tick_ + ticks_in(kRecoveryTime, period_);
   }
   on_ = false;
   cause_ = status.cause;
-  if ((!ours_ && !comes_back(cause_)) || tick_ < next_try_) return;
+  if ((!enable_pending_ && !can_reenable(cause_)) || tick_ < next_try_) return;
   next_try_ = tick_ + ticks_in(kRecoveryTime, period_);
-  (void)connection_.switch_on();  // the next look tells whether it did
+  (void)connection_.switch_on();  // the next poll shows the result
 }
 
 bool ForceDimensionDevice::read(DeviceState& state) noexcept {
@@ -138,12 +138,13 @@ bool ForceDimensionDevice::read(DeviceState& state) noexcept {
   const bool too_late = now - last_read_ > options_.watchdog;  // for the device's watchdog
   last_read_ = now;
 
-  const Answer pose = connection_.read(state);
-  note(pose);
+  const Reply pose = connection_.read(state);
+  record(pose);
   answered_ = pose.ok;
-  if (tick_ % ticks_in(kStatusTime, period_) == 0 || too_late) look_at_status();
+  if (tick_ % ticks_in(kStatusTime, period_) == 0 || too_late) poll_status();
   ++tick_;
-  if (pose.ok && !connection_.reports_turning()) state.velocity.angular = turning_.update(state.X_BS.rotation, now);
+  if (pose.ok && !connection_.reports_angular_velocity())
+    state.velocity.angular = angular_velocity_.update(state.X_BS.rotation, now);
   state.time = now - begin_;
   state.sequence = tick_;
   state.epoch = epoch_;
@@ -162,13 +163,13 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
     written_[std::size_t(n)].store(wrench.force[n], std::memory_order_relaxed);
     written_[std::size_t(3 + n)].store(wrench.torque[n], std::memory_order_relaxed);
   }
-  const Answer written = connection_.write(wrench);
-  // Where a person or a missing calibration keeps the forces off, a refused command means nothing.
-  const bool counts = on_ || (calibrated_ && !ours_ && comes_back(cause_));
-  if (counts) note(written);
+  const Reply written = connection_.write(wrench);
+  // If a user action or a missing calibration keeps the forces off, a refused command is no error.
+  const bool counts = on_ || (calibrated_ && !enable_pending_ && can_reenable(cause_));
+  if (counts) record(written);
   if (answered_ && (written.ok || !counts)) failures_ = 0;
-  // A command that did not get through leaves the one before it, but not in a device that is gone; forces that come
-  // back begin without any.
+  // After a failed command the device keeps the one before, unless it is disconnected. Forces that are switched on
+  // again start from zero.
   if (!on_ || fatal_ == DeviceFault::disconnected)
     rendered_ = {};
   else if (written.ok)
@@ -176,11 +177,11 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
   return rendered_;
 }
 
-// While the loop does not answer: a smaller share of its last force, which also feeds the device's watchdog and carries
-// the arm. A loop that comes back at this very moment overwrites it one tick later.
-void ForceDimensionDevice::scale_output(double share) noexcept {
-  if (share >= 1) return;  // late, but not yet fading: the device still renders that force
-  const auto part = [&](std::size_t n) { return share * written_[n].load(std::memory_order_relaxed); };
+// While the loop does not answer: writes a fraction of its last force, which also feeds the device's watchdog and keeps
+// the weight of the arm compensated. If the loop resumes at this moment, it overwrites this force one tick later.
+void ForceDimensionDevice::scale_output(double scale) noexcept {
+  if (scale >= 1) return;  // late, but not yet fading: the device still renders that force
+  const auto part = [&](std::size_t n) { return scale * written_[n].load(std::memory_order_relaxed); };
   scaling_ = true;
   if (rendering_) (void)connection_.write({Vec3(part(0), part(1), part(2)), Vec3(part(3), part(4), part(5))});
   scaling_ = false;
@@ -188,7 +189,7 @@ void ForceDimensionDevice::scale_output(double share) noexcept {
 
 void ForceDimensionDevice::end_run() noexcept {
   rendering_ = false;
-  while (scaling_) std::this_thread::yield();  // nothing comes after the zero force
+  while (scaling_) std::this_thread::yield();  // nothing may follow the zero force
   connection_.end();
 }
 

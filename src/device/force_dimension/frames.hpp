@@ -4,17 +4,18 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// The library's frame `D` (x towards the user, y to the right, z up) and the base `B` of every device of ours (x to
-/// the right, y up, z towards the user).
+/// The library's frame `D` (x towards the user, y to the right, z up) and the base frame `B` that all devices of
+/// hapticut have (x to the right, y up, z towards the user).
 namespace hapticut::force_dimension {
 
-/// A vector of D in B.
+/// Converts a vector from D to B.
 [[nodiscard]] inline Vec3 to_base(const Vec3& v_D) { return {v_D.y(), v_D.z(), v_D.x()}; }
 
-/// A vector of B in D.
+/// Converts a vector from B to D.
 [[nodiscard]] inline Vec3 to_library(const Vec3& v_B) { return {v_B.z(), v_B.x(), v_B.y()}; }
 
-/// The orientation of the stylus: both of its frames are permuted, so that the identity stays the identity.
+/// Converts the orientation of the stylus. The axes of both of its frames are permuted, so that the identity stays the
+/// identity.
 [[nodiscard]] inline Mat3 to_base(const Mat3& R_D) {
   Mat3 R;
   for (int row = 0; row < 3; ++row)

@@ -7,9 +7,9 @@ namespace {
 constexpr std::string_view kLeft = "-left", kRight = "-right";
 
 // Name, type, force, torque, stiffness, rotational stiffness, damping, half widths of the workspace. The numbers are
-// those that CHAI3D uses for these devices; of lambda.3, lambda.6 and sigma.3, which it does not know, those of their
-// family without torque. The middle of the workspace of a sigma.7 is said to be 10 mm and 20 mm off the origin, but not
-// in which direction: there the box has room for both.
+// those that CHAI3D uses for these devices. CHAI3D does not have lambda.3, lambda.6 and sigma.3; they have the numbers
+// of their family without torque. The middle of the workspace of a sigma.7 is reported to be 10 mm and 20 mm off the
+// origin, in an unknown direction: the box has room for both directions.
 constexpr std::array kModels = {
     Model{"omega.3", 33, 12, 0, 5000, 0, 30, {0.075, 0.075, 0.075}},
     Model{"omega.6", 34, 12, 0, 5000, 0, 30, {0.075, 0.075, 0.075}},

@@ -7,12 +7,12 @@
 
 namespace hapticut::force_dimension {
 
-/// What is known of a kind of device, by the number that the library calls it.
+/// The properties of a kind of device, by its number in the library.
 struct Model {
   std::string_view name;  ///< "omega.7", "omega.7-left"
   int type;
   double force;                      ///< [N]
-  double torque;                     ///< [N·m] 0: none, or unknown
+  double torque;                     ///< [N·m] 0: none or unknown
   double stiffness;                  ///< [N/m]
   double rotational_stiffness;       ///< [N·m/rad]
   double damping;                    ///< [N·s/m]
@@ -21,10 +21,10 @@ struct Model {
 
 [[nodiscard]] std::span<const Model> models();
 
-/// The model of a type, or null.
+/// The model of a type.  @return null if the type is unknown
 [[nodiscard]] const Model* find_model(int type);
 
-/// Whether a model answers to a name: "omega.7" for both hands, "omega.7-left" and "omega.7-right" for one.
+/// Whether a name means a model: "omega.7" means the models for both hands, "omega.7-left" and "omega.7-right" one.
 [[nodiscard]] bool answers_to(const Model& model, std::string_view name);
 
 }  // namespace hapticut::force_dimension

@@ -18,14 +18,14 @@ namespace {
 constexpr double kPerMillimetre = 1000;  // [1/m] N/mm to N/m
 constexpr int kTriesToReopen = 10;
 
-// The guard lets a force go at once and grow slowly, also to the other side: the driver must bear a step of this many
-// times the peak force.
+// The guard removes a force at once and lets it grow slowly. So the driver must accept a step of this many times the
+// peak force.
 constexpr double kMaxStep = 1.25;  // [1]
 
 std::atomic<int> open_connections{0};
 
-/// Numbers are read with a decimal point while the driver reads its files: with a decimal comma some drivers read
-/// nonsense, and the position then stands still.
+/// Sets the decimal point while the driver reads its files. With a decimal comma some drivers read wrong numbers, and
+/// the position then stands still.
 class DecimalPoint {
  public:
   DecimalPoint() : point_(newlocale(LC_NUMERIC_MASK, "C", duplocale(uselocale(nullptr)))), old_(uselocale(point_)) {}
@@ -40,7 +40,7 @@ class DecimalPoint {
   locale_t point_, old_;
 };
 
-/// A number that not every device knows: zero where the driver complains.
+/// A number that not every device has: zero if the driver reports an error.
 double number(HDenum name) {
   HDdouble value = 0;
   hdGetDoublev(name, &value);
@@ -60,7 +60,7 @@ std::string text(HDenum name) {
 
 std::string quoted(const char* name) {
   if (name == nullptr) return "the default device";
-  std::string words = "\"";  // piecewise: GCC 12 warns wrongly about operator+
+  std::string words = "\"";  // in parts, because GCC 12 warns wrongly about operator+
   words += name;
   words += '"';
   return words;
@@ -75,7 +75,8 @@ Connection::Connection(const OpenHapticsOptions& options) {
       hdDeploymentLicense(options.license_vendor.c_str(), options.license_application.c_str(),
                           options.license_password.c_str()) != HD_TRUE)
     throw Error("OpenHaptics refuses the deployment licence of \"" + options.license_vendor + "\" for \"" +
-                options.license_application + "\"; check OpenHapticsOptions::license_vendor and its neighbours.");
+                options.license_application +
+                "\"; check OpenHapticsOptions::license_vendor, license_application and license_password.");
   initialise(options);
   ++open_connections;
   try {
@@ -109,7 +110,8 @@ void Connection::initialise(const OpenHapticsOptions& options) {
     drain();
     handle_ = hdInitDevice(name);
     Errors errors = drain();
-    // Other code in this process has opened it and has not closed it; a device that we have open is not taken away.
+    // Other code in this process has opened the device and not closed it. A device that this library has open stays
+    // open.
     for (int n = 0; n < kTriesToReopen && alone && errors.has(HD_DEVICE_ALREADY_INITIATED); ++n) {
       const HHD other = hdGetCurrentDevice();
       hdDisableDevice(other);
@@ -129,8 +131,8 @@ void Connection::initialise(const OpenHapticsOptions& options) {
                   "; install a development licence (OH_SDK_LICENSE_PATH), or set OpenHapticsOptions::license_vendor.");
   }
   throw Error("OpenHaptics opens no device (" + reasons +
-              "); check cable, power, the permission to use /dev/ttyACM* (group dialout), and the name in the maker's "
-              "setup program.");
+              "); check cable, power, the permission to use /dev/ttyACM* (group dialout), and the name in the "
+              "manufacturer's setup program.");
 }
 
 void Connection::ask() {
@@ -144,8 +146,8 @@ void Connection::ask() {
   c.peak_force = number(HD_NOMINAL_MAX_FORCE);
   if (!(c.peak_force > 0)) {
     c.peak_force = kCarefulForce;
-    warnings_.push_back("The driver does not say how much force the device has; " + format_number(kCarefulForce) +
-                        " N are used.");
+    warnings_.push_back("The driver does not report the peak force of the device; it is limited to " +
+                        format_number(kCarefulForce) + " N.");
   }
   c.continuous_force = number(HD_NOMINAL_MAX_CONTINUOUS_FORCE);
   c.stiffness = number(HD_NOMINAL_MAX_STIFFNESS) * kPerMillimetre;
@@ -174,7 +176,7 @@ void Connection::calibrate(bool reset_encoders) {
   for (const HDenum style :
        {HDenum(HD_CALIBRATION_AUTO), HDenum(HD_CALIBRATION_INKWELL), HDenum(HD_CALIBRATION_ENCODER_RESET)})
     if ((styles & style) != 0 && calibration_style_ == 0) calibration_style_ = style;
-  if (calibration_style_ != HD_CALIBRATION_ENCODER_RESET) return;  // calibrated while it runs
+  if (calibration_style_ != HD_CALIBRATION_ENCODER_RESET) return;  // calibrated during the run
   if (reset_encoders) {
     hdUpdateCalibration(calibration_style_);
     const Errors errors = drain();
@@ -191,12 +193,12 @@ void Connection::calibrate(bool reset_encoders) {
 void Connection::enable_force(bool on) {
   Scheduler::instance().between_ticks([this, on] {
     hdMakeCurrentDevice(handle_);
-    let_go_.store(false);
+    hand_released_.store(false);
     if (on) {
       for (const HDenum safety :
            {HDenum(HD_FORCE_RAMPING), HDenum(HD_MAX_FORCE_CLAMPING), HDenum(HD_SOFTWARE_FORCE_LIMIT)})
         hdEnable(safety);
-      // The default of a few newtons would switch the motors of a strong device off when it lets go.
+      // The default limit of a few newtons would switch the motors of a strong device off when the force ends.
       const HDdouble needed = kMaxStep * capabilities_.peak_force;
       const double allowed = number(HD_SOFTWARE_FORCE_IMPULSE_LIMIT);
       if (allowed > 0 && allowed < needed) hdSetDoublev(HD_SOFTWARE_FORCE_IMPULSE_LIMIT, &needed);
@@ -208,13 +210,13 @@ void Connection::enable_force(bool on) {
   });
 }
 
-void Connection::let_go() noexcept {
+void Connection::release_hand() noexcept {
   Scheduler& scheduler = Scheduler::instance();
-  const bool turn = scheduler.wait_for_turn();  // without it the hand comes first
+  const bool has_driver = scheduler.wait_for_driver();  // goes on without the driver, because the hand comes first
   hdMakeCurrentDevice(handle_);
   hdDisable(HD_FORCE_OUTPUT);
-  let_go_.store(true);  // before another tick can look
-  if (turn) scheduler.give_turn();
+  hand_released_.store(true);  // before another tick can check it
+  if (has_driver) scheduler.release_driver();
 }
 
 }  // namespace hapticut::open_haptics

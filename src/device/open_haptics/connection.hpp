@@ -11,7 +11,7 @@
 
 namespace hapticut::open_haptics {
 
-/// A device that the driver has initialised: its handle, and what it says about itself.
+/// A device that the driver has initialised: its handle and its capabilities.
 class Connection {
  public:
   /// @throws Error
@@ -26,16 +26,16 @@ class Connection {
   [[nodiscard]] bool measures_temperature() const { return measures_temperature_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Switches the amplifiers, and what the driver offers for safety.
+  /// Switches the amplifiers on, with the safety functions of the driver, or off.
   void enable_force(bool on);
 
-  /// Switches the amplifiers off beside a tick that hangs.
-  void let_go() noexcept;
-  [[nodiscard]] bool has_let_go() const noexcept { return let_go_.load(); }
+  /// Switches the amplifiers off from another thread while a tick hangs.
+  void release_hand() noexcept;
+  [[nodiscard]] bool has_released_hand() const noexcept { return hand_released_.load(); }
 
-  /// Switches them on again. In a tick, with the turn.
-  void hold() noexcept {
-    if (let_go_.exchange(false)) hdEnable(HD_FORCE_OUTPUT);
+  /// Switches the amplifiers on again after `release_hand`. Called in a tick that has acquired the driver.
+  void resume() noexcept {
+    if (hand_released_.exchange(false)) hdEnable(HD_FORCE_OUTPUT);
   }
 
  private:
@@ -48,7 +48,7 @@ class Connection {
   HDenum calibration_style_ = 0;
   bool measures_temperature_ = false;
   std::vector<std::string> warnings_;
-  std::atomic<bool> let_go_{false};
+  std::atomic<bool> hand_released_{false};
 };
 
 }  // namespace hapticut::open_haptics

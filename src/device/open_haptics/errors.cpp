@@ -7,7 +7,7 @@
 namespace hapticut::open_haptics {
 namespace {
 
-constexpr int kMaxErrors = 1000;  // a driver that fails in every call must not hold us up for ever
+constexpr int kMaxErrors = 1000;  // a driver that fails in every call must not block forever
 
 }  // namespace
 

@@ -10,16 +10,16 @@
 
 namespace hapticut::open_haptics {
 
-/// What an error of the driver means for a run.
+/// The fault that an error of the driver means for a run.
 [[nodiscard]] DeviceFault fault_of(HDerror code) noexcept;
 
-/// An error in words, with its numbers.
+/// An error as text, with its numbers.
 [[nodiscard]] std::string describe(const HDErrorInfo& error);
 
-/// The errors that were waiting, newest first. A fixed number is kept; all are taken off the driver's stack.
+/// The drained errors, newest first. A fixed number is kept; all are removed from the driver's stack.
 struct Errors {
   std::array<HDErrorInfo, 16> kept{};
-  int count = 0;  ///< kept
+  int count = 0;  ///< number of kept errors
 
   [[nodiscard]] bool any() const { return count > 0; }
   [[nodiscard]] bool has(HDerror code) const;

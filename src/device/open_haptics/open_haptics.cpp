@@ -27,13 +27,13 @@ using open_haptics::drain;
 using open_haptics::Entry;
 using open_haptics::Scheduler;
 
-constexpr double kTemperatureTime = 0.1;   // [s] between two readings of it
-constexpr double kCalibrationTime = 1;     // [s] the same, while the device is calibrated
-constexpr double kUncalibratedTime = 0.1;  // [s] the same, while it is not
-constexpr double kTooWarm = 1;             // [1] a temperature that the guard reduces the force at
-constexpr double kCooled = 0.5;            // [1] measured, at which a driver that complained of heat is satisfied
+constexpr double kTemperatureTime = 0.1;   // [s] between two readings of the temperature
+constexpr double kCalibrationTime = 1;     // [s] between two checks, while the device is calibrated
+constexpr double kUncalibratedTime = 0.1;  // [s] between two checks, while it is not
+constexpr double kTooWarm = 1;             // [1] a temperature at which the guard reduces the force
+constexpr double kCooled = 0.5;            // [1] measured temperature below which a warning of warm motors ends
 
-/// The rotation of a column-major matrix, made orthonormal: the driver's has small errors.
+/// The rotation of a column-major matrix, made orthonormal, because the driver's matrix has small errors.
 Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
   const Vec3 z = Vec3(m[8], m[9], m[10]).normalized();
   const Vec3 x = Vec3(m[4], m[5], m[6]).cross(z).normalized();
@@ -42,12 +42,12 @@ Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
   return R;
 }
 
-// Errors of all devices are on one stack, so the device that looks first finds those of the others too.
+// All devices share one error stack, so the device that drains it first also finds the errors of the others.
 constexpr std::size_t kMaxDevices = 16;
 std::array<std::atomic<DeviceFault>, kMaxDevices> faults_by_handle{};
 
-/// The graver of two faults.
-DeviceFault graver(DeviceFault a, DeviceFault b) {
+/// The more severe of two faults.
+DeviceFault more_severe(DeviceFault a, DeviceFault b) {
   const auto rank = [](DeviceFault f) { return f == DeviceFault::disconnected ? 100 : int(f); };
   return rank(a) < rank(b) ? b : a;
 }
@@ -64,7 +64,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
  protected:
   std::string drive(Servo& servo, const RunOptions& options) override;
   [[nodiscard]] double settle_period(double asked) override;
-  void scale_output(double share) noexcept override;
+  void scale_output(double scale) noexcept override;
 
  private:
   enum class Phase : std::uint8_t { running, ending, done };
@@ -74,28 +74,28 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
   bool render() noexcept;
   void begin(Servo& servo, const RunOptions& options);
   [[nodiscard]] Ending wait_for_end();
-  void leave(Entry& entry) noexcept;
+  void close(Entry& entry) noexcept;
   void read(DeviceState& state) noexcept;
-  void look_after_calibration() noexcept;
-  void take_errors() noexcept;
+  void check_calibration() noexcept;
+  void drain_errors() noexcept;
   void write(const Wrench& wrench) noexcept;
 
   OpenHapticsOptions options_;
   Connection connection_;
 
-  // Of a run; touched by the driver's thread only, but for the atomics.
+  // State of a run. Only the driver's thread accesses it, except the atomics.
   Servo* servo_ = nullptr;
   std::atomic<Phase> phase_{Phase::done};
   std::atomic<std::uint64_t> ticks_{0};
   double period_ = 1e-3, begin_ = 0, last_time_ = 0;
-  int farewells_ = 0;
+  int fading_ticks_ = 0;
   std::uint32_t epoch_ = 0;
   HDenum calibration_ = HD_CALIBRATION_OK;
   bool must_calibrate_ = false, warm_ = false;
   double temperature_ = 0;
   DeviceFault fault_ = DeviceFault::none;
   open_haptics::Errors fatal_;
-  AngularVelocityEstimate turning_;
+  AngularVelocityEstimate angular_velocity_;
 };
 
 void OpenHapticsDevice::read(DeviceState& state) noexcept {
@@ -120,7 +120,8 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
     if (temperature_ < kCooled) warm_ = false;
   }
   state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
-  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm, turning_.update(state.X_BS.rotation, now)};
+  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm,
+                    angular_velocity_.update(state.X_BS.rotation, now)};
   state.buttons = std::uint32_t(buttons);
   state.time = now - begin_;
   state.sequence = n + 1;
@@ -134,8 +135,8 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
   }
 }
 
-// A calibration moves the pose at once: the force is taken away for the tick before it, and the guard waits after it.
-void OpenHapticsDevice::look_after_calibration() noexcept {
+// A calibration makes the pose jump. The tick before it has no force, and the guard waits after it.
+void OpenHapticsDevice::check_calibration() noexcept {
   const std::uint64_t n = ticks_.load(std::memory_order_relaxed);
   const double pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTime : kUncalibratedTime;
   if (connection_.calibration_style() == 0 || n % ticks_in(pause, period_) != 0) return;
@@ -144,21 +145,21 @@ void OpenHapticsDevice::look_after_calibration() noexcept {
       calibration_ == HD_CALIBRATION_NEEDS_UPDATE && connection_.calibration_style() != HD_CALIBRATION_ENCODER_RESET;
 }
 
-// What the driver complains about, for the next reading of the device that it means.
-void OpenHapticsDevice::take_errors() noexcept {
+// Assigns the errors of the driver to the next readings of the devices that they concern.
+void OpenHapticsDevice::drain_errors() noexcept {
   const HHD own = connection_.handle();
   const open_haptics::Errors errors = drain();
   fault_ = own < kMaxDevices ? faults_by_handle[own].exchange(DeviceFault::none) : DeviceFault::none;
   for (int n = 0; n < errors.count; ++n) {
     const HDErrorInfo& error = errors.kept[std::size_t(n)];
     const DeviceFault fault = open_haptics::fault_of(error.errorCode);
-    // A lost connection is reported without a handle, by the frame that finds it: it is ours.
+    // A lost connection is reported without a handle in the frame that detects it, so it is this device.
     const bool foreign = error.hHD != own && error.hHD < kMaxDevices && fault != DeviceFault::disconnected &&
                          fault != DeviceFault::driver_error;
     if (foreign)
-      faults_by_handle[error.hHD] = graver(faults_by_handle[error.hHD], fault);
+      faults_by_handle[error.hHD] = more_severe(faults_by_handle[error.hHD], fault);
     else
-      fault_ = graver(fault_, fault);
+      fault_ = more_severe(fault_, fault);
   }
   if (fault_ == DeviceFault::motors_warm) warm_ = true;
   if (fault_ == DeviceFault::disconnected || fault_ == DeviceFault::driver_error) fatal_ = errors;
@@ -173,53 +174,53 @@ void OpenHapticsDevice::write(const Wrench& wrench) noexcept {
   hdSetDoublev(HD_CURRENT_TORQUE, torque.data());
 }
 
-// A frame of the run. The turn is given away meanwhile.
-// @return whether it came back
+// A frame of the run. It releases the driver while the user's code runs.
+// @return whether it acquired the driver again
 bool OpenHapticsDevice::render() noexcept {
   Scheduler& scheduler = Scheduler::instance();
-  connection_.hold();
+  connection_.resume();
   DeviceState state;
   read(state);
-  look_after_calibration();
-  scheduler.give_turn();
+  check_calibration();
+  scheduler.release_driver();
   Wrench wrench = servo_->tick(state);
   if (servo_->should_end()) phase_.store(Phase::ending, std::memory_order_relaxed);
-  const bool turn = scheduler.take_turn();
-  if (turn) hdMakeCurrentDevice(connection_.handle());
-  // Who has let go of the hand meanwhile did so because this force is too old.
-  if (!turn || connection_.has_let_go() || must_calibrate_) {
+  const bool has_driver = scheduler.acquire_driver();
+  if (has_driver) hdMakeCurrentDevice(connection_.handle());
+  // If another thread has released the hand meanwhile, this force is too old.
+  if (!has_driver || connection_.has_released_hand() || must_calibrate_) {
     wrench = {};
-    servo_->applied(wrench);
+    servo_->report_applied(wrench);
   }
-  if (turn) write(wrench);
-  return turn;
+  if (has_driver) write(wrench);
+  return has_driver;
 }
 
 HDCallbackCode OpenHapticsDevice::tick() noexcept {
   Scheduler& scheduler = Scheduler::instance();
-  if (!scheduler.take_turn()) return HD_CALLBACK_CONTINUE;  // another thread lets go of a hand
-  bool turn = true, last = false;
+  if (!scheduler.acquire_driver()) return HD_CALLBACK_CONTINUE;  // another thread releases a hand
+  bool has_driver = true, last = false;
   const HHD handle = connection_.handle();
   hdMakeCurrentDevice(handle);
   hdBeginFrame(handle);
   if (phase_.load(std::memory_order_relaxed) == Phase::running) {
-    turn = render();
+    has_driver = render();
   } else {
-    const Wrench wrench = servo_->farewell(farewells_++);
+    const Wrench wrench = servo_->fading_force(fading_ticks_++);
     write(wrench);
     last = wrench.force.isZero(0) && wrench.torque.isZero(0);
   }
   hdEndFrame(handle);
-  if (turn && must_calibrate_) {
+  if (has_driver && must_calibrate_) {
     hdUpdateCalibration(connection_.calibration_style());
     calibration_ = HD_CALIBRATION_OK;
     must_calibrate_ = false;
     ++epoch_;
   }
-  take_errors();
-  if (turn) scheduler.give_turn();
+  drain_errors();
+  if (has_driver) scheduler.release_driver();
   if (!last) return HD_CALLBACK_CONTINUE;
-  servo_->rest();
+  servo_->finish();
   phase_.store(Phase::done, std::memory_order_release);
   return HD_CALLBACK_DONE;
 }
@@ -228,19 +229,19 @@ double OpenHapticsDevice::settle_period(double asked) {
   return Scheduler::instance().settle_period(asked, connection_.handle());
 }
 
-void OpenHapticsDevice::scale_output(double share) noexcept {
-  if (share <= 0 && !connection_.has_let_go()) connection_.let_go();
+void OpenHapticsDevice::scale_output(double scale) noexcept {
+  if (scale <= 0 && !connection_.has_released_hand()) connection_.release_hand();
 }
 
 void OpenHapticsDevice::begin(Servo& servo, const RunOptions& options) {
   servo_ = &servo;
   ticks_ = 0;
-  farewells_ = 0;
+  fading_ticks_ = 0;
   period_ = options.guard.period;
   fault_ = DeviceFault::none;
   fatal_ = {};
   must_calibrate_ = warm_ = false;
-  turning_.restart();
+  angular_velocity_.restart();
   Scheduler::instance().between_ticks([this] {
     hdMakeCurrentDevice(connection_.handle());
     calibration_ = connection_.calibration_style() == 0 ? HD_CALIBRATION_OK : hdCheckCalibration();
@@ -250,7 +251,7 @@ void OpenHapticsDevice::begin(Servo& servo, const RunOptions& options) {
   phase_.store(Phase::running, std::memory_order_release);
 }
 
-// Until the last tick, or until the driver was silent for too long.
+// Waits for the last tick, or until the driver was silent for too long.
 OpenHapticsDevice::Ending OpenHapticsDevice::wait_for_end() {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
@@ -276,23 +277,23 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   for (const std::string& warning : connection_.warnings()) servo.warn(warning);
   Scheduler& scheduler = Scheduler::instance();
   begin(servo, options);
-  Entry& entry = scheduler.take_entry();
+  Entry& entry = scheduler.acquire_entry();
   entry.open(*this);
   HDSchedulerHandle handle{};
   try {
     handle = scheduler.join(entry, period_);
   } catch (...) {
-    leave(entry);
+    close(entry);
     connection_.enable_force(false);
     throw;
   }
   const Ending ending = wait_for_end();
   const bool hangs = ending == Ending::silent && entry.is_entered();
-  if (ending != Ending::done && !connection_.has_let_go()) connection_.let_go();
-  leave(entry);
+  if (ending != Ending::done && !connection_.has_released_hand()) connection_.release_hand();
+  close(entry);
   scheduler.leave(handle, ending == Ending::done);
-  if (ending == Ending::done) scheduler.give_back(entry);
-  if (!connection_.has_let_go()) connection_.enable_force(false);
+  if (ending == Ending::done) scheduler.return_entry(entry);
+  if (!connection_.has_released_hand()) connection_.enable_force(false);
   if (ending == Ending::never_began)
     throw Error("The OpenHaptics scheduler runs but never calls back; check that no other program uses the device.");
   if (ending == Ending::silent) {
@@ -305,8 +306,8 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   return describe(fault_ == DeviceFault::none ? DeviceFault::disconnected : fault_);
 }
 
-// What a callback works with is the caller's: it must be out before the run ends, however long it takes.
-void OpenHapticsDevice::leave(Entry& entry) noexcept {
+// The callback uses objects of the caller, so it must have returned before the run ends, however long that takes.
+void OpenHapticsDevice::close(Entry& entry) noexcept {
   entry.close();
   while (entry.is_entered()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   servo_ = nullptr;

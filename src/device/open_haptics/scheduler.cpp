@@ -11,24 +11,24 @@
 namespace hapticut::open_haptics {
 namespace {
 
-constexpr int kTriesForATurn = 20;     // [ms]
-constexpr double kUsualPeriod = 1e-3;  // [s] of a driver that does not say it
+constexpr int kTriesForDriver = 20;    // [ms]
+constexpr double kUsualPeriod = 1e-3;  // [s] for a driver that does not report its period
 
-/// All devices tick together.
+/// All devices share one period.
 void require_same(double asked, double period) {
   if (asked == period) return;
   throw Error("GuardOptions::period = " + format_number(asked) + " s is not the " + format_number(period) +
-              " s of the OpenHaptics device that runs already, and the driver has one scheduler for all; give both "
-              "runs the same.");
+              " s of the OpenHaptics device that already runs. The driver has one scheduler for all devices; give all "
+              "runs the same period.");
 }
 
 extern "C" HDCallbackCode HDCALLBACK hapticut_on_tick(void* entry) { return static_cast<Entry*>(entry)->call(); }
 
 extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
   Scheduler& scheduler = Scheduler::instance();
-  const bool turn = scheduler.wait_for_turn();
+  const bool has_driver = scheduler.wait_for_driver();
   (*static_cast<const std::function<void()>*>(work))();
-  if (turn) scheduler.give_turn();
+  if (has_driver) scheduler.release_driver();
   return HD_CALLBACK_DONE;
 }
 
@@ -39,7 +39,7 @@ Scheduler& Scheduler::instance() {
   return scheduler;
 }
 
-Entry& Scheduler::take_entry() {
+Entry& Scheduler::acquire_entry() {
   const std::lock_guard lock(mutex_);
   if (free_entries_.empty()) return entries_.emplace_back();
   Entry& entry = *free_entries_.back();
@@ -47,14 +47,14 @@ Entry& Scheduler::take_entry() {
   return entry;
 }
 
-void Scheduler::give_back(Entry& entry) {
+void Scheduler::return_entry(Entry& entry) {
   const std::lock_guard lock(mutex_);
   free_entries_.push_back(&entry);
 }
 
-bool Scheduler::wait_for_turn() noexcept {
-  for (int n = 0; n < kTriesForATurn; ++n) {
-    if (take_turn()) return true;
+bool Scheduler::wait_for_driver() noexcept {
+  for (int n = 0; n < kTriesForDriver; ++n) {
+    if (acquire_driver()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return false;
@@ -83,7 +83,7 @@ HDSchedulerHandle Scheduler::join(Entry& entry, double period) {
   drain();
   const HDSchedulerHandle handle = hdScheduleAsynchronous(hapticut_on_tick, &entry, HD_MAX_SCHEDULER_PRIORITY);
   Errors errors = drain();
-  if (errors.any()) throw Error("The OpenHaptics scheduler takes no callback: " + errors.describe() + ".");
+  if (errors.any()) throw Error("The OpenHaptics scheduler refuses the callback: " + errors.describe() + ".");
   if (users_ == 0) {
     hdStartScheduler();
     errors = drain();
@@ -101,7 +101,7 @@ HDSchedulerHandle Scheduler::join(Entry& entry, double period) {
 
 void Scheduler::leave(HDSchedulerHandle handle, bool finished) {
   std::unique_lock lock(mutex_);
-  // What waits for a tick must get it before the ticks end; a driver that never calls back cannot be waited for.
+  // A call of between_ticks must get its tick before the ticks end. If the driver never calls back, do not wait.
   while (users_ == 1 && waiting_ > 0 && finished) {
     lock.unlock();
     std::this_thread::sleep_for(std::chrono::microseconds(200));

@@ -11,7 +11,7 @@
 
 namespace hapticut::open_haptics {
 
-/// What the driver calls in every tick of a run.
+/// The function that the driver calls in every tick of a run.
 class TickTarget {
  public:
   virtual HDCallbackCode tick() noexcept = 0;
@@ -20,18 +20,18 @@ class TickTarget {
   ~TickTarget() = default;
 };
 
-/// Where the driver enters a run. It lives as long as the process: a driver that calls back late finds it closed.
+/// The entry through which the driver calls a run. It lives as long as the process, so a late call finds it closed.
 class Entry {
  public:
   void open(TickTarget& target) noexcept { target_.store(&target); }
 
-  /// From here on a call ends at once; who is inside may still be.
+  /// Closes the entry: later calls return at once. A call that is inside may still run.
   void close() noexcept { target_.store(nullptr); }
   [[nodiscard]] bool is_entered() const noexcept { return inside_.load(); }
 
   /// @realtime no lock
   HDCallbackCode call() noexcept {
-    inside_.store(true);  // before the look, so that `close` is seen or is told that somebody is inside
+    inside_.store(true);  // before the load: either this call sees `close`, or `close` sees this call
     TickTarget* target = target_.load();
     const HDCallbackCode code = target != nullptr ? target->tick() : HD_CALLBACK_DONE;
     inside_.store(false);
@@ -43,52 +43,52 @@ class Entry {
   std::atomic<bool> inside_{false};
 };
 
-/// The driver's scheduler, of which there is one per process: it runs while a device of ours runs.
+/// The driver's scheduler, one per process. It runs while a device of this library runs.
 class Scheduler {
  public:
   static Scheduler& instance();
 
-  /// A closed entry; `give_back` only what the driver has let go of.
-  [[nodiscard]] Entry& take_entry();
-  void give_back(Entry& entry);
+  /// Acquires a closed entry. Return it with `return_entry` only when the driver will not call it any more.
+  [[nodiscard]] Entry& acquire_entry();
+  void return_entry(Entry& entry);
 
-  /// Asks for ticks of a period, in [s], where the scheduler does not run, and says which it has.
-  /// @throws Error when it runs with another
+  /// Requests a period if the scheduler does not run yet.  @return [s] the period of the scheduler
+  /// @throws Error when the scheduler runs with another period
   double settle_period(double asked, HHD device);
 
-  /// Schedules calls of the highest priority, and starts the scheduler for the first.
-  /// @param period  [s] that was settled
-  /// @throws Error when the driver refuses, or another period was settled since
+  /// Schedules calls of the highest priority. Starts the scheduler if it does not run yet.
+  /// @param period  [s] result of `settle_period`
+  /// @throws Error when the driver refuses, or the period has changed since
   HDSchedulerHandle join(Entry& entry, double period);
 
-  /// Takes the calls back, and stops the scheduler after the last.  @pre the entry is closed, and nobody is inside
+  /// Ends the calls, and stops the scheduler with the last device.  @pre the entry is closed and no call is inside
   /// @param finished  the last call has returned HD_CALLBACK_DONE
   void leave(HDSchedulerHandle handle, bool finished);
 
-  /// @name Whose turn it is to call the driver, whose current device is one for the process
-  /// A tick gives it away while the user's code runs, so that another thread can let go of the hand meanwhile.
+  /// @name The right to call the driver, which has one current device per process
+  /// A tick releases the driver while the user's code runs, so that another thread can release the hand meanwhile.
   /// @realtime no lock
   /// @{
-  [[nodiscard]] bool take_turn() noexcept { return !turn_.test_and_set(std::memory_order_acquire); }
-  void give_turn() noexcept { turn_.clear(std::memory_order_release); }
+  [[nodiscard]] bool acquire_driver() noexcept { return !driver_in_use_.test_and_set(std::memory_order_acquire); }
+  void release_driver() noexcept { driver_in_use_.clear(std::memory_order_release); }
   /// @}
-  /// Not in a tick. False when it does not come: the driver hangs in a call of its own.
-  [[nodiscard]] bool wait_for_turn() noexcept;
+  /// Waits for the driver; not in a tick.  @return false when the driver hangs in a call
+  [[nodiscard]] bool wait_for_driver() noexcept;
 
   /// @realtime no lock
   [[nodiscard]] bool is_running() const { return users_.load() > 0; }
 
-  /// Runs something between two ticks, or at once when there are none.
+  /// Runs a function between two ticks, or at once when there are no ticks.
   void between_ticks(const std::function<void()>& work);
 
  private:
   std::mutex mutex_;
   std::deque<Entry> entries_;
   std::vector<Entry*> free_entries_;
-  std::atomic_flag turn_;
+  std::atomic_flag driver_in_use_;
   double asked_ = 0, period_ = 0;  // [s]
   std::atomic<int> users_{0};
-  int waiting_ = 0;  // calls of between_ticks under way
+  int waiting_ = 0;  // number of calls of between_ticks in progress
 };
 
 }  // namespace hapticut::open_haptics

@@ -12,7 +12,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxRunTime = 1e6;  // [s] that a text may ask for
+constexpr double kMaxRunTime = 1e6;  // [s] largest value in a text
 
 MockOptions with_defaults(MockOptions options) {
   if (!options.path) options.path = scripted_path("rest");
@@ -65,7 +65,7 @@ bool MockDevice::read(DeviceState& state) noexcept {
     plant_.set_target(options_.path(time));
   const Pose X_BS = plant_.measured_pose();
   Twist raw = twist_between(X_BS_last_, X_BS, period_);
-  if (!is_finite(raw.linear) || !is_finite(raw.angular)) raw = {};  // or a pose that is no number would stay for ever
+  if (!is_finite(raw.linear) || !is_finite(raw.angular)) raw = {};  // otherwise NaN would stay in the filter
   const double memory =
       options_.velocity_filter > 0 ? std::exp(-2 * units::kPi * options_.velocity_filter * period_) : 0;
   velocity_.linear = memory * velocity_.linear + (1 - memory) * raw.linear;
@@ -104,7 +104,7 @@ std::unique_ptr<MockDevice> open_mock(const std::string& text) {
     } else if (key == "seconds") {
       options.end = seconds_from(value);
     } else {
-      throw Error("The mock device knows no \"" + part +
+      throw Error("The mock device has no option \"" + part +
                   "\"; write mock:PATH,device=NAME,hand=NAME,seconds=NUMBER, each after PATH optional.");
     }
   }

@@ -17,8 +17,8 @@ DeviceCapabilities capabilities_of_a_mouse(const MouseOptions& options) {
   model.workspace_half_width = options.reach;
   DeviceCapabilities c = capabilities(model);
   c.model = "mouse";
-  c.continuous_force = 0;           // nothing gets warm
-  c.output_degrees_of_freedom = 3;  // its gimbal turns with the keys, whatever the torque
+  c.continuous_force = 0;           // no motors get warm
+  c.output_degrees_of_freedom = 3;  // the keys rotate its gimbal, independent of the torque
   c.peak_torque = c.continuous_torque = c.rotational_stiffness = 0;
   c.hard_realtime = false;
   return c;
@@ -34,7 +34,7 @@ void add(std::atomic<double>& sum, double amount) noexcept {
 }  // namespace
 
 struct MouseDevice::Inputs {
-  std::atomic<double> x{0}, y{0}, z{0};  // [m] asked for since the last tick
+  std::atomic<double> x{0}, y{0}, z{0};  // [m] requested since the last tick
   std::atomic<std::uint32_t> buttons{0};
   std::array<std::atomic<bool>, std::size_t(MoveKey::count)> keys{};
   std::array<std::atomic<double>, 3> set_point{};
@@ -78,8 +78,8 @@ void MouseDevice::begin_run(const RunOptions& options) {
   period_ = options.guard.period;
   simulated_ = options.simulated_time;
   tick_ = 0;
-  turn_ = 0;
-  for (std::atomic<double>* moved : {&inputs_->x, &inputs_->y, &inputs_->z}) moved->store(0);  // before the run
+  angle_ = 0;
+  for (std::atomic<double>* moved : {&inputs_->x, &inputs_->y, &inputs_->z}) moved->store(0);  // of before the run
   target_ = {};
   wanted_.setZero();
   plant_ = Plant(plant_.device(), plant_.hand(), {period_, period_ / 50, false, false, false});
@@ -96,9 +96,9 @@ bool MouseDevice::read(DeviceState& state) noexcept {
       options_.key_speed * period_ *
       Vec3(axis(MoveKey::left, MoveKey::right), axis(MoveKey::down, MoveKey::up), axis(MoveKey::away, MoveKey::nearer));
   wanted_ = wanted_.cwiseMax(-options_.reach).cwiseMin(options_.reach);
-  turn_ += options_.key_turn * period_ * axis(MoveKey::turn_right, MoveKey::turn_left);
-  target_.translation += saturated(wanted_ - target_.translation, options_.fastest * period_);
-  target_.rotation = rotation_from_vector(Vec3(0, 0, turn_));
+  angle_ += options_.key_angular_speed * period_ * axis(MoveKey::turn_right, MoveKey::turn_left);
+  target_.translation += saturated(wanted_ - target_.translation, options_.max_speed * period_);
+  target_.rotation = rotation_from_vector(Vec3(0, 0, angle_));
   plant_.set_target(target_);
   for (std::size_t n = 0; n < 3; ++n) inputs_->set_point[n].store(target_.translation[Eigen::Index(n)]);
 
@@ -120,7 +120,7 @@ Wrench MouseDevice::write(const Wrench& wrench) noexcept {
 
 DeviceDriver mouse_driver() {
   return {"mouse", "mouse", "", [](const std::string& rest) -> std::unique_ptr<Device> {
-            if (!rest.empty()) throw Error("The device \"mouse\" takes no name, but was given \"" + rest + "\".");
+            if (!rest.empty()) throw Error("The device \"mouse\" takes no name, but got \"" + rest + "\".");
             return std::make_unique<MouseDevice>();
           }};
 }

@@ -11,12 +11,12 @@ namespace {
 
 enum Row { kTip, kTipSpeed, kHand, kHandSpeed };
 
-constexpr double kFrictionStep = 10e-6;  // [s] at most
-constexpr double kRotationStep = 50e-6;  // [s] at most; the stiffest gimbal swings in 3 ms
+constexpr double kFrictionStep = 10e-6;  // [s] maximum
+constexpr double kRotationStep = 50e-6;  // [s] maximum; the stiffest gimbal has a period of 3 ms
 constexpr double kAtRest = 1e-6;         // [m/s] below which dry friction holds
 
-// The speed after a step under a drive, where dry friction works against the motion and can stop it but not turn it.
-double rub(double speed, double drive, double friction, double step, double mass) {
+// The speed after a step under a driving force. Dry friction opposes the motion; it can stop it but not reverse it.
+double speed_with_friction(double speed, double drive, double friction, double step, double mass) {
   const bool resting = std::abs(speed) < kAtRest;
   if (resting && std::abs(drive) <= friction) return 0;
   const double direction = (resting ? drive : speed) > 0 ? 1 : -1;
@@ -41,7 +41,7 @@ Plant::Plant(const DeviceModel& device, const HandModel& hand, const PlantOption
 }
 
 Plant::Propagator Plant::propagator(double step) const {
-  // Unknowns: the four rows, then the force and the set point, which do not change during the step.
+  // Unknowns: the four rows, then the force and the set point, which are constant during the step.
   Eigen::Matrix<double, 6, 6> rates = Eigen::Matrix<double, 6, 6>::Zero();
   enum Input { kForce = 4, kTarget = 5 };
   rates(kTip, kTipSpeed) = 1;
@@ -82,13 +82,13 @@ void Plant::set_velocity(const Vec3& velocity) {
 
 void Plant::advance(const Wrench& wrench) { move(options_.period, tick_, wrench); }
 
-void Plant::creep(const Wrench& wrench) { move(options_.fine_step, fine_, wrench); }
+void Plant::advance_fine(const Wrench& wrench) { move(options_.fine_step, fine_, wrench); }
 
-void Plant::move(double duration, const Propagator& exactly, const Wrench& wrench) {
+void Plant::move(double duration, const Propagator& propagator, const Wrench& wrench) {
   if (options_.dry_friction)
     translate_with_friction(duration, wrench.force);
   else
-    translate(exactly, wrench.force);
+    translate(propagator, wrench.force);
   if (options_.rotation) rotate(duration, wrench.torque);
 }
 
@@ -108,7 +108,7 @@ void Plant::translate_with_friction(double duration, const Vec3& force) {
       hand += w * step / 2;
       const double pad = hand_.pad_stiffness * (hand - x) + hand_.pad_damping * (w - v);
       const double pull = has_pad() ? pad : hand_.stiffness * (target - x);
-      v = rub(v, force[axis] + pull - tip_damping_ * v, device_.dry_friction, step, tip_mass_);
+      v = speed_with_friction(v, force[axis] + pull - tip_damping_ * v, device_.dry_friction, step, tip_mass_);
       if (has_pad()) w += step * (hand_.stiffness * (target - hand) - hand_.damping * w - pad) / hand_.mass;
       x += v * step / 2;
       hand += w * step / 2;

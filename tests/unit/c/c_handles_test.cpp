@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles that are 0, stale, of another kind or made up, and arguments that are not there.
+// Handles that are 0, stale, of another kind or invented, and null arguments.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -46,10 +46,10 @@ struct Function {
   const char* name;
   std::string kind;
   Call call;
-  bool may_be_refused = false;  // also with the right handle
+  bool may_be_refused = false;  // even with a valid handle
 };
 
-/// Every function that takes a handle, as it is called with it and with the right rest.
+/// All functions with a handle. Each call has a variable handle and otherwise valid arguments.
 std::vector<Function> functions() {
   return {
       {"scene", "simulation", [](auto h, auto& a) { return hapticut_scene(h, &a.scene); }},
@@ -84,7 +84,7 @@ std::vector<Function> functions() {
       {"coupling_open", "simulation", [](auto h, auto& a) { return hapticut_coupling_open(h, nullptr, &a.made); }},
       {"coupling_step", "coupling", [](auto h, auto& a) { return hapticut_coupling_step(h, &a.input, &a.result); },
        true},
-      {"coupling_let_go", "coupling", [](auto h, auto&) { return hapticut_coupling_reset(h); }, true},
+      {"coupling_reset", "coupling", [](auto h, auto&) { return hapticut_coupling_reset(h); }, true},
       {"device_describe", "device", [](auto h, auto& a) { return hapticut_device_describe(h, &a.device); }},
       {"loop_start", "simulation",
        [](auto h, auto& a) {
@@ -119,7 +119,7 @@ std::vector<Function> functions() {
   };
 }
 
-/// One of each kind that needs nothing else to end.
+/// One handle of each kind.
 struct All {
   Owned simulation{simulation_of(kScene, 1)}, device{device_of("mock:rest")}, snapshot, coupling, loop, surface, sound;
   Owned loop_simulation{simulation_of(kScene, 1)};
@@ -174,10 +174,10 @@ TEST(CHandles, AreStaleOnceTheyAreReleased) {
     const All all;
     stale = all.handles();
   }
-  const All others;  // in the same slots
+  const All others;  // they reuse the slots
   for (const auto& [kind, handle] : stale) {
     EXPECT_EQ(hapticut_release(handle), HAPTICUT_ERROR_HANDLE) << kind;
-    EXPECT_NE(std::string(hapticut_last_error()).find(kind + " was released already"), std::string::npos)
+    EXPECT_NE(std::string(hapticut_last_error()).find(kind + " was already released"), std::string::npos)
         << hapticut_last_error();
   }
   for (const Function& function : functions()) {
@@ -189,7 +189,7 @@ TEST(CHandles, AreStaleOnceTheyAreReleased) {
   EXPECT_EQ(hapticut_release(0), HAPTICUT_ERROR_HANDLE);
   Arguments arguments;
   EXPECT_EQ(hapticut_step(others.simulation.get(), &arguments.input, &arguments.result), HAPTICUT_OK)
-      << "those in their places are as they were";
+      << "the new handles in these slots are valid";
 }
 
 TEST(CHandles, AreTakenByEveryFunctionWhileTheyLive) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops on a mock device, and what goes with them: commands, pages, sound, recordings.
+// Loops on a mock device, with commands, pages, sound and recordings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ hapticut_loop_options for_mock(double seconds) {
   return options;
 }
 
-/// A loop on a mock device, as fast as it goes.
+/// A loop on a mock device, as fast as possible.
 struct ScriptedLoop {
   Owned simulation{simulation_of(kScene, 1, 8192)};
   Owned device{device_of()};
@@ -63,9 +63,9 @@ struct ScriptedLoop {
   }
 };
 
-/// Vertices of all pages, by their place, in a form that does not depend on when they were polled.
+/// The vertices of all pages by their place, independent of the time of polling.
 using Pages = std::map<std::tuple<int, int, int>, std::vector<unsigned char>>;
-void take_pages(hapticut_surface surface, Pages& pages) {
+void read_pages(hapticut_surface surface, Pages& pages) {
   auto page = sized<hapticut_page>();
   int code = HAPTICUT_OK;
   while ((code = hapticut_surface_poll(surface, &page)) == HAPTICUT_OK) {
@@ -94,7 +94,7 @@ TEST(CLoop, CutsAndIsSeen) {
   Pages pages;
   for (int running = 1; running == 1;) {
     ASSERT_EQ(hapticut_loop_is_running(scripted.loop.get(), &running), HAPTICUT_OK);
-    take_pages(scripted.surface.get(), pages);
+    read_pages(scripted.surface.get(), pages);
   }
   const hapticut_loop_state last = scripted.latest();
   auto report = sized<hapticut_loop_report>();
@@ -108,13 +108,13 @@ TEST(CLoop, CutsAndIsSeen) {
   EXPECT_EQ(last.arming, std::uint32_t(HAPTICUT_ARMING_ON));
   EXPECT_NEAR(whole - volume_of(scripted.simulation.get()), last.removed_volume, 1e-6 * whole);
 
-  // The pages of the screen are those of the workpiece as it is.
+  // The polled pages equal those of the present workpiece.
   ASSERT_EQ(hapticut_surface_catch_up(scripted.surface.get()), HAPTICUT_OK) << hapticut_last_error();
-  take_pages(scripted.surface.get(), pages);
+  read_pages(scripted.surface.get(), pages);
   Owned fresh;
   ASSERT_EQ(hapticut_surface_open(scripted.simulation.get(), fresh.to()), HAPTICUT_OK);
   Pages expected;
-  take_pages(fresh.get(), expected);
+  read_pages(fresh.get(), expected);
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(pages, expected);
 }
@@ -153,7 +153,7 @@ TEST(CLoop, ObeysCommandsWhileItRuns) {
   ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.arming != HAPTICUT_ARMING_FAULT; }));
   EXPECT_EQ(scripted.latest().commands_refused, 0U);
   ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), nullptr), HAPTICUT_OK);
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_ERROR_REFUSED) << "it was stopped";
+  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_ERROR_REFUSED) << "the loop was stopped";
 }
 
 TEST(CLoop, HasItsSimulationAndItsDeviceToItself) {
@@ -177,7 +177,7 @@ TEST(CLoop, HasItsSimulationAndItsDeviceToItself) {
   const Owned other(simulation_of(kScene, 1));
   EXPECT_EQ(hapticut_loop_start(other.get(), scripted.device.get(), &options, &made), HAPTICUT_ERROR_BUSY);
   auto info = sized<hapticut_scene_info>();
-  EXPECT_EQ(hapticut_scene(scripted.simulation.get(), &info), HAPTICUT_OK) << "what never changes";
+  EXPECT_EQ(hapticut_scene(scripted.simulation.get(), &info), HAPTICUT_OK) << "the scene never changes";
   ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), nullptr), HAPTICUT_OK);
   EXPECT_EQ(hapticut_step(scripted.simulation.get(), &input, &result), HAPTICUT_OK) << hapticut_last_error();
   // The device runs again, with another simulation.
@@ -213,15 +213,15 @@ TEST(CLoop, RefusesWhatDoesNotFit) {
   const Owned coupled(simulation_of(kScene, 1));
   EXPECT_EQ(hapticut_loop_start(coupled.get(), device.get(), &options, &loop), HAPTICUT_ERROR_REFUSED);
   options = for_mock(1);
-  options.has_X_WB = 1;  // all zero: no pose
+  options.has_X_WB = 1;  // all zero: an invalid pose
   EXPECT_EQ(hapticut_loop_start(coupled.get(), device.get(), &options, &loop), HAPTICUT_ERROR_REFUSED);
   EXPECT_EQ(loop, 0U);
   const hapticut_step_input input = above(0);
   auto result = sized<hapticut_step_result>();
-  EXPECT_EQ(hapticut_step(coupled.get(), &input, &result), HAPTICUT_OK) << "no refusal has kept it";
+  EXPECT_EQ(hapticut_step(coupled.get(), &input, &result), HAPTICUT_OK) << "a refusal does not claim the simulation";
   hapticut_device none = 0;
   EXPECT_EQ(hapticut_device_open("no_such_device", &none), HAPTICUT_ERROR_REFUSED);
-  EXPECT_NE(std::string(hapticut_last_error()).find("mock:"), std::string::npos) << "it lists what there is";
+  EXPECT_NE(std::string(hapticut_last_error()).find("mock:"), std::string::npos) << "the error lists the known devices";
 }
 
 TEST(CLoop, LeavesTheSignalsOfTheProcessAlone) {
@@ -282,14 +282,14 @@ TEST(CRecording, HoldsEveryStepOfALoop) {
   EXPECT_GE(report.recorded, 1000U);
   EXPECT_EQ(hapticut_recording_stop(recording.get(), nullptr), HAPTICUT_NOTHING);
 
-  // It is a device that plays it back.
+  // A device plays the recording back.
   const Owned player(device_of(("replay:" + path).c_str()));
   auto info = sized<hapticut_device_info>();
   ASSERT_EQ(hapticut_device_describe(player.get(), &info), HAPTICUT_OK);
   EXPECT_EQ(info.input_degrees_of_freedom, 6);
   hapticut_recording late = 0;
   EXPECT_EQ(hapticut_recording_start(scripted.simulation.get(), 0, path.c_str(), &late), HAPTICUT_ERROR_REFUSED)
-      << "it has made steps";
+      << "the simulation has made steps";
 }
 #endif
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation through the C interface is the one that C++ has.
+// A simulation through the C interface gives the same results as in C++.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -27,13 +27,13 @@ Pose pose_of(const hapticut_step_input& input) {
 }
 Twist twist_of(const hapticut_step_input& input) { return {Vec3(0, 0, input.linear_velocity[2]), Vec3::Zero()}; }
 
-/// What is said of a scene that differs from kScene.
+/// The error of a scene in which a part of kScene is replaced.
 std::string complaint(const std::string& part, const std::string& in_its_place) {
   std::string text = kScene;
   text.replace(text.find(part), part.size(), in_its_place);
   hapticut_simulation simulation = 17;
   EXPECT_EQ(hapticut_simulation_from_toml(text.c_str(), nullptr, &simulation), HAPTICUT_ERROR_REFUSED);
-  EXPECT_EQ(simulation, 17U) << "what was to be filled in is left alone";
+  EXPECT_EQ(simulation, 17U) << "the output is unchanged";
   return hapticut_last_error();
 }
 
@@ -102,7 +102,7 @@ TEST(CInterface, CouplesAHandAsCppDoes) {
   ASSERT_EQ(hapticut_set_tool(simulation.get(), kOtherTool.c_str()), HAPTICUT_OK) << hapticut_last_error();
   const hapticut_step_input input = above(0);
   EXPECT_EQ(hapticut_coupling_step(coupling.get(), &input, &result), HAPTICUT_ERROR_REFUSED)
-      << "the coupling was made for the tool before";
+      << "the coupling was made for the old tool";
 }
 
 TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
@@ -114,7 +114,7 @@ TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
   };
   const hapticut_step_input deep = above(1e-3), free = above(-1e-3);
   auto result = sized<hapticut_step_result>();
-  for (const int way : {0, 1, 2, 3}) {
+  for (const int cause : {0, 1, 2, 3}) {
     const Owned simulation(simulation_of(kScene, 1, 1000));
     Owned snapshot, coupling;
     ASSERT_EQ(hapticut_snapshot_take(simulation.get(), snapshot.to()), HAPTICUT_OK);
@@ -125,16 +125,16 @@ TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
       ASSERT_EQ(hapticut_coupling_step(coupling.get(), &input, &result), HAPTICUT_OK);
     }
     ASSERT_GT(result.force[2], 0.05);
-    if (way == 0) {
+    if (cause == 0) {
       ASSERT_EQ(hapticut_undo(simulation.get()), HAPTICUT_OK);
     }
-    if (way == 1) {
+    if (cause == 1) {
       ASSERT_EQ(hapticut_snapshot_restore(simulation.get(), snapshot.get()), HAPTICUT_OK);
     }
-    if (way == 2) {
+    if (cause == 2) {
       ASSERT_EQ(hapticut_coupling_reset(coupling.get()), HAPTICUT_OK);
     }
-    if (way == 3) {
+    if (cause == 3) {
       ASSERT_EQ(hapticut_set_tool(simulation.get(), kOtherTool.c_str()), HAPTICUT_OK);
       ASSERT_EQ(coupling.reset(), HAPTICUT_OK);
       ASSERT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
@@ -149,7 +149,7 @@ TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
   const Owned direct(simulation_of());
   cut(direct.get(), 400);
   ASSERT_EQ(hapticut_set_tool(direct.get(), kOtherTool.c_str()), HAPTICUT_OK);
-  const hapticut_step_input deeper = above(1.4e-3);  // the smaller ball is free in the hole of the other
+  const hapticut_step_input deeper = above(1.4e-3);  // the smaller ball is free in the hole of the larger one
   ASSERT_EQ(hapticut_step(direct.get(), &deeper, &result), HAPTICUT_OK);
   expect_nothing(result);
 }
@@ -211,7 +211,7 @@ TEST(CInterface, SaysWhatIsWrongInNamesOfCAndKeysOfTheScene) {
     EXPECT_EQ(sentence.find("--"), std::string::npos) << sentence;
   }
   EXPECT_NE(complaint("\"block\"", "\"no--head::file.stl\"").find("no--head::file.stl"), std::string::npos);
-  for (const std::string begin : {"A", "--a", "x A"})  // as long as nobody writes them
+  for (const std::string begin : {"A", "--a", "x A"})  // absurdly long names
     EXPECT_TRUE(complaint("\"sphere\"", '"' + begin + std::string(1'000'000, 'A') + '"').starts_with("scene:8: "));
 }
 
@@ -260,7 +260,7 @@ TEST(CInterface, GoesBackAndForth) {
 
   const Owned other(simulation_of());
   EXPECT_EQ(hapticut_snapshot_restore(other.get(), snapshot.get()), HAPTICUT_ERROR_REFUSED);
-  EXPECT_EQ(hapticut_set_undo_mark(other.get()), HAPTICUT_ERROR_REFUSED) << "it has no memory for it";
+  EXPECT_EQ(hapticut_set_undo_mark(other.get()), HAPTICUT_ERROR_REFUSED) << "it has no memory for undo";
   EXPECT_NE(std::string(hapticut_last_error()).find("undo_blocks"), std::string::npos);
 }
 
@@ -291,7 +291,7 @@ TEST(CInterface, SpeaksOfItselfAndOfItsStatus) {
   EXPECT_STREQ(text, "blocks");
   EXPECT_EQ(hapticut_status_text(0, text, 0), HAPTICUT_ERROR_ARGUMENT);
 
-  // A pose that is none is no error, but a bit.
+  // An invalid pose is no error, but a status bit.
   const Owned simulation(simulation_of());
   auto input = above(0);
   input.X_WH.rotation[0] = 2;
@@ -304,9 +304,10 @@ TEST(CInterface, SpeaksOfItselfAndOfItsStatus) {
   EXPECT_STREQ(hapticut_last_error(), "tool:2: tool.radius_mm: must be a number > 0, not -1.");
   EXPECT_EQ(hapticut_set_tool(simulation.get(), (kOtherTool + "cutter = \"coarse_diamond\"\n").c_str()),
             HAPTICUT_ERROR_REFUSED);
-  EXPECT_STREQ(hapticut_last_error(),
-               "tool.cutter = coarse_diamond; the materials of this scene have the constants of carbide_bur, and would "
-               "cut wrongly. Keep the cutter, or make a scene with the other one.");
+  EXPECT_STREQ(
+      hapticut_last_error(),
+      "tool.cutter = coarse_diamond; but the materials of this scene have the constants of carbide_bur, so the "
+      "forces would be wrong. Keep the cutter, or make another scene.");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structs between callers and libraries of different ages.
+// Structs of callers that are older or newer than the library.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,7 +28,7 @@ TEST(CStructs, LieInMemoryInCAsTheyDoInCpp) {
   }
 }
 
-// What was given out once, in ABI version 1, may grow at its end and never moves.
+// The structs of ABI version 1 may grow at their ends; their fields never move.
 TEST(CStructs, AreAsLargeAsTheyWereGivenOut) {
   const std::map<std::string, std::size_t> given_out = {{"hapticut_pose", 96},
                                                         {"hapticut_vertex", 12},
@@ -59,7 +59,7 @@ TEST(CStructs, AreAsLargeAsTheyWereGivenOut) {
   EXPECT_EQ(seen, given_out.size());
 }
 
-/// What a function writes into a struct of a caller that knows it as shorter or longer than it is.
+/// Checks what a function writes into a struct of a caller that has a shorter or longer version of it.
 /// @param call  returns the function's code
 template <class S>
 void expect_writes_within_its_size(const char* name, const std::function<int(S*)>& call) {
@@ -101,7 +101,7 @@ TEST(CStructs, AreWrittenNoFurtherThanTheCallerSays) {
   const hapticut_step_input input = above(2e-4);
   expect_writes_within_its_size<hapticut_probe_result>("probe",
                                                        [&](auto* to) { return hapticut_probe(s, &input, to); });
-  // A standing tool above the block: every step is alike.
+  // The tool stands above the block, so all steps are equal.
   const hapticut_step_input still = above(-5e-3);
   auto result = sized<hapticut_step_result>();
   const Owned fresh(simulation_of());
@@ -114,7 +114,7 @@ TEST(CStructs, OfAnOlderCallerHaveTheirDefaults) {
   const Owned simulation(simulation_of());
   const Owned same(simulation_of());
   auto result = sized<hapticut_step_result>(), expected = sized<hapticut_step_result>();
-  // A caller that knew of poses only: no velocity, no dt, which the step then refuses by its bit.
+  // An old caller has only poses: velocity and dt are 0, so the step sets a status bit.
   hapticut_step_input old_input = above(1e-4), whole = above(1e-4);
   old_input.struct_size = offsetof(hapticut_step_input, linear_velocity);
   whole.linear_velocity[2] = 0;

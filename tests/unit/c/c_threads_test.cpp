@@ -128,7 +128,7 @@ TEST(CThreads, LookSendAndAskAtTheSameTime) {
   EXPECT_EQ(wrong, 0);
 }
 
-/// Another copy of the library, as a plug-in of another vendor would bring it.
+/// Another copy of the library, as in a plug-in of another vendor.
 class Copy {
  public:
   explicit Copy(const std::filesystem::path& file) : library_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {}
@@ -139,7 +139,7 @@ class Copy {
   }
 
  private:
-  void* library_;  // stays: it must not be unloaded
+  void* library_;  // never unloaded
 };
 
 TEST(CCopies, LiveTogetherAndKnowTheirOwnHandles) {
@@ -150,14 +150,14 @@ TEST(CCopies, LiveTogetherAndKnowTheirOwnHandles) {
   const auto make = copy.function("hapticut_simulation_from_toml", &hapticut_simulation_from_toml);
   const auto step = copy.function("hapticut_step", &hapticut_step);
   const auto release = copy.function("hapticut_release", &hapticut_release);
-  ASSERT_NE(make, &hapticut_simulation_from_toml) << "the same library twice";
+  ASSERT_NE(make, &hapticut_simulation_from_toml) << "the copy must be another library";
   hapticut_simulation other = 0;
   ASSERT_EQ(make(kScene.c_str(), nullptr, &other), HAPTICUT_OK);
   const Owned mine(simulation_of());
   EXPECT_NE(other, mine.get());
   auto result = sized<hapticut_step_result>(), same = sized<hapticut_step_result>();
   const hapticut_step_input first = above(0);
-  EXPECT_EQ(hapticut_step(other, &first, &result), HAPTICUT_ERROR_HANDLE) << "it is of the other copy";
+  EXPECT_EQ(hapticut_step(other, &first, &result), HAPTICUT_ERROR_HANDLE) << "a handle of the other copy";
   EXPECT_EQ(step(mine.get(), &first, &result), HAPTICUT_ERROR_HANDLE);
   for (int n = 1; n <= 200; ++n) {
     const hapticut_step_input input = above(2e-6 * n);

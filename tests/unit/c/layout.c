@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The layout of the structs as a compiler of C sees it. */
+/* The layout of the structs in C. */
 #include "layout.h"
 
 const struct layout layout_in_c[] = {HAPTICUT_LAYOUT(HAPTICUT_LAYOUT_OF, HAPTICUT_LAYOUT_AT)};

@@ -9,7 +9,7 @@
 
 struct layout {
   const char* name;
-  size_t offset; /* [bytes] of a field; size, where the name is that of a struct */
+  size_t offset; /* [bytes] of a field; for the name of a struct its size */
 };
 
 /* clang-format off */

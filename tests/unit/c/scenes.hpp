@@ -31,7 +31,7 @@ handle_length_mm = 20
 spindle_rpm = 40000
 )";
 
-/// A struct of the interface that says how large it is.
+/// A struct of the interface with its `struct_size` set.
 template <class S>
 S sized() {
   S made{};
@@ -39,7 +39,7 @@ S sized() {
   return made;
 }
 
-/// Lets go of its handle at its end.
+/// Releases its handle in the destructor.
 class Owned {
  public:
   explicit Owned(hapticut_handle handle = 0) : handle_(handle) {}
@@ -60,7 +60,7 @@ class Owned {
   hapticut_handle handle_;
 };
 
-/// @return 0, and a failure of the test, where it cannot be made
+/// Makes a simulation.  @return 0, and the test fails, if it cannot be made
 inline hapticut_simulation simulation_of(const std::string& text = kScene, std::uint32_t for_coupling = 0,
                                          std::uint64_t undo_blocks = 0) {
   auto options = sized<hapticut_simulation_options>();
@@ -77,7 +77,7 @@ inline hapticut_device device_of(const char* name = "mock:spiral,hand=nominal") 
   return device;
 }
 
-/// The handle at a height above the middle of the block's top, the ball below it.
+/// A step input with the handle above the middle of the block's top, and the ball below the handle.
 /// @param depth  [m] of the ball's lowest point below the top
 inline hapticut_step_input above(double depth) {
   auto input = sized<hapticut_step_input>();
@@ -89,7 +89,7 @@ inline hapticut_step_input above(double depth) {
   return input;
 }
 
-/// Cuts for some steps at 2 mm/s, from the first touch on.
+/// Cuts for some steps at 2 mm/s, from the first contact on.
 inline void cut(hapticut_simulation simulation, int steps) {
   auto result = sized<hapticut_step_result>();
   for (int n = 1; n <= steps; ++n) {
@@ -98,7 +98,7 @@ inline void cut(hapticut_simulation simulation, int steps) {
   }
 }
 
-/// [m^3] of the first material that is left.
+/// [m^3] The remaining volume of the first material.
 inline double volume_of(hapticut_simulation simulation) {
   auto info = sized<hapticut_material_info>();
   EXPECT_EQ(hapticut_material(simulation, 1, &info), HAPTICUT_OK) << hapticut_last_error();

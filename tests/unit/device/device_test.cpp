@@ -18,7 +18,7 @@
 namespace hapticut::device_test {
 namespace {
 
-/// Exact periods, no wall clock.
+/// Options with exact periods, without the wall clock.
 RunOptions simulated(double seconds) {
   RunOptions options;
   options.seconds = seconds;
@@ -97,7 +97,7 @@ TEST(MockDevice, FollowsItsPathExactlyWhenRigid) {
       },
       simulated(5));
   EXPECT_EQ(report.ticks, 5001U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_EQ(report.missed, 0U);
 }
 
@@ -113,7 +113,7 @@ TEST(MockDevice, IsMovedByTheForceWhenAHandHoldsIt) {
     return z;
   };
   EXPECT_NEAR(deepest("mock:press"), -5e-3, 1e-9);
-  // The set point is 5 mm deep; hand and wall of 300 N/m each share the way, give or take dry friction and encoder.
+  // The set point is 5 mm deep. Hand and wall of 300 N/m each share this depth, except for dry friction and encoder.
   EXPECT_NEAR(deepest("mock:press,hand=nominal"), -2.5e-3, 0.3e-3);
   EXPECT_LT(deepest("mock:press,hand=firm"), deepest("mock:press,hand=light"));
 }
@@ -136,7 +136,7 @@ TEST(MockDevice, GivesTheSameReadingsOnEveryRun) {
 TEST(MockDevice, EndsWhenItsScriptEnds) {
   const RunReport report = open_device("mock:line,seconds=0.5")->run(wall, simulated(0));
   EXPECT_EQ(report.ticks, 500U);
-  EXPECT_EQ(report.end, "the device has nothing more to tell");
+  EXPECT_EQ(report.end, "the device has no more readings");
 }
 
 TEST(Device, AnEmergencyStopWhileTheForceFadesOutEndsItAtOnce) {
@@ -151,7 +151,7 @@ TEST(Device, AnEmergencyStopWhileTheForceFadesOutEndsItAtOnce) {
   device.run(pushing(), options);
   ASSERT_GT(device.forces.size(), 20U);
   EXPECT_TRUE(device.forces.back().isZero(0));
-  EXPECT_NEAR(device.forces[device.forces.size() - 2].x(), 0.5, 1e-9) << "half of it was left";
+  EXPECT_NEAR(device.forces[device.forces.size() - 2].x(), 0.5, 1e-9) << "half of the force was left";
 }
 
 #ifndef NDEBUG
@@ -170,7 +170,7 @@ TEST(Device, IsAMistakeToCloseWhileItRuns) {
 }
 #endif
 
-/// Takes as long to close as some drivers.
+/// Takes as long to end a run as some drivers.
 class SlowToClose final : public WrittenDevice {
   void end_run() noexcept override { std::this_thread::sleep_for(std::chrono::milliseconds(100)); }
 };
@@ -193,7 +193,7 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
       state.time = monotonic_time();
       return true;
     };
-    double least = 1;
+    double min_scale = 1;
     bool hung = false;
     RunOptions options = real(0);
     options.guard.watchdog.latch = latch;
@@ -202,20 +202,19 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
           if (state.sequence == 20 && !std::exchange(hung, true)) {
             while (device.count(SafetyEvent::watchdog_fault) == 0)
               std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            least = device.share.load();
+            min_scale = device.share.load();
           }
           return DeviceCommand{{Vec3(0, 0, state.sequence > 20 ? 1 : 0), Vec3::Zero()}, state.sequence > 60};
         },
         options);
-    EXPECT_EQ(least, 0);
-    // The other thread has said so, in the order of what it saw; on a busy machine it may have woken up too late for
-    // some.
+    EXPECT_EQ(min_scale, 0);
+    // The watchdog's thread has reported the fault. On a busy machine it may have woken up too late for earlier events.
     EXPECT_TRUE(std::any_of(report.log.begin(), report.log.end(), [](const SafetyLogEntry& entry) {
       return entry.event == SafetyEvent::watchdog_fault && entry.value == 0;
     }));
-    // The loop that comes back late gives no force: it waits until the tool is free, or fails where it is told to.
+    // A loop that resumes late has no force: it waits until the tool is free, or is in the fault state with `latch`.
     EXPECT_GE(report.events[std::size_t(SafetyEvent::paused)], 1U);
-    EXPECT_EQ(report.guard, latch ? ArmingState::fault : ArmingState::wait_free);
+    EXPECT_EQ(report.arming, latch ? ArmingState::fault : ArmingState::wait_free);
     EXPECT_TRUE(device.forces.back().isZero(0));
   }
 }

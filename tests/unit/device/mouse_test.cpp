@@ -18,7 +18,7 @@ RunOptions simulated() {
   return options;
 }
 
-/// Where the hand is after a while, when `act` was done at the beginning.
+/// The state of the hand after some ticks, when `act` was called in the first one.
 template <typename Act>
 DeviceState after(MouseDevice& mouse, const Act& act, long ticks = 2000) {
   DeviceState last;
@@ -32,12 +32,12 @@ DeviceState after(MouseDevice& mouse, const Act& act, long ticks = 2000) {
   return last;
 }
 
-constexpr double kSettled = 1e-6;  // [m] what is left of the approach of a firm hand after 2 s
+constexpr double kSettled = 1e-6;  // [m] remaining distance of a firm hand after 2 s
 
 TEST(MouseDevice, FollowsPointerAndWheel) {
   MouseDevice mouse;
   const DeviceState state = after(mouse, [&] {
-    mouse.pointer_moved(200, 100);  // right, and down as windows count
+    mouse.pointer_moved(200, 100);  // right, and down in window coordinates
     mouse.wheel_turned(3);
     mouse.button(1, true);
   });
@@ -52,7 +52,7 @@ TEST(MouseDevice, MovesAndTurnsWhileAKeyIsHeld) {
     mouse.key(MoveKey::nearer, true);
     mouse.key(MoveKey::turn_left, true);
   });
-  // A set point at 20 mm/s for 2 s; the hand lags by damping over stiffness.
+  // The set point moves at 20 mm/s for 2 s; the hand lags by damping over stiffness.
   EXPECT_NEAR(state.X_BS.translation.z(), 0.040, 1e-3);
   EXPECT_NEAR(state.velocity.linear.z(), 0.02, 1e-4);
   EXPECT_NEAR(vector_from_rotation(state.X_BS.rotation).z(), 2, 0.01);
@@ -62,16 +62,16 @@ TEST(MouseDevice, MovesAndTurnsWhileAKeyIsHeld) {
 TEST(MouseDevice, NeverJumpsAndStaysWithinReach) {
   MouseDevice mouse;
   Vec3 last = Vec3::Zero();
-  double fastest = 0;
+  double max_speed = 0;
   const RunReport report = mouse.run(
       [&, n = 0](const DeviceState& state) mutable {
         if (n == 0) mouse.pointer_moved(1e9, std::nan(""));
-        fastest = std::max(fastest, (state.X_BS.translation - last).norm() / 1e-3);
+        max_speed = std::max(max_speed, (state.X_BS.translation - last).norm() / 1e-3);
         last = state.X_BS.translation;
         return DeviceCommand{{}, ++n >= 3000};
       },
       simulated());
-  EXPECT_LT(fastest, 0.5);
+  EXPECT_LT(max_speed, 0.5);
   EXPECT_NEAR(last.x(), 0.08, kSettled);
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::pose_jump)], 0U);
 }
@@ -89,7 +89,7 @@ TEST(MouseDevice, IsPushedBackByTheForce) {
         return command;
       },
       simulated());
-  // A hand of 800 N/m and a wall of 400 N/m.
+  // Balance of a hand of 800 N/m and a wall of 400 N/m.
   EXPECT_NEAR(last.X_BS.translation.z(), -10e-3 * 800 / 1200, 1e-4);
   EXPECT_NEAR(mouse.set_point().z(), -10e-3, 1e-9);
 }

@@ -26,7 +26,7 @@ using test::place;
 using test::push_for;
 using test::quick;
 
-// Numbers of the interface that the control of the stand-in is spoken to with.
+// Numbers of the interface, for the control of the stand-in.
 constexpr unsigned kWarmMotors = 0x0200, kExceededForce = 0x0201, kExceededImpulse = 0x0202, kExceededSpeed = 0x0203;
 constexpr unsigned kCommError = 0x0302, kInvalidInputType = 0x0103;
 constexpr unsigned kCalibrationNeedsUpdate = 0x5001, kCalibrationNeedsManualInput = 0x5002;
@@ -54,7 +54,7 @@ TEST_F(OpenHapticsFaults, GivesUpOnADriverThatStopsCallingBack) {
   std::thread runner([&] { report = device->run(push_for(100000), quick()); });
   int ticks = 0;
   while (ticks == 0 || (ticks < 100 && hdsim_is_running() != 0)) ticks += hdsim_run_ticks(1);
-  runner.join();  // nobody ticks any more
+  runner.join();  // there are no more ticks
   EXPECT_NE(report.end.find("stopped calling back"), std::string::npos) << report.end;
   EXPECT_EQ(report.fault, DeviceFault::disconnected);
   EXPECT_EQ(hdsim_is_running(), 0);
@@ -80,10 +80,10 @@ TEST_F(OpenHapticsFaults, ALateCallFindsNoRunAndNoDevice) {
     if (tick == 100) hdsim_call_late();
   });
   EXPECT_EQ(again.report.end, "the callback ended it");
-  EXPECT_EQ(again.report.ticks, 300U) << "what is late of one run is no tick of another";
+  EXPECT_EQ(again.report.ticks, 300U) << "a late call of one run is no tick of another";
 }
 
-/// A callback that hangs at its 200th tick, when there is a force, until it is released.
+/// A callback that hangs at its 200th tick, while there is a force, until `released`.
 struct Hang {
   std::atomic<bool> hangs{false}, released{false};
   DeviceCommand operator()(const DeviceState& state) {
@@ -97,7 +97,7 @@ struct Hang {
   }
 };
 
-/// Whether something becomes true within a time that is long for any machine.
+/// Whether a condition becomes true within a time that suffices for any machine.
 bool happens(const std::function<bool()>& what) {
   for (int n = 0; n < 20000 && !what(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return what();
@@ -111,7 +111,7 @@ RunOptions watched() {
 }
 
 TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenItIsOut) {
-  for (const bool by_watchdog : {false, true}) {  // or by the run, when the driver was silent
+  for (const bool by_watchdog : {false, true}) {  // otherwise by the run, because the driver was silent
     hdsim_reset();
     const int first = add_touch("first"), second = add_touch("second");
     hdsim_use_thread(1);
@@ -122,7 +122,7 @@ TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenIt
     RunReport report;
     std::atomic<bool> ended{false};
     {
-      Hang hang;  // gone when the run has ended: nothing may be in it
+      Hang hang;  // destroyed after the run, so no call may be inside
       std::thread other_runner([&] { (void)other->run(push_for(100000), how); });
       std::thread runner([&] {
         report = device->run(std::ref(hang), how);
@@ -143,7 +143,7 @@ TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenIt
     EXPECT_EQ(hdsim_scheduled_callbacks(), 0);
     hdsim_use_thread(0);
     EXPECT_EQ(run(*device, push_for(300)).report.ticks, 300U) << "the same device again";
-    EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0) << "after the run, as ever";
+    EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0) << "after the run, as always";
     device.reset();
   }
 }
@@ -180,7 +180,7 @@ TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {
       [](long tick) {  // the gimbal's angles move
         place(0, {rotation_from_vector(Vec3(0.5 * std::sin(0.01 * double(tick)), 0, 0)), Vec3(0, -0.110, -0.035)});
       });
-  EXPECT_EQ(outcome.report.guard, ArmingState::fault);
+  EXPECT_EQ(outcome.report.arming, ArmingState::fault);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::pose_frozen)], 1U);
   EXPECT_TRUE(committed(0).force.isZero(0));
 }
@@ -190,7 +190,7 @@ TEST_F(OpenHapticsFaults, ReducesTheForceWhileTheMotorsAreWarm) {
   const auto device = open_open_haptics(options_for());
   double warm = 0, cooled = 0;
   RunOptions options = quick();
-  options.guard.thermal.time_constant = 1e6;  // only what the device says
+  options.guard.thermal.time_constant = 1e6;  // so that only the device's temperature matters
   const Outcome outcome = run(*device, push_for(6000, {Vec3(2, 0, 0), Vec3::Zero()}), options, [&](long tick) {
     if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0);
     if (tick == 500) hdsim_set_temperature(0, 0.6);
@@ -254,7 +254,7 @@ TEST_F(OpenHapticsFaults, LetsAStrongDeviceLetGoAtOnceWithoutTheDriverSwitchingI
     command.stop = n >= 500;
     return command;
   });
-  EXPECT_EQ(committed(0, 398).force.x(), 8) << "twice what the driver's default limit lets go in a tick";
+  EXPECT_EQ(committed(0, 398).force.x(), 8) << "twice the change per tick that the driver's default limit allows";
   EXPECT_EQ(hdsim_get_counters(0).amplifier_toggles, 0);
   EXPECT_EQ(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 0U);
 }
@@ -315,7 +315,7 @@ TEST_F(OpenHapticsFaults, CalibratesADockedStylusWithoutForceAndWaitsUntilFree) 
   EXPECT_FALSE(valid_before);
   EXPECT_NEAR(y_after, 0.020, 1e-12);
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
-  EXPECT_EQ(outcome.report.guard, ArmingState::on);
+  EXPECT_EQ(outcome.report.arming, ArmingState::on);
 }
 
 TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
@@ -329,7 +329,7 @@ TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
   EXPECT_EQ(hdsim_get_counters(0).force_during_calibration, 0);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::recalibrated)], 1U);
-  EXPECT_EQ(outcome.report.guard, ArmingState::wait_free);  // it pushes all the time
+  EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because it pushes all the time
 }
 
 TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhenSomebodyHoldsTheLinks) {

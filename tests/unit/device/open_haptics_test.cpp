@@ -28,7 +28,7 @@ TEST_F(OpenHaptics, OpensTheDefaultDeviceAndAsksWhatItIs) {
   const DeviceCapabilities& c = device->capabilities();
   EXPECT_EQ(c.model, "Touch");
   EXPECT_EQ(c.output_degrees_of_freedom, 3);
-  EXPECT_NEAR(c.stiffness, 500, 1e-9);  // 0.5 N/mm, and not the number of the enumerator
+  EXPECT_NEAR(c.stiffness, 500, 1e-9);  // 0.5 N/mm, not the number of the enumerator
   EXPECT_NEAR(c.peak_force, 3.3, 1e-12);
   EXPECT_NEAR(c.continuous_force, 0.88, 1e-12);
   EXPECT_NEAR(c.workspace_low.x(), -0.210, 1e-12);
@@ -150,13 +150,14 @@ TEST_F(OpenHaptics, RefusesToOpenADeviceWhileAnotherRuns) {
   });
 }
 
-/// A run with a period, in which the stylus turns at 2 rad/s and a force is held, and its last speed.
-struct Turning {
+/// A run with a given period, in which the stylus rotates at 2 rad/s under a constant force, and its last angular
+/// speed.
+struct RotatingRun {
   RunReport report;
   double speed = 0, seconds = 0;
 };
-Turning turn(Device& device, double period) {
-  Turning seen;
+RotatingRun run_rotating(Device& device, double period) {
+  RotatingRun seen;
   RunOptions options = quick();
   options.guard.period = period;
   options.seconds = 0.5;
@@ -181,12 +182,12 @@ TEST_F(OpenHaptics, TicksWithThePeriodOfTheRunAndKnowsHowFastItTurns) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   for (const double period : {2e-3, 1e-3, 0.5e-3}) {
-    const Turning seen = turn(*device, period);
+    const RotatingRun seen = run_rotating(*device, period);
     EXPECT_EQ(seen.report.period, period);
     EXPECT_NEAR(seen.speed, 2, 1e-3) << period;
     EXPECT_NEAR(seen.seconds, double(seen.report.ticks - 1) * period, 1e-9);
     EXPECT_EQ(seen.report.missed, 0U);
-    EXPECT_EQ(seen.report.guard, ArmingState::on);
+    EXPECT_EQ(seen.report.arming, ArmingState::on);
     EXPECT_TRUE(seen.report.warnings.empty());
   }
 }
@@ -195,7 +196,7 @@ TEST_F(OpenHaptics, RunsWithTheDriversOwnPeriodWhereItRefusesAnother) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   for (const double refused : {0.25e-3, 4e-3}) {
-    const Turning seen = turn(*device, refused);
+    const RotatingRun seen = run_rotating(*device, refused);
     EXPECT_EQ(seen.report.period, 1e-3);
     EXPECT_NEAR(seen.speed, 2, 1e-3) << refused;
     EXPECT_EQ(seen.report.missed, 0U);

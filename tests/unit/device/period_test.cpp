@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One period, GuardOptions::period, given once: everything in a run goes by it.
+// GuardOptions::period is the one period of a run, for all its parts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ TEST(Period, AHandPressesTheSameWallAtEveryRateWithDefaultOptions) {
   held.device = device_model("touch");
   held.hand = hand_model("nominal");
   held.rigid = held.dry_friction = held.encoder = false;
-  // At rest the spring of the hand, to 5 mm below, and that of the wall are in balance.
+  // At rest the spring of the hand, with a set point 5 mm below the surface, balances the spring of the wall.
   const double depth = 5e-3 * held.hand.stiffness / (held.hand.stiffness + kStiffness);
   for (const double rate : kRates) {
     MockDevice device(held);
@@ -53,7 +53,7 @@ TEST(Period, AHandPressesTheSameWallAtEveryRateWithDefaultOptions) {
     EXPECT_NEAR(last.time, kSeconds, 1 / rate + 1e-9) << rate;
     EXPECT_NEAR(last.X_BS.translation.z(), -depth, 1e-3 * depth) << rate;
     EXPECT_NEAR(device.output().applied.force.z(), kStiffness * depth, 1e-3 * kStiffness * depth) << rate;
-    EXPECT_EQ(report.guard, ArmingState::on) << rate;
+    EXPECT_EQ(report.arming, ArmingState::on) << rate;
     EXPECT_EQ(device.plant().options().period, 1 / rate);
     EXPECT_TRUE(report.warnings.empty());
   }
@@ -77,7 +77,7 @@ TEST(Period, TheForceIsFadedInAndOutInTheSameTimeAtEveryRate) {
     const GuardOptions guard;
     const double waits = (guard.arming.valid_ticks + guard.arming.free_ticks) / rate;
     EXPECT_NEAR(engaged, guard.arming.ramp + waits, 3 / rate) << rate;
-    EXPECT_EQ(report.guard, ArmingState::on);
+    EXPECT_EQ(report.arming, ArmingState::on);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(Period, ReadingsThatAreBadOrStandStillAreBorneForATimeAndNotForATickCount) 
 
     gate.restart();
     reading.valid = true;
-    reading.velocity.linear.x() = 0.1;  // it says, and does not move
+    reading.velocity.linear.x() = 0.1;  // reported, but the position does not change
     double believed = 0;
     while (check() == PoseGate::Verdict::accepted) believed += 1 / rate;
     EXPECT_NEAR(believed, PoseGateOptions{}.frozen, 1 / rate + 1e-9) << rate;
@@ -138,13 +138,13 @@ TEST(Period, ReadingsThatArePlayedBackKeepTheirOwnAndSaySo) {
 TEST(AngularVelocityEstimate, KnowsTheSpeedAtEveryRateAndWhateverReadingsAreMissing) {
   constexpr double kSpeed = 2;  // [rad/s]
   for (const double rate : kRates)
-    for (const int every : {1, 3}) {  // the others are missing, or come late
-      AngularVelocityEstimate turning;
+    for (const int every : {1, 3}) {  // the other readings are missing or late
+      AngularVelocityEstimate estimate;
       Vec3 speed = Vec3::Zero();
       for (int n = 0; n < int(rate); n += n % 2 == 0 ? every : 1)
-        speed = turning.update(rotation_from_vector(Vec3(0, 0, kSpeed * n / rate)), n / rate);
+        speed = estimate.update(rotation_from_vector(Vec3(0, 0, kSpeed * n / rate)), n / rate);
       EXPECT_NEAR(speed.z(), kSpeed, 1e-3) << rate << " Hz, " << every;
-      EXPECT_EQ(turning.update(rotation_from_vector(Vec3(0, 0, 1)), 0).z(), speed.z()) << "time does not go back";
+      EXPECT_EQ(estimate.update(rotation_from_vector(Vec3(0, 0, 1)), 0).z(), speed.z()) << "time does not go back";
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a device renders last when its process ends, is told to end, or crashes; and whom a crash is handed to.
+// The last force of a device when its process ends, is asked to end, or crashes; and which handler a crash reaches.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -27,7 +27,7 @@ using test::pushing;
 using test::real;
 using test::WrittenDevice;
 
-/// What a child process leaves behind of the last force it wrote.
+/// The last force that a child process has written, in shared memory.
 struct SharedForce {
   SharedForce()
       : value(static_cast<std::atomic<double>*>(
@@ -38,11 +38,11 @@ struct SharedForce {
   std::atomic<double>* value;
 };
 
-/// The thread sanitizer cannot follow threads that a forked process begins.
+/// The thread sanitizer cannot follow threads that a forked process starts.
 constexpr bool kForksMayHaveThreads = !test::kWithThreadSanitizer;
 constexpr const char* kNoForks = "the thread sanitizer cannot follow a process that was forked";
 
-/// Runs `child` in a process of its own, sends it a signal once it renders a force, and returns how it ended.
+/// Runs `child` in a new process, sends it a signal once it renders a force, and returns how it ended.
 int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& child, int signal) {
   const pid_t pid = fork();
   if (pid == 0) {
@@ -88,7 +88,7 @@ TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
 }
 
-/// Runs a device whose force another thread ends, with the whole process, by `end`.
+/// Runs a device. When it renders a force, another thread ends the process by `end`.
 [[noreturn]] void run_until_another_thread(WrittenDevice& device, const std::atomic<double>& last,
                                            const std::function<void()>& end, bool stop_on_crash = false) {
   std::thread([&last, end] {
@@ -101,13 +101,13 @@ TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
   for (;;) usleep(1000);
 }
 
-/// Reads from a page that nobody may read.
+/// Reads from a page without read permission.
 void touch_nothing() {
   volatile int* nothing = static_cast<int*>(mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
   (void)*nothing;
 }
 
-/// The sanitizers have handlers of their own, which end the process by themselves.
+/// The sanitizers have their own handlers, which end the process.
 constexpr bool kCrashesAreOurs = !test::kWithAddressSanitizer && !test::kWithThreadSanitizer;
 
 TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
@@ -126,20 +126,20 @@ TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
   }
 }
 
-/// What a crash of the loop's own thread left to the handler that was there before.
+/// What the previous handler records about a crash of the loop's own thread.
 struct CrashOfTheLoop {
-  std::atomic<double> began{0}, handed_on{0}, share{1};
+  std::atomic<double> began{0}, handed_on{0}, scale{1};
 };
 CrashOfTheLoop* crash_of_the_loop = nullptr;  // in memory that the processes share
 
 TEST(Device, WaitsForNobodyWhenItsOwnThreadCrashes) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
-  constexpr double kGrace = 0.3;  // [s] for a loop that can take its force away by itself
+  constexpr double kGrace = 0.3;  // [s] that a loop has to switch its force off
   void* shared = mmap(nullptr, sizeof(CrashOfTheLoop), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  for (const bool at_once : {false, true}) {  // in a tick with a force, and in the first
-    double quickest = 1;
-    for (int n = 0; n < 5 && quickest > kGrace / 2; ++n) {  // this machine may be busy
+  for (const bool at_once : {false, true}) {  // false: in a tick with a force; true: in the first tick
+    double min_time = 1;
+    for (int n = 0; n < 5 && min_time > kGrace / 2; ++n) {  // the machine may be busy
       crash_of_the_loop = new (shared) CrashOfTheLoop;
       SharedForce last;
       const int status = end_of_child(
@@ -151,7 +151,7 @@ TEST(Device, WaitsForNobodyWhenItsOwnThreadCrashes) {
             });
             RunOptions options = real(0);
             options.stop_on_crash = true;
-            device.on_scale = [](double share) { crash_of_the_loop->share = share; };
+            device.on_scale = [](double scale) { crash_of_the_loop->scale = scale; };
             device.run(
                 [&](const DeviceState& state) {
                   if (at_once || last.value->load() > 0.5) {
@@ -164,10 +164,10 @@ TEST(Device, WaitsForNobodyWhenItsOwnThreadCrashes) {
           },
           0);
       EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 97) << status;
-      EXPECT_TRUE(at_once || crash_of_the_loop->share == 0) << "the force has gone before the handler is asked";
-      quickest = std::min(quickest, crash_of_the_loop->handed_on - crash_of_the_loop->began);
+      EXPECT_TRUE(at_once || crash_of_the_loop->scale == 0) << "the force is off before the handler is called";
+      min_time = std::min(min_time, crash_of_the_loop->handed_on - crash_of_the_loop->began);
     }
-    EXPECT_LT(quickest, kGrace / 2) << at_once;
+    EXPECT_LT(min_time, kGrace / 2) << at_once;
   }
   munmap(shared, sizeof(CrashOfTheLoop));
 }
@@ -189,14 +189,14 @@ TEST(Device, LeavesCrashesAloneUnlessItIsAskedTo) {
             },
             options);
         if (before.sa_flags != during.sa_flags || before.sa_sigaction != during.sa_sigaction)
-          throw std::runtime_error("somebody installed a handler");
+          throw std::runtime_error("a handler was installed");
       },
       0);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
 }
 
-/// What a runtime that makes exceptions of crashes does: it has a handler on a stack of its own, looks at what the
-/// kernel says, and goes on elsewhere.
+/// Imitates a runtime that turns crashes into exceptions: its handler runs on its own stack, checks the arguments of
+/// the kernel, and continues elsewhere.
 namespace runtime {
 
 sigjmp_buf elsewhere;  // NOLINT: of the one thread that crashes
@@ -248,7 +248,7 @@ TEST(Device, HandsACrashOnToARuntimeThatHandlesItAndComesBackAfterAReset) {
         });
         device.run(
             [free = 0, push = pushing()](const DeviceState& state) mutable {
-              return ++free % 200 < 100 ? DeviceCommand{} : push(state);  // the tool is free now and then
+              return ++free % 200 < 100 ? DeviceCommand{} : push(state);  // the tool is free from time to time
             },
             options);
         managed.join();
@@ -266,7 +266,7 @@ TEST(Device, HandsACrashOnToARuntimeThatHandlesItAndComesBackAfterAReset) {
 std::atomic<double> last_force = -1;
 
 TEST(Device, LeavesNoForceWhenAnotherThreadExits) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process from its start: one that was forked may hang at its exit
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // starts a new process, because a forked one may hang at its exit
   const auto run_and_exit = [] {
     std::atexit([] { std::fprintf(stderr, "the last force was %g.\n", last_force.load()); });
     WrittenDevice device;

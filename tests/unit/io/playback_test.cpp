@@ -72,7 +72,7 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   for (int again = 0; again < 2; ++again) {
     states.clear();
     const RunReport report = playback->run(callback(nullptr), run);
-    EXPECT_EQ(report.end, "the device has nothing more to tell");
+    EXPECT_EQ(report.end, "the device has no more readings");
     ASSERT_EQ(states.size(), recorded.size());
     for (std::size_t n = 0; n < states.size(); ++n) ASSERT_TRUE(same(states[n], recorded[n])) << n;
   }

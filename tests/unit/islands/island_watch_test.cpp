@@ -172,7 +172,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
       }
   const double cut_out = sum(simulation.detached_volume_by_material());
   ChangeFeed feed(simulation, without.region(), 10000);
-  feed.follow();
+  feed.attach();
   (void)device->run(
       [&](const DeviceState& reading) {
         DeviceState far = reading;

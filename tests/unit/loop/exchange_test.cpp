@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation can be given between two steps: tool, materials, friction, removal, another workpiece.
+// Exchanges between two steps: tool, materials, friction, removal, workpiece.
 #include "hapticut/simulation/exchange.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ Tool ball(double radius, double speed = 3000) {
   return Tool(SphereHead{radius}, RayHandle{0}, Spindle{speed * units::rad_per_s});
 }
 
-/// Feeds the tool down by 1 mm from where the ball of a radius touches.  @return the last force
+/// Feeds a ball down by 1 mm from its first contact.  @return the last force
 Vec3 drill(Simulation& simulation, double radius, double x = 0) {
   Vec3 force;
   for (int n = 0; n < 100; ++n)
@@ -68,8 +68,7 @@ TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
 }
 
 TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
-  // Larger and smaller than the first one: lists, bounds and a stiffness left to the simulation are those of the tool
-  // in place.
+  // Larger and smaller than the first tool: lists, bounds and a default stiffness are those of the tool in place.
   for (const auto& [radius, stiffness] : {std::pair(0.5e-3, 1e13), {2.5e-3, 1e13}, {2.5e-3, 0.0}}) {
     SimulationConfig of_stiffness = config();
     of_stiffness.reference_stiffness = stiffness;
@@ -97,7 +96,7 @@ TEST(SetTool, RefusesWhatTheConstructorWouldAndChangesNothingThen) {
   of_a_drill.law = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{});
   Simulation drilled(block(), Tool(twist_drill_head(2e-3, 4e-3), RayHandle{0}, Spindle{1000 * units::rad_per_s}),
                      of_a_drill);
-  EXPECT_THROW(drilled.set_tool(ball(1e-3)), Error) << "the law is about another kind of head";
+  EXPECT_THROW(drilled.set_tool(ball(1e-3)), Error) << "the law is for another kind of head";
 }
 
 TEST(PreparedTool, IsForVoxelsOfOneSize) {
@@ -112,8 +111,8 @@ TEST(PreparedTool, IsForVoxelsOfOneSize) {
   EXPECT_TRUE(simulation.exchange(fitting)) << "and can be put back";
   EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 1e-3);
   EXPECT_THROW(PreparedTool(ball(1e-3), 0, config()), Error);
-  const PreparedTool taken = std::move(fitting);
-  EXPECT_TRUE(fitting.empty() && !taken.empty());  // NOLINT(bugprone-use-after-move): that is asked
+  const PreparedTool moved = std::move(fitting);
+  EXPECT_TRUE(fitting.empty() && !moved.empty());  // NOLINT(bugprone-use-after-move): the test
 }
 
 TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
@@ -128,7 +127,7 @@ TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
   EXPECT_EQ(simulation.workpiece().materials()[1].specific_cutting_energy, 9e8);
   EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
 
-  // On the same fresh place, bit by bit what a simulation of that material does; also while the spindle starts.
+  // In fresh material, bit by bit equal to a simulation with that material; also while the spindle starts.
   for (const double speed : {3000.0, 1.0}) {
     Simulation was(block(), ball(1e-3, speed), config());
     was.set_materials(harder);
@@ -143,11 +142,11 @@ TEST(SetMaterials, SuitsTheStiffnessToTheStiffestOfThem) {
   Material stiffer = material(3e8);
   stiffer.relative_stiffness = 4;
   const auto stiffness_in = [](const Simulation& simulation) { return simulation.config().reference_stiffness; };
-  Simulation by_itself(block(), ball(1e-3), {}), given(block(), ball(1e-3), config());
-  const double before = stiffness_in(by_itself);
-  by_itself.set_materials(MaterialTable({stiffer}));
+  Simulation automatic(block(), ball(1e-3), {}), given(block(), ball(1e-3), config());
+  const double before = stiffness_in(automatic);
+  automatic.set_materials(MaterialTable({stiffer}));
   given.set_materials(MaterialTable({stiffer}));
-  EXPECT_EQ(stiffness_in(by_itself), before / 4);
+  EXPECT_EQ(stiffness_in(automatic), before / 4);
   EXPECT_EQ(stiffness_in(given), 1e13);
 }
 
@@ -196,7 +195,7 @@ TEST(SetFriction, ActsFromTheNextStepOn) {
   simulation.set_friction(DryFriction{0.05, 0.05, 1000});
   EXPECT_LT(drag(2e-3), 0.06);
   simulation.set_friction(std::nullopt);
-  EXPECT_NEAR(drag(-2e-3), before, 0.1 * before);  // another place of the face: voxels differ
+  EXPECT_NEAR(drag(-2e-3), before, 0.1 * before);  // elsewhere on the face, where voxels differ
   EXPECT_EQ(simulation.workpiece_exchanges(), 2U);
 }
 
@@ -235,7 +234,7 @@ TEST(ExchangeOfAWorkpiece, BringsTheOthersWorkpieceToolAndCountsAndKeepsWhatIsSe
   EXPECT_EQ(simulation.config().removal, RemovalLaw::none);
   EXPECT_EQ(simulation.config().friction->static_friction, 0.1);
   EXPECT_EQ(other.workpiece().hash(), cut) << "it holds the old one";
-  EXPECT_TRUE(drill(simulation, 0.5e-3).isZero(0)) << "it waits";
+  EXPECT_TRUE(drill(simulation, 0.5e-3).isZero(0)) << "the tool waits";
   simulation.step(Pose::from_translation({0, 0, 2e-3}), {}, 1e-3);
   EXPECT_GT(drill(simulation, 0.5e-3).norm(), 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation can be told while its loop runs, command by command.
+// The commands to a simulation while its loop runs, one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void nothing(int /*tick*/) {}
 TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
   for (const bool coupled : {false, true}) {
     ScriptedLoop scripted(3000, coupled);
-    // The hand rests 1 mm over the face; a ball of 4 mm whose centre is there is 1.5 mm deep.
+    // The hand rests 1 mm above the face. A ball of 4 mm with its centre there is 1.5 mm deep.
     scripted.run(
         1500, [](int n) { return n < 1000 ? 1e-3 : 8e-3; },
         [&](int n) {
@@ -32,7 +32,7 @@ TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
           if (n < 500) return;
           EXPECT_EQ(radius_of(scripted.simulation.tool()), 4e-3);
           if (n == 500) {
-            EXPECT_TRUE(scripted.commanded.isZero(0)) << "the guard has not heard of it yet";
+            EXPECT_TRUE(scripted.commanded.isZero(0)) << "the guard has not read the request yet";
           }
           if (n > 500 && n < 1000) {
             EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << n;
@@ -41,7 +41,7 @@ TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
           }
         });
     EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(scripted.report.guard, ArmingState::on) << "it was free";
+    EXPECT_EQ(scripted.report.arming, ArmingState::on) << "the tool was free";
     EXPECT_EQ(scripted.snapshot.tool.spindle_speed, 2000) << "of the new tool";
     EXPECT_EQ(scripted.snapshot.tool.removed_volume, 0);
     EXPECT_EQ(scripted.report.fault, DeviceFault::none);
@@ -71,7 +71,7 @@ TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
 
 TEST(LiveCommands, SetToolStandsStillUntilItMayCutWhateverItsRamp) {
   Spindle slow{3000 * units::rad_per_s};
-  slow.acceleration_limit = 3000;  // a second to stand
+  slow.acceleration_limit = 3000;  // it needs a second to stop
   ScriptedLoop scripted;
   scripted.run(
       900, press(0.2e-3),
@@ -103,12 +103,12 @@ TEST(LiveCommands, SetMaterialsChangesWhatIsFeltAfterTheToolWasFree) {
           EXPECT_TRUE(scripted.tell(scripted.model.prepare_materials(MaterialTable({soft}))));
         }
         if (n == 650) {
-          EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "it is still in the material";
+          EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "the tool is still in the material";
         }
       },
       nothing);
   EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
-  EXPECT_EQ(scripted.report.guard, ArmingState::on);
+  EXPECT_EQ(scripted.report.arming, ArmingState::on);
   EXPECT_EQ(scripted.simulation.workpiece().materials()[1].relative_stiffness, 0.25);
   EXPECT_EQ(scripted.simulation.workpiece().hash(), whole);
   EXPECT_GT(hard_force, 0);
@@ -181,7 +181,7 @@ TEST(LiveCommands, HoldForceKeepsTheForceWhereverTheHandGoesAndCutsNothing) {
     double removed = 0;
     scripted.run(
         1600,
-        [](int n) {  // pressed, farther in while it is held, out at last
+        [](int n) {  // pressed, deeper while the force is held, then out
           return n < 700 ? press(0.3e-3)(n) : n < 1200 ? -0.3e-3 - 5e-6 * (n - 700) : 3e-3;
         },
         [&](int n) {
@@ -205,12 +205,12 @@ TEST(LiveCommands, HoldForceKeepsTheForceWhereverTheHandGoesAndCutsNothing) {
             EXPECT_TRUE(scripted.commanded.isZero(0));
           }
           if (n > 1000 && n < 1200) {
-            EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "it is deeper than it was";
+            EXPECT_EQ(scripted.device->last_arming(), ArmingState::wait_free) << "the tool is deeper than before";
           }
         });
     EXPECT_GT(held.norm(), 0.01);
     EXPECT_EQ(scripted.snapshot.tool.removed_volume, removed);
-    EXPECT_EQ(scripted.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.report.arming, ArmingState::on);
     EXPECT_EQ(scripted.events(SafetyEvent::reclutched), 1U);
   }
 }
@@ -239,9 +239,9 @@ TEST(LiveCommands, ExchangeWorkpieceBringsAnotherOneWithItsTool) {
     EXPECT_EQ(scripted.simulation.workpiece().undo_blocks(), 2000U);
     EXPECT_EQ(radius_of(scripted.simulation.tool()), 2e-3);
     EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 1U);
-    EXPECT_EQ(scripted.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.report.arming, ArmingState::on);
     EXPECT_EQ(std::get<commands::ExchangeWorkpiece>(exchange).simulation->workpiece().hash(), cut)
-        << "the old one came back";
+        << "the old workpiece came back in the command";
   }
 }
 
@@ -261,7 +261,7 @@ TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
         if (n == 850) {
           cut = scripted.simulation.workpiece().hash();
           EXPECT_TRUE(scripted.tell(commands::Undo{}));
-          EXPECT_FALSE(scripted.tell(commands::Redo{})) << "one way after the other";
+          EXPECT_FALSE(scripted.tell(commands::Redo{})) << "refused during the undo";
           EXPECT_FALSE(scripted.tell(commands::SetUndoMark{}));
         }
         if (n == 950) {
@@ -275,7 +275,7 @@ TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
           EXPECT_EQ(scripted.snapshot.tool.redo_marks, 0U);
           EXPECT_TRUE(scripted.tell(commands::Undo{}));
         }
-        if (n == 2100) {  // it has cut again
+        if (n == 2100) {  // the tool has cut again
           EXPECT_NE(scripted.simulation.workpiece().hash(), whole);
           EXPECT_FALSE(scripted.tell(commands::Redo{}));
         }
@@ -300,9 +300,9 @@ TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
   refused(commands::SetEffects{effects});
   refused(commands::ExchangeWorkpiece(Simulation(block(), ball(), config(false))));
   LoopCommand tool = scripted.model.prepare_tool(ball());
-  const LoopCommand taken = std::move(tool);
-  refused(std::move(tool));  // NOLINT(bugprone-use-after-move): that is what is refused
-  EXPECT_NO_THROW(scripted.model.check(taken));
+  const LoopCommand moved = std::move(tool);
+  refused(std::move(tool));  // NOLINT(bugprone-use-after-move): a moved-from command is refused
+  EXPECT_NO_THROW(scripted.model.check(moved));
   EXPECT_THROW((void)scripted.model.prepare_tool(ball(1e-5)), Error);
   EXPECT_THROW((void)scripted.model.prepare_workpiece(block(4e-3), ball()), Error);
 }

@@ -24,7 +24,7 @@ RunOptions quick() {
   return options;
 }
 
-/// A simulation in the loop that cuts, is marked, and goes back again and again; changed blocks on their way out.
+/// A simulation in a loop that cuts, sets marks, and is undone and redone repeatedly, with changed blocks being sent.
 struct UndoingLoop {
   explicit UndoingLoop(bool coupled)
       : simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
@@ -42,7 +42,7 @@ struct UndoingLoop {
   SimulationModelOptions options(bool coupled) const {
     SimulationModelOptions options;
     options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
-    options.undo_blocks = 500;  // less than is cut: marks are forgotten on the way
+    options.undo_blocks = 500;  // fewer than are cut, so that marks are dropped
     options.undo_blocks_per_tick = 1;
     if (coupled) options.coupling = test::scripted_loop::touch_gains();
     return options;
@@ -55,8 +55,8 @@ struct UndoingLoop {
     if (ticks % 4000 == 2199) (void)model.obey(redo);
     const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000, model.contact()};
     feed.tick(16, snapshot.tool.workpiece);
-    ticks_back += snapshot.tool.undoing ? 1 : 0;
-    ticks_forth += snapshot.tool.redoing ? 1 : 0;
+    undo_ticks += snapshot.tool.undoing ? 1 : 0;
+    redo_ticks += snapshot.tool.redoing ? 1 : 0;
     if (ticks == 8990) counts = test::disarm_call_counts();
     return command;
   }
@@ -69,13 +69,13 @@ struct UndoingLoop {
   LoopSnapshot snapshot;
   LoopCommand mark = commands::SetUndoMark{}, undo = commands::Undo{}, redo = commands::Redo{};
   test::CallCounts counts;
-  int ticks = 0, ticks_back = 0, ticks_forth = 0;
+  int ticks = 0, undo_ticks = 0, redo_ticks = 0;
 };
 
 TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAndForth) {
   for (const bool coupled : {false, true}) {
     UndoingLoop loop(coupled);
-    loop.feed.follow();
+    loop.feed.attach();
     RunOptions options = quick();
     options.simulated_time = true;
     (void)loop.device->run([&](const DeviceState& state) { return loop.tick(state); }, options);
@@ -83,16 +83,16 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAnd
     EXPECT_EQ(loop.counts.allocations, 0);
     EXPECT_EQ(loop.counts.deallocations, 0);
     EXPECT_EQ(loop.counts.locks, 0);
-    EXPECT_GT(loop.ticks_back, 10) << "it must go back, or the test says nothing";
-    EXPECT_GT(loop.ticks_forth, 0) << "and forth";
+    EXPECT_GT(loop.undo_ticks, 10) << "there must be an undo, or the test proves nothing";
+    EXPECT_GT(loop.redo_ticks, 0) << "and a redo";
     EXPECT_GT(loop.snapshot.tool.removed_volume, 1e-9);
   }
 }
 
-/// Commands of every kind, prepared beforehand and obeyed by a RealtimeLoop whose tick is watched.
+/// Commands of every kind, prepared beforehand, to a RealtimeLoop whose ticks count allocations and locks.
 TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
   constexpr int kTicks = 9000;
-  /// Counts in the thread of the loop, from its first tick on; the model itself is a SimulationModel.
+  /// Wraps a SimulationModel and counts in the thread of the loop, from its first tick on.
   class WatchedModel final : public LoopModel {
    public:
     explicit WatchedModel(SimulationModel& model) : model_(&model) {}
@@ -115,7 +115,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
     test::CallCounts counts_;
   };
   for (const bool coupled : {false, true}) {
-    UndoingLoop parts(coupled);  // a device, a simulation and its model
+    UndoingLoop parts(coupled);  // only its device, simulation and model are used
     WatchedModel watched(parts.model);
     RealtimeLoopOptions options;
     options.run = quick();
@@ -123,7 +123,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
     options.run.seconds = 1e-3 * kTicks;
     options.region = parts.model.region();
     RealtimeLoop loop(*parts.device, watched, options);
-    // All that the queue holds is there before the first tick; more follows while it runs.
+    // Part of the commands is in the queue before the first tick; more follow while the loop runs.
     auto next = [&, n = 0]() mutable -> LoopCommand {
       const auto radius = [&] { return UndoingLoop::kRadius * (0.5 + 0.1 * (n % 10)); };
       switch (++n % 16) {
@@ -178,7 +178,8 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
     EXPECT_EQ(watched.counts_.locks, 0);
     const LoopCommand undo = commands::Undo{}, redo = commands::Redo{};
     for (std::size_t kind = 0; kind < watched.obeyed_.size(); ++kind) {
-      if (kind == undo.index() || kind == redo.index()) continue;  // the test above: here nothing is ever cut for long
+      if (kind == undo.index() || kind == redo.index())
+        continue;  // covered by the test above: here nothing is cut for long
       EXPECT_GT(watched.obeyed_[kind], 2) << kind;
     }
   }

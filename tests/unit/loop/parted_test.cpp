@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When hand and tool have parted: by a clutch, a reading that means nothing, a beginning inside the material.
+// Hand and tool at different poses: after a clutch, an invalid reading, or a start inside the material.
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
@@ -15,7 +15,8 @@ TEST(Parted, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
     ScriptedLoop scripted(3000, coupled);
     double removed = 0;
     Vec3 place = Vec3::Zero();
-    // Pressed in from 300 to 400, open from 600 to 900, meanwhile 5 mm up and down again.
+    // The hand presses from tick 300 to 400. The clutch is open from 600 to 900; meanwhile the hand moves 5 mm up and
+    // back.
     const auto hand = [](int n) { return n > 600 && n < 800 ? 5e-3 : press(1e-3)(n); };
     scripted.run(
         1000, hand,
@@ -40,7 +41,7 @@ TEST(Parted, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
             EXPECT_TRUE(scripted.commanded.isZero(0)) << n;
           }
           if (n > 900) {
-            EXPECT_TRUE(scripted.device->last_output().applied.force.isZero(0)) << "it was not free yet, " << n;
+            EXPECT_TRUE(scripted.device->last_output().applied.force.isZero(0)) << "the tool was not free yet, " << n;
           }
         });
     EXPECT_EQ(scripted.events(SafetyEvent::reclutched), 1U);
@@ -62,11 +63,10 @@ TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
           }
         });
     EXPECT_EQ(scripted.snapshot.tool.removed_volume, 0);
-    EXPECT_EQ(scripted.report.guard, ArmingState::on);
+    EXPECT_EQ(scripted.report.arming, ArmingState::on);
   }
 }
 
-// In a loop of one's own, as docs/devices.md has it: the stylus goes through the bone before there is a force.
 TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   const CouplingGains touch = touch_gains();
   WorkspaceMapOptions map;
@@ -79,7 +79,7 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
                    touch.damping / (2 * std::sqrt(touch.stiffness * touch.mass)));
   EXPECT_DOUBLE_EQ(world.stiffness / world.mass, touch.stiffness / touch.mass);
 
-  // 3 mm of the hand from 1 mm above a wall.
+  // The hand moves by 3 mm, from 1 mm above a wall.
   for (const double scale : {0.5, 1.0, 3.0}) {
     ScriptedLoop scripted(0, true);
     double force = 0, height = 0;

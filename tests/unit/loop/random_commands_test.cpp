@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands of all kinds at random, to a loop that goes on: what the sanitizers watch.
+// Random commands of all kinds to a running loop, for the sanitizers.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kRadius = 1.5e-3;  // [m] of the ball
 
-/// Counts what a SimulationModel obeys and refuses.
+/// Counts the commands that a SimulationModel applies and refuses.
 class CountingModel final : public LoopModel {
  public:
   explicit CountingModel(SimulationModel& model) : model_(&model) {}
@@ -45,19 +45,19 @@ class CountingModel final : public LoopModel {
   std::atomic<int> all_{0};
 };
 
-/// In and out of the material, on and on, at 30 mm/s and less.
+/// Moves in and out of the material repeatedly, at up to 30 mm/s.
 Pose wandering(double t) {
   return Pose::from_translation({4e-3 * std::sin(5 * t), 4e-3 * std::cos(4 * t), 2e-3 * std::sin(3 * t)});
 }
 
-/// A hundred thousand commands of all kinds to a loop that cuts, some of which do not suit; the loop never waits, and
-/// what comes out in the end is a workpiece of which every block that was sent is what is there.
-void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
+/// Sends a hundred thousand commands of all kinds to a cutting loop, some of which do not suit. The loop never waits.
+/// In the end every received block equals that of the workpiece.
+void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   constexpr int kCommands = 100000;
   MockOptions hand;
   hand.path = wandering;
   hand.device = device_model("touch");
-  if (!coupled) hand.device.rendered_stiffness = 1e6;  // or it may not be driven directly
+  if (!coupled) hand.device.rendered_stiffness = 1e6;  // so that it may be driven directly
   MockDevice a_device(hand);
   Device* const device = &a_device;
   SimulationConfig with;
@@ -70,7 +70,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   Simulation simulation(coarse(5e-3), ball, with);
   SimulationModelOptions options;
   options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
-  options.undo_blocks = 300;  // less than is cut: marks are forgotten on the way
+  options.undo_blocks = 300;  // fewer than are cut, so that marks are dropped
   options.undo_blocks_per_tick = 4;
   if (coupled) options.coupling = coupling_gains(device->capabilities());
   SimulationModel model(simulation, *device, options);
@@ -81,7 +81,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   loop_options.run.realtime.priority = 0;
   loop_options.run.realtime.lock_memory = false;
   loop_options.run.guard.arming.ramp = loop_options.run.guard.arming.short_ramp = 0.02;
-  loop_options.region = {{-40, -40, -40}, {40, 40, 40}};  // around all that will come
+  loop_options.region = {{-40, -40, -40}, {40, 40, 40}};  // around all workpieces of the test
   loop_options.block_capacity = 64;
   RealtimeLoop loop(*device, counting, loop_options);
 
@@ -98,7 +98,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const auto next = [&]() -> LoopCommand {
     const auto dice = random() % 1000;
     if (dice < 1) return model.prepare_workpiece(coarse(number(2e-3, 8e-3)), some_tool());
-    if (dice < 2) return commands::SetTool(some_tool(), 1e-4, with);  // for other voxels
+    if (dice < 2) return commands::SetTool(some_tool(), 1e-4, with);  // for another voxel size
     if (dice < 10) return model.prepare_tool(some_tool());
     if (dice < 30) {
       Material material = test::plain_material();
@@ -150,7 +150,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   loop.start();
   std::uint64_t dropped = 0;
   for (int sent = 0; sent < kCommands;) {
-    // As many as come to mind, and then a tick or more.
+    // A burst of random length, then at least one tick.
     for (auto burst = random() % 250; burst > 0 && sent < kCommands; --burst) {
       LoopCommand command = next();
       while (!loop.send(std::move(command))) {
@@ -174,7 +174,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const LoopSnapshot last = look();
 
   EXPECT_EQ(report.fault, DeviceFault::none);
-  EXPECT_NE(report.guard, ArmingState::fault);
+  EXPECT_NE(report.arming, ArmingState::fault);
   EXPECT_EQ(counting.all_, kCommands + 1);
   EXPECT_EQ(last.commands_dropped, dropped);
   EXPECT_EQ(last.blocks_outside, 0U);
@@ -189,7 +189,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const LoopCommand exchange = model.prepare_workpiece(coarse(2e-3), ball);
   EXPECT_EQ(std::uint32_t(counting.obeyed_[exchange.index()]), last.tool.workpiece);
 
-  // What was received of the last workpiece is what is there.
+  // The received blocks of the last workpiece equal its blocks.
   if (workpiece == last.tool.workpiece)
     for (const auto& [origin, content] : picture) {
       ChangedBlock now;
@@ -198,7 +198,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
       ASSERT_EQ(content.material, now.material);
       ASSERT_EQ(content.fill, now.fill);
     }
-  // And it can still be cut, undone and redone.
+  // The workpiece can still be undone and redone.
   const std::size_t marks = simulation.undo_marks();
   while (simulation.undo_marks() > 0)
     while (!simulation.undo(16)) {
@@ -206,8 +206,8 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   EXPECT_GE(simulation.redo_marks(), marks);
 }
 
-TEST(RandomCommands, AHundredThousandAtRandomInSimulatedTime) { tell_a_hundred_thousand(true, false, 1); }
-TEST(RandomCommands, AHundredThousandAtRandomInRealTimeBehindACoupling) { tell_a_hundred_thousand(false, true, 2); }
+TEST(RandomCommands, AHundredThousandAtRandomInSimulatedTime) { send_a_hundred_thousand(true, false, 1); }
+TEST(RandomCommands, AHundredThousandAtRandomInRealTimeBehindACoupling) { send_a_hundred_thousand(false, true, 2); }
 
 }  // namespace
 }  // namespace hapticut::random_commands_test

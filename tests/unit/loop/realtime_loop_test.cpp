@@ -17,7 +17,7 @@
 namespace hapticut::realtime_loop_test {
 namespace {
 
-/// A model that shows how many steps it has made.
+/// A model that publishes its number of steps.
 class CountingModel : public LoopModel {
  public:
   std::atomic<int> obeyed{0};
@@ -27,7 +27,7 @@ class CountingModel : public LoopModel {
 
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     ++step_count;
-    // All the same, or the reader saw half of it.
+    // All values are equal in a complete snapshot.
     snapshot.tool.force.setConstant(double(step_count));
     snapshot.tool.removed_volume = double(step_count);
     snapshot.tool.steps = std::uint64_t(step_count);
@@ -55,8 +55,8 @@ RealtimeLoopOptions options_for(double seconds) {
   return options;
 }
 
-// 200 simulated seconds at full speed against a reader that looks 60 times a second, or as often as it can: no half
-// snapshot, no command lost. The sanitizers watch.
+// 200 simulated seconds at full speed with a reader that polls 60 times a second: no partial snapshot, no command lost.
+// Also run with the sanitizers.
 TEST(RealtimeLoop, GivesASlowReaderWholeSnapshotsAndObeysInOrder) {
   const auto device = open_device("mock:spiral");
   CountingModel model;
@@ -107,17 +107,17 @@ TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
   const auto device = open_device("mock:rest");
   CountingModel model;
   RealtimeLoop loop(*device, model, options_for(1));
-  std::size_t taken = 0;
+  std::size_t accepted = 0;
   for (int n = 0; n < 1000; ++n)
-    if (loop.send(commands::SetScale{double(n)})) ++taken;
-  EXPECT_EQ(taken, RealtimeLoop::kCommands);
+    if (loop.send(commands::SetScale{double(n)})) ++accepted;
+  EXPECT_EQ(accepted, RealtimeLoop::kCommands);
   LoopCommand more = commands::SetTool(Tool(SphereHead{1e-3}), 1e-4, {});
   EXPECT_FALSE(loop.send(std::move(more)));
   EXPECT_FALSE(std::get<commands::SetTool>(more).tool.empty());
   loop.start();
   loop.wait();
-  EXPECT_EQ(std::size_t(model.obeyed), taken);
-  EXPECT_EQ(loop.latest().commands_dropped, 1001 - taken);
+  EXPECT_EQ(std::size_t(model.obeyed), accepted);
+  EXPECT_EQ(loop.latest().commands_dropped, 1001 - accepted);
   EXPECT_EQ(loop.latest().commands_refused, 0U);
 }
 
@@ -151,7 +151,7 @@ TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
   SwappingModel model(PreparedTool(Tool(SphereHead{1e-3}), 1e-4, {}));
   RealtimeLoop loop(*device, model, options_for(0));
   loop.start();
-  // More tools than there are places, each of another size: the last one is in place in the end.
+  // More tools than the queue has places, each of another size. In the end the last one is in place.
   constexpr int kTools = 300;
   double radius = 1e-3;
   for (int n = 0; n < kTools; ++n) {
@@ -245,7 +245,7 @@ TEST(ChangeFeed, SendsWhatAnUndoBringsBackAndAllOfAnotherWorkpiece) {
   feed.tick(16, kNumber);
   std::vector<VoxelIndex> origins = origins_received();
   ASSERT_EQ(origins.size(), 16U);
-  EXPECT_EQ(origins.front(), some.origin) << "what has changed does not wait for the others";
+  EXPECT_EQ(origins.front(), some.origin) << "changed blocks come before the others";
   while (feed.waiting() > 0) {
     feed.tick(16, kNumber);
     for (const VoxelIndex& origin : origins_received()) origins.push_back(origin);

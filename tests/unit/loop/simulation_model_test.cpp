@@ -24,11 +24,11 @@ namespace {
 
 constexpr double kRadius = 1.5e-3;  // [m] of the ball
 
-// The thread sanitizer makes a tick thirty times as long, and sees in the first of them what it sees in all.
+// The thread sanitizer makes a tick thirty times slower, so fewer ticks have to suffice.
 constexpr std::uint64_t kManyTicks = test::kWithThreadSanitizer ? 5000 : 20000;
 constexpr std::uint64_t kSomeTicks = test::kWithThreadSanitizer ? 2500 : 5000;
 
-/// A block whose upper face is touched when the stylus is at the origin of its base.
+/// A block whose upper face the ball touches when the stylus is at the origin of its base.
 Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact_time = ContactTime::middle) {
   SimulationConfig config;
   config.contact_time = contact_time;
@@ -50,7 +50,7 @@ RealtimeLoopOptions options_for(const SimulationModel& model, double seconds) {
   options.run.seconds = seconds;
   options.run.guard.arming.ramp = options.run.guard.arming.short_ramp = 0.05;
   options.region = model.region();
-  options.block_capacity = 8;  // less than a slow reader needs
+  options.block_capacity = 8;  // too small for a slow reader
   options.blocks_per_tick = 4;
   return options;
 }
@@ -75,8 +75,8 @@ Picture picture_of(const Workpiece& workpiece) {
   return picture;
 }
 
-/// Between two ticks, without a queue.
-bool tell(SimulationModel& model, LoopCommand command) {
+/// Applies a command between two ticks, without a queue.
+bool apply(SimulationModel& model, LoopCommand command) {
   model.check(command);
   return model.obey(command);
 }
@@ -85,7 +85,7 @@ bool is_empty(const ChangedBlock& block) {
   return std::all_of(block.material.begin(), block.material.end(), [](MaterialId id) { return id == kEmpty; });
 }
 
-// What a device of 700 N/m would do to a hand in a contact of 16 kN/m, or of what the simulation chooses.
+// A device of 700 N/m must not render a contact of 16 kN/m, or of the default stiffness.
 TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
   const auto device = open_device("mock:rest");
   const auto refusal = [&](double stiffness) -> std::string {
@@ -105,8 +105,8 @@ TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
   EXPECT_EQ(refusal(4.4e11), "");
 }
 
-// The stress test: simulated seconds of cutting at full speed, a reader that looks 60 times a second and keeps a
-// picture of the workpiece from changed blocks alone, and commands. The picture ends up as the workpiece itself.
+// Stress test: simulated seconds of cutting at full speed, with commands. A reader that polls 60 times a second keeps a
+// picture of the workpiece from changed blocks only. In the end the picture equals the workpiece.
 TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   const auto device = test::scripted_loop::stiff_mock("spiral");
   Simulation simulation = block_under_the_ball();
@@ -129,7 +129,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
       EXPECT_GT(block.version, version);
       version = block.version;
       ChangedBlock& shown = picture[block.origin];
-      EXPECT_TRUE(std::ranges::equal(block.fill, shown.fill, std::less_equal<float>{})) << "it is cut only";
+      EXPECT_TRUE(std::ranges::equal(block.fill, shown.fill, std::less_equal<float>{})) << "blocks only lose material";
       shown = block;
     }
     return snapshot.blocks_waiting;
@@ -140,7 +140,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
     loop.send(commands::SetSpindleSpeed{3000 * units::rad_per_s});
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
-  // The hand is taken out: nothing more is cut, and what waits is sent.
+  // The spindle stops: nothing more is cut, and the waiting blocks are sent.
   loop.send(commands::SetSpindleSpeed{0});
   for (int calm = 0; calm < 20;) {
     calm = look() == 0 && loop.latest().tool.spindle_speed == 0 ? calm + 1 : 0;
@@ -151,7 +151,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
 
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_GT(removed, 5e-15 * kManyTicks);  // [m^3]
-  EXPECT_GT(max_waiting, 0U);              // the reader was too slow, as it should be
+  EXPECT_GT(max_waiting, 0U);              // the reader was too slow, as intended
   std::erase_if(picture, [](const auto& entry) { return is_empty(entry.second); });
   expect_same(picture, picture_of(simulation.workpiece()));
 }
@@ -194,7 +194,7 @@ TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
 }
 
 TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
-  // The ball begins half inside the block, or all of it, where its springs are in balance; and stays there.
+  // The ball starts half inside the block, or completely inside, where its springs are in balance, and stays there.
   for (const double height : {-0.5e-3, -3e-3})
     for (const bool needs_force : {true, false}) {
       const auto device = test::scripted_loop::stiff_mock("rest", 1);
@@ -223,7 +223,7 @@ TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
   RealtimeLoop loop(*device, model, options_for(model, 0));
   loop.start();
   while (loop.latest().tool.removed_volume == 0) std::this_thread::yield();
-  while (loop.send(commands::OpenClutch{}) && loop.send(commands::CloseClutch{})) {  // the queue is full, or nearly so
+  while (loop.send(commands::OpenClutch{}) && loop.send(commands::CloseClutch{})) {  // until the queue is full
   }
   std::thread a([&] { loop.requests().emergency_stop(); }), b([&] { loop.requests().emergency_stop(); });
   a.join();
@@ -270,8 +270,8 @@ TEST(SimulationModel, ObeysClutchAndScale) {
   EXPECT_EQ(simulation.spindle_setting(), 0);
 }
 
-// A mark, simulated seconds of cutting, and back while the loop goes on: a slow reader who knows changed blocks
-// only ends up with the workpiece as it was at the mark.
+// A mark, simulated seconds of cutting, and an undo while the loop runs: a slow reader of changed blocks ends up with
+// the workpiece at the mark.
 TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
   for (const bool coupled : {false, true}) {
     const auto device = test::scripted_loop::stiff_mock("spiral");
@@ -296,8 +296,8 @@ TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
     EXPECT_EQ(loop.latest().tool.undo_marks, 1U);
     loop.send(commands::SetSpindleSpeed{0});
     loop.send(commands::Undo{});
-    loop.send(commands::Undo{});         // no second one is begun
-    loop.send(commands::SetUndoMark{});  // nor is there a mark on the way
+    loop.send(commands::Undo{});         // refused during the first one
+    loop.send(commands::SetUndoMark{});  // refused too
     for (int calm = 0; calm < 20;) {
       const LoopSnapshot snapshot = look();
       const ToolSnapshot tool = snapshot.tool;
@@ -308,7 +308,7 @@ TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
     (void)look();
 
     EXPECT_EQ(report.fault, DeviceFault::none);
-    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "in small parts, all of them guarded";
+    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "in small parts, each of them guarded";
     const Picture now = picture_of(simulation.workpiece());
     ASSERT_EQ(now.size(), at_mark.size());
     for (const auto& [origin, content] : at_mark) {
@@ -320,7 +320,7 @@ TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
 }
 
 TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
-  // The hand stays in the hole that it has drilled, and the undo fills the hole around it.
+  // The hand stays in the drilled hole, and the undo fills the hole around it.
   const auto device = test::scripted_loop::stiff_mock("rest");
   Simulation simulation = block_under_the_ball();
   const double whole = simulation.workpiece().amounts()[0].volume;
@@ -333,16 +333,16 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
   int ticks = 0, without_force = 0;
   RunOptions run = test::scripted_loop::simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.05;
-  tell(model, commands::SetUndoMark{});
+  apply(model, commands::SetUndoMark{});
   (void)device->run(
       [&](const DeviceState& reading) {
         DeviceState state = reading;
-        // Down by 1.6 mm in 0.4 s, where it stays.
+        // Moves down by 1.6 mm in 0.4 s, and stays there.
         state.X_BS.translation.z() -= 4e-6 * std::clamp(ticks - 200, 0, 400);
         if (ticks == 700) {
           EXPECT_GT(snapshot.tool.removed_volume, 0);
           EXPECT_EQ(device->last_arming(), ArmingState::on);
-          tell(model, commands::Undo{});
+          apply(model, commands::Undo{});
         }
         DeviceCommand command{model.step(state, 1e-3, snapshot), false, model.contact()};
         if (const ToolSnapshot tool = snapshot.tool; ticks > 700 && tool.undoing) {
@@ -351,15 +351,15 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
           EXPECT_EQ(tool.contact_voxels + tool.contact_depth + tool.spindle_speed, 0);
           EXPECT_EQ(tool.status, StepStatus::ok);
           EXPECT_EQ(tool.undo_marks, 1U);
-          EXPECT_GT(tool.removed_volume, 0) << "what was removed stays counted";
+          EXPECT_GT(tool.removed_volume, 0) << "the removed volume still counts the cut";
           EXPECT_TRUE(snapshot.X_WT.translation.isApprox(options.map.X_WB.translation + state.X_BS.translation))
-              << "the tool is shown with the hand";
+              << "the tool is shown at the hand";
           ++without_force;
         }
         if (ticks > 702) {
           EXPECT_EQ(device->last_arming(), ArmingState::wait_free) << ticks;
           EXPECT_TRUE(device->last_output().applied.force.isZero(0)) << ticks;
-          if (ticks > 760) {  // it is done
+          if (ticks > 760) {  // the undo has ended
             EXPECT_EQ(snapshot.tool.spindle_speed, 0);
           }
         }
@@ -368,7 +368,7 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
       },
       run);
   EXPECT_GT(without_force, 1);
-  EXPECT_TRUE(has_any(snapshot.tool.status, StepStatus::tool_waits)) << "it is in the material again";
+  EXPECT_TRUE(has_any(snapshot.tool.status, StepStatus::tool_waits)) << "the tool is in the material again";
   EXPECT_EQ(simulation.workpiece().amounts()[0].volume, whole);
 }
 
@@ -379,7 +379,7 @@ TEST(SimulationModel, IgnoresReadingsThatMeanNothing) {
   LoopSnapshot snapshot;
   DeviceState state;
   state.valid = false;
-  // Device::last_output may only be asked in a run, so this must not get that far.
+  // Device::last_output may only be called in a run, so the step must end before.
   EXPECT_TRUE(model.step(state, 1e-3, snapshot).force.isZero(0));
   EXPECT_EQ(simulation.steps(), 0U);
 }

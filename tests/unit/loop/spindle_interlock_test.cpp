@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the spindle of a loop turns: with a force, and while the pedal is down where there is one.
+// The spindle of a loop runs only with a force, and with a pedal only while the pedal is down.
 #include "hapticut/loop/spindle_interlock.hpp"
 
 #include <gtest/gtest.h>
@@ -22,12 +22,12 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
     int n = 0;
     (void)device->run(
         [&](const DeviceState& state) {
-          // Pressed in before there is a force, out at 300, and in again at 2500, when the force is there.
+          // Pressed in before there is a force, out at tick 300, and in again at tick 2500, when there is a force.
           const double depth = n < 300    ? 1e-5 * std::min(n - 8, 100)
                                : n < 2500 ? -2e-3
                                           : 1e-5 * std::min(n - 2500, 100);
           const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
-          if (interlocked) interlock.turn(simulation, device->last_arming());
+          if (interlocked) interlock.update(simulation, device->last_arming());
           const CoupledResult& result = coupling.step(pose, {}, device->period());
           (n < 300 ? unfelt : felt) += result.removed_volume;
           (void)state;
@@ -52,7 +52,7 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
   EXPECT_FALSE(interlock.admits(ArmingState::on, true));
 }
 
-// It was 0, the next loop took that for its speed, and nothing was cut any more, without a word.
+// Once the interlock had set the speed to 0, and the next loop cut nothing.
 TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   Simulation simulation(block(), ball(), config(true));
   const AngularSpeed speed = simulation.spindle_setting();
@@ -61,17 +61,17 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   const auto speed_of_step = [&] {
     return simulation.step(Pose::from_translation(Vec3(0, 0, 5e-3)), {}, 1e-3).spindle.speed;
   };
-  interlock.turn(simulation, ArmingState::wait_free);
+  interlock.update(simulation, ArmingState::wait_free);
   EXPECT_TRUE(simulation.spindle_is_held());
   EXPECT_EQ(speed_of_step(), 0);
   EXPECT_EQ(simulation.spindle_setting(), speed);
   simulation.set_spindle_speed(0.5 * speed);
   EXPECT_EQ(speed_of_step(), 0);
-  interlock.turn(simulation, ArmingState::on);
-  EXPECT_EQ(speed_of_step(), 0.5 * speed) << "what was asked meanwhile";
+  interlock.update(simulation, ArmingState::on);
+  EXPECT_EQ(speed_of_step(), 0.5 * speed) << "the speed that was set meanwhile";
   simulation.set_spindle_speed(speed);
-  interlock.turn(simulation, ArmingState::on);
-  EXPECT_EQ(speed_of_step(), speed) << "nobody takes it back";
+  interlock.update(simulation, ArmingState::on);
+  EXPECT_EQ(speed_of_step(), speed) << "the speed stays";
   simulation.hold_spindle(true);
   simulation.set_tool(ball());
   EXPECT_EQ(speed_of_step(), 0);
@@ -80,7 +80,7 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   Simulation prepared(block(), ball(), config(true));
   simulation.exchange(prepared);
   EXPECT_EQ(speed_of_step(), 0);
-  EXPECT_FALSE(prepared.spindle_is_held()) << "what was put aside";
+  EXPECT_FALSE(prepared.spindle_is_held()) << "the replaced spindle is not held";
   simulation.hold_spindle(false);
   EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
@@ -111,7 +111,7 @@ TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
   RunOptions run = simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
   LoopSnapshot snapshot;
-  int touched = 0;      // [voxels] before the pedal goes down, where nothing was removed
+  int touched = 0;      // [voxels] in contact before the pedal goes down; -1: something was removed
   double removed = -1;  // [m^3] when it comes up
   int n = 0;
   (void)scripted.device->run(

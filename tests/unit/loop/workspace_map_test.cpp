@@ -11,9 +11,9 @@
 namespace hapticut::workspace_map_test {
 namespace {
 
-constexpr double kRounding = 1e-12;  // a few products of numbers of size 1
+constexpr double kRounding = 1e-12;  // of a few products of numbers of size 1
 
-Pose pose(const Vec3& turn, const Vec3& at) { return {rotation_from_vector(turn), at}; }
+Pose pose(const Vec3& rotation, const Vec3& at) { return {rotation_from_vector(rotation), at}; }
 
 void expect_same(const Pose& a, const Pose& b) {
   EXPECT_LT((a.rotation - b.rotation).norm(), kRounding);
@@ -50,12 +50,12 @@ TEST(WorkspaceMap, AClutchMovesNothingHoweverOftenItIsUsed) {
   WorkspaceMap map(tilted());
   for (int n = 0; n < 1000; ++n) {
     const Pose before = map.to_world(kStylus);
-    map.release(kStylus);
+    map.disengage(kStylus);
     expect_same(map.to_world(kElsewhere), before);
     map.engage(kElsewhere);
     expect_same(map.to_world(kElsewhere), before);
     const Pose there = map.to_world(kElsewhere);
-    map.release(kElsewhere);
+    map.disengage(kElsewhere);
     map.engage(kStylus);
     expect_same(map.to_world(kStylus), there);
   }
@@ -64,14 +64,14 @@ TEST(WorkspaceMap, AClutchMovesNothingHoweverOftenItIsUsed) {
 
 TEST(WorkspaceMap, AfterAClutchTheToolFollowsTheHandAsBefore) {
   WorkspaceMap map(tilted());
-  map.release(kStylus);
+  map.disengage(kStylus);
   map.engage(kElsewhere);
   const Pose before = map.to_world(kElsewhere);
-  const Vec3 step(1e-3, -2e-3, 0.5e-3), turn(0.02, 0.01, -0.03);
-  const Pose moved{rotation_from_vector(turn) * kElsewhere.rotation, kElsewhere.translation + step};
+  const Vec3 step(1e-3, -2e-3, 0.5e-3), rotation(0.02, 0.01, -0.03);
+  const Pose moved{rotation_from_vector(rotation) * kElsewhere.rotation, kElsewhere.translation + step};
   const Pose after = map.to_world(moved);
   const Mat3& R_WB = tilted().X_WB.rotation;
-  EXPECT_LT((vector_from_rotation(after.rotation * before.rotation.transpose()) - R_WB * turn).norm(), 1e-10);
+  EXPECT_LT((vector_from_rotation(after.rotation * before.rotation.transpose()) - R_WB * rotation).norm(), 1e-10);
   const Vec3 p_before = (before * tilted().X_SH.inverse()).translation;
   const Vec3 p_after = (after * tilted().X_SH.inverse()).translation;
   EXPECT_LT((p_after - p_before - 0.5 * (R_WB * step)).norm(), kRounding);
@@ -79,7 +79,7 @@ TEST(WorkspaceMap, AfterAClutchTheToolFollowsTheHandAsBefore) {
 
 TEST(WorkspaceMap, GivesTheHandNothingWhileTheClutchIsOpen) {
   WorkspaceMap map(tilted());
-  map.release(kStylus);
+  map.disengage(kStylus);
   EXPECT_FALSE(map.engaged());
   EXPECT_TRUE(map.to_device(kStylus, {Vec3(1, 2, 3), Vec3(4, 5, 6)}).force.isZero(0));
   EXPECT_TRUE(map.to_world(kStylus, Twist{Vec3(1, 2, 3), Vec3(4, 5, 6)}).linear.isZero(0));
@@ -112,10 +112,10 @@ TEST(WorkspaceMap, PreservesPowerWhenTheForceScaleIsTheScale) {
   WorkspaceMapOptions options = tilted(0.3);
   options.force_scale = 0.3;
   WorkspaceMap map(options);
-  map.release(kStylus);
+  map.disengage(kStylus);
   map.engage(kElsewhere);
   const Twist hand{Vec3(0.1, -0.2, 0.05), Vec3(1, 2, -0.5)};
-  // Power is that of the scaled hand: turns are not scaled, so force and torque are looked at one by one.
+  // Rotations are not scaled, so the power of force and of torque is checked separately.
   const Wrench force{Vec3(1, 2, -1), Vec3::Zero()};
   const Wrench torque{Vec3::Zero(), Vec3(0.1, -0.2, 0.3)};
   const auto power = [](const Wrench& w, const Twist& v) { return w.force.dot(v.linear) + w.torque.dot(v.angular); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring and the thread of the recorder, without a file. The thread sanitizer watches.
+// The ring and the thread of the recorder, without a file. Also run with the thread sanitizer.
 #include "realtime/background_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace hapticut::background_writer_test {
 namespace {
 
-/// As large as a recorded step, and whole only if all of it is the same.
+/// As large as a recorded step. All values of a complete row are equal.
 using Row = std::array<long, 128>;
 
 Row row_of(long number) {
@@ -27,7 +27,7 @@ TEST(BackgroundWriter, WritesEveryMessageWholeAndInOrderBesideALoopAtFullSpeed) 
   std::atomic<bool> was_full{false};
   BackgroundWriter<Row> writer(64, Row{}, 0.01,
                                {[&](const std::vector<Row>& batch) {
-                                  while (!was_full) std::this_thread::yield();  // a slow disk, once
+                                  while (!was_full) std::this_thread::yield();  // simulates a slow disk, once
                                   for (const Row& row : batch) {
                                     written.push_back(row.front());
                                     for (const long value : row) whole = whole && value == row.front();
@@ -60,7 +60,7 @@ TEST(BackgroundWriter, EndsWhereItsSinkThrowsAndSaysWhy) {
     if (!writer.push(row_of(n))) std::this_thread::yield();
   while (writer.push(row_of(0))) {
   }
-  EXPECT_FALSE(writer.push(row_of(0))) << "nobody takes any more";
+  EXPECT_FALSE(writer.push(row_of(0))) << "no thread empties the queue";
   EXPECT_EQ(writer.stop(), "the disk is full");
   EXPECT_EQ(writer.stop(), "the disk is full");
 }

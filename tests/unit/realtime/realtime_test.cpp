@@ -35,12 +35,12 @@ TEST(LatencyHistogram, KnowsLongDurationsWithinAFewPerCent) {
     LatencyHistogram h;
     for (int n = 0; n < 1000; ++n) h.add(scale * (1 + 0.001 * n));
     h.add(120);
-    for (const double share : {0.01, 0.5, 0.9, 0.99}) {
-      const double exact = scale * (1 + share);
-      EXPECT_GE(h.quantile(share), exact * (1 - 2e-3)) << scale << ' ' << share;
-      EXPECT_LE(h.quantile(share), exact * (1.045 + 2e-3)) << scale << ' ' << share;
-      EXPECT_LE(h.at_least(exact), 1002 - 1000 * share) << scale << ' ' << share;
-      EXPECT_GE(h.at_least(exact), 1000 * (1 - share) - 90) << scale << ' ' << share;
+    for (const double fraction : {0.01, 0.5, 0.9, 0.99}) {
+      const double exact = scale * (1 + fraction);
+      EXPECT_GE(h.quantile(fraction), exact * (1 - 2e-3)) << scale << ' ' << fraction;
+      EXPECT_LE(h.quantile(fraction), exact * (1.045 + 2e-3)) << scale << ' ' << fraction;
+      EXPECT_LE(h.at_least(exact), 1002 - 1000 * fraction) << scale << ' ' << fraction;
+      EXPECT_GE(h.at_least(exact), 1000 * (1 - fraction) - 90) << scale << ' ' << fraction;
     }
     EXPECT_EQ(h.quantile(1), 120);
   }
@@ -93,7 +93,7 @@ TEST(PeriodicClock, SkipsWhatItMissedInsteadOfCatchingUp) {
   const double before = clock.now();
   const PeriodicClock::Tick next = clock.wait();
   EXPECT_GT(next.time, before - 1e-3);
-  // Ticks stay on whole periods after the start: the time minus the lateness is one.
+  // Ticks are at whole periods after the start: the time minus the lateness is a whole number of periods.
   const double phase = (next.time - next.late) / 1e-3;
   EXPECT_NEAR(phase, std::round(phase), 1e-6);
   EXPECT_THROW(PeriodicClock(0), Error);
@@ -118,7 +118,7 @@ TEST(RealtimeScope, SaysWhatIsNotPermittedAndRefusesNonsense) {
   EXPECT_THROW(RealtimeScope{options}, Error);
   options.priority = 80;
   options.lock_memory = false;
-  options.cpu = 1000;  // no machine of ours has it
+  options.cpu = 1000;  // does not exist
   const RealtimeScope scope(options);
   ASSERT_FALSE(scope.warnings().empty());
   EXPECT_NE(scope.warnings().front().find("processor 1000"), std::string::npos) << scope.warnings().front();

@@ -31,7 +31,7 @@ TEST(Guard, GivesNoForceUntilTheToolWasFreeAndThenFadesItIn) {
   for (; loop.guard.state() != ArmingState::on; ++ticks) {
     const double force = loop.tick(push).force.z();
     EXPECT_GE(force, last);
-    EXPECT_LT(force - last, 2e-3);  // 1.5 times the mean growth of 1 N in 1.5 s, at the steepest of the smoothstep
+    EXPECT_LT(force - last, 2e-3);  // maximum slope of the smoothstep: 1.5 times the mean of 1 N in 1.5 s
     last = force;
   }
   EXPECT_NEAR(ticks, 1500, 10);
@@ -55,7 +55,7 @@ TEST(Guard, RejectsPosesThatNoHandMakesAndFailsWhenTheyStay) {
     GuardedLoop loop;
     loop.engage();
     bad.spoil(loop.reading);
-    // Held at first: the model computes with the last good pose.
+    // At first the last good pose is held, and the model computes with it.
     for (int n = 0; n < 20; ++n) {
       EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1) << name_of(bad.event);
       EXPECT_EQ(loop.guard.state(), ArmingState::on);
@@ -83,12 +83,12 @@ TEST(Guard, TakesAForceThatIsNotFiniteAsNoneAndFailsAtTheThird) {
 TEST(Guard, ShortensAForceWithoutTurningItAndTellsBothSides) {
   GuardedLoop loop;
   loop.engage();
-  const Vec3 asked(6, 0, 8);
+  const Vec3 commanded(6, 0, 8);
   Wrench given;
-  for (int n = 0; n < 50; ++n) given = loop.tick(asked);
+  for (int n = 0; n < 50; ++n) given = loop.tick(commanded);
   EXPECT_NEAR(given.force.norm(), 3.3, 1e-9);
-  EXPECT_NEAR(given.force.normalized().dot(asked.normalized()), 1, 1e-12);
-  EXPECT_EQ(loop.guard.output().commanded.force, asked);
+  EXPECT_NEAR(given.force.normalized().dot(commanded.normalized()), 1, 1e-12);
+  EXPECT_EQ(loop.guard.output().commanded.force, commanded);
   EXPECT_EQ(loop.guard.output().applied.force, given.force);
   EXPECT_TRUE(has_any(loop.guard.output().changes, OutputChange::saturated));
 }
@@ -109,12 +109,12 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
 TEST(Guard, LimitsTheGrowthOfATorqueThatTurnsToTheOtherSide) {
   GuardedLoop loop({}, "premium6dof");
   loop.engage();
-  const Vec3 most(0, 0.048, 0);
-  for (int n = 0; n < 100; ++n) loop.tick(Vec3::Zero(), most);
+  const Vec3 max_torque(0, 0.048, 0);
+  for (int n = 0; n < 100; ++n) loop.tick(Vec3::Zero(), max_torque);
   ASSERT_NEAR(loop.guard.output().applied.torque.y(), 0.048, 1e-12);
   const double step = loop.guard.slew() / 8.5 * 0.048 * kPeriod;
   for (int n = 1; n <= 5; ++n) {
-    loop.tick(Vec3::Zero(), -most);
+    loop.tick(Vec3::Zero(), -max_torque);
     EXPECT_NEAR(loop.guard.output().applied.torque.y(), -n * step, 1e-9) << n;
   }
 }
@@ -134,7 +134,7 @@ TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
   const OutputLimits six = output_limits(capabilities(device_model("premium6dof")));
   EXPECT_EQ(six.max_torque, 0.048);
   EXPECT_NEAR(six.max_torque / six.torque_growth, six.max_force / six.force_growth, 1e-12)
-      << "as long to the peak as for the force";
+      << "the torque reaches its peak in the same time as the force";
 }
 
 TEST(OutputLimitsOfADevice, ThatRendersNoForceAreRefused) {
@@ -190,7 +190,7 @@ TEST(Guard, WaitsUntilFreeAfterWhateverMayHavePutTheToolIntoMaterial) {
     Vec3 moved;     // [m]
   };
   for (const Case& c :
-       {Case{SafetyEvent::recalibrated, kPeriod, Vec3(0.04, 0, 0)},  // farther than a hand moves
+       {Case{SafetyEvent::recalibrated, kPeriod, Vec3(0.04, 0, 0)},  // farther than a hand can move
         Case{SafetyEvent::reclutched, kPeriod, Vec3::Zero()}, Case{SafetyEvent::model_swapped, kPeriod, Vec3::Zero()},
         Case{SafetyEvent::paused, 5, Vec3(0, 0, -0.02)}}) {
     SCOPED_TRACE(name_of(c.event));
@@ -218,7 +218,7 @@ TEST(Guard, AFaultLatchesUntilResetAndThenNeedsAFreeTool) {
   EXPECT_EQ(loop.guard.state(), ArmingState::fault);
   loop.reading.fault = DeviceFault::none;
   loop.reading.valid = true;
-  ++loop.reading.epoch;  // the driver's word for "these poses are new"
+  ++loop.reading.epoch;  // the driver reports new poses
   for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
   EXPECT_EQ(loop.guard.state(), ArmingState::fault);
   loop.guard.requests().reset_fault();
@@ -237,7 +237,7 @@ TEST(Guard, AnEmergencyStopCancelsAnEarlierResetAndIsResetByALaterOne) {
   EXPECT_EQ(loop.guard.state(), ArmingState::fault);
   loop.guard.requests().reset_fault();
   loop.engage();
-  loop.guard.requests().emergency_stop();  // and both before the next tick
+  loop.guard.requests().emergency_stop();  // both requests before the next tick
   loop.guard.requests().reset_fault();
   EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
   EXPECT_EQ(loop.guard.state(), ArmingState::armed) << "as after any fault";
@@ -281,7 +281,7 @@ TEST(Guard, TakesAStylusAtRestForNothingElse) {
   GuardedLoop loop;
   loop.engage();
   for (int n = 0; n < 5000; ++n) {
-    loop.reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 1e-3 * std::sin(0.05 * n)));  // a calm hand's tremor
+    loop.reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 1e-3 * std::sin(0.05 * n)));  // tremor of a calm hand
     loop.tick(Vec3(0, 0, 0.1));
   }
   EXPECT_EQ(loop.guard.state(), ArmingState::on);

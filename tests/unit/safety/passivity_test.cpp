@@ -22,37 +22,37 @@ PassivityOptions options_of_touch() {
   return options;
 }
 
-/// Of forces and ways alone.
+/// Controls a force without torque.
 Vec3 control(PassivityController& controller, const Vec3& force, const Vec3& effects, const Vec3& applied,
              const Vec3& motion, std::optional<double> stored = {}, std::optional<double> motor = {}) {
   return controller.control({{force}, {effects}, {applied}, motion, Vec3::Zero(), kTick, stored, motor}).force;
 }
 
-/// A hand at 0.1 m/s into a wall and out again, three times.
-struct Pressed {
-  double given = 0;   // [J] to the hand
-  double taken = 0;   // [N] most damping
-  double pulled = 0;  // [N] inwards
+/// Outcome of a hand that moves at 0.1 m/s into a wall and out again, three times.
+struct Outcome {
+  double given = 0;        // [J] to the hand
+  double max_damping = 0;  // [N]
+  double pulled = 0;       // [N] maximum force inwards
 };
 
-/// @param late  [ticks] between a written force and the one that acts, beyond the hold
-Pressed press(PassivityController& controller, double stiffness, int late) {
+/// @param late  [ticks] between writing a force and its effect, beyond the hold
+Outcome press(PassivityController& controller, double stiffness, int late) {
   constexpr double kSpeed = 0.1;
   const double depth = 0.9 * kPeak / kStiffness;
-  std::deque<Vec3> under_way(std::size_t(late) + 1, Vec3::Zero());
-  Pressed seen;
+  std::deque<Vec3> delayed(std::size_t(late) + 1, Vec3::Zero());
+  Outcome seen;
   Vec3 applied = Vec3::Zero();
   double last = 1e-3;
   for (int n = 0; n < 3 * 200; ++n) {
-    const double t = (n % 200) * kTick;  // 1 mm above, down to the depth, and up again
+    const double t = (n % 200) * kTick;  // from 1 mm above down to the depth, and up again
     const double down = 1e-3 - kSpeed * t, up = -depth + kSpeed * (t - (1e-3 + depth) / kSpeed);
     const double height = std::min(down > -depth ? down : up, 8e-3);
     const Vec3 force(0, 0, std::max(0.0, -stiffness * height)), motion(0, 0, height - last);
-    seen.given += under_way.front().dot(motion);
+    seen.given += delayed.front().dot(motion);
     applied = control(controller, force, Vec3::Zero(), applied, motion);
-    under_way.pop_front();
-    under_way.push_back(applied);
-    seen.taken = std::max(seen.taken, controller.taken());
+    delayed.pop_front();
+    delayed.push_back(applied);
+    seen.max_damping = std::max(seen.max_damping, controller.damping_force());
     seen.pulled = std::max(seen.pulled, -applied.z());
     last = height;
   }
@@ -62,8 +62,8 @@ Pressed press(PassivityController& controller, double stiffness, int late) {
 TEST(PassivityController, LeavesASpringAloneThatTheDeviceRenders) {
   for (const double stiffness : {100.0, 350.0, kStiffness}) {
     PassivityController controller(options_of_touch(), kPeak);
-    const Pressed seen = press(controller, stiffness, 0);
-    EXPECT_LT(seen.taken, 1e-9) << stiffness;
+    const Outcome seen = press(controller, stiffness, 0);
+    EXPECT_LT(seen.max_damping, 1e-9) << stiffness;
     EXPECT_EQ(seen.pulled, 0);
   }
 }
@@ -73,10 +73,10 @@ TEST(PassivityController, TakesOutWhatAStifferSpringGives) {
   off.enabled = false;
   PassivityController watches_nothing(off, kPeak), watches(options_of_touch(), kPeak);
   const double stiff = 4 * kStiffness;
-  const Pressed bare = press(watches_nothing, stiff, 0), damped = press(watches, stiff, 0);
-  EXPECT_GT(bare.given, 1e-3);  // k v T of the depth, three times
+  const Outcome bare = press(watches_nothing, stiff, 0), damped = press(watches, stiff, 0);
+  EXPECT_GT(bare.given, 1e-3);  // k v T times the depth, three times
   EXPECT_LT(damped.given, 0.9 * bare.given);
-  EXPECT_GT(damped.taken, 0);
+  EXPECT_GT(damped.max_damping, 0);
 }
 
 TEST(PassivityController, LeavesAForceThatIsLateByAKnownTimeAlone) {
@@ -84,8 +84,8 @@ TEST(PassivityController, LeavesAForceThatIsLateByAKnownTimeAlone) {
     PassivityOptions knows = options_of_touch();
     knows.delay = late;
     PassivityController knows_of_it(knows, kPeak), knows_nothing(options_of_touch(), kPeak);
-    EXPECT_LT(press(knows_of_it, kStiffness, late).taken, 1e-9) << late;
-    EXPECT_LT(press(knows_nothing, kStiffness, late).taken, 1e-9) << "it sees what it wrote";
+    EXPECT_LT(press(knows_of_it, kStiffness, late).max_damping, 1e-9) << late;
+    EXPECT_LT(press(knows_nothing, kStiffness, late).max_damping, 1e-9) << "it sees the force that it wrote";
   }
 }
 
@@ -94,12 +94,12 @@ TEST(PassivityController, LeavesWeightAndVibrationOutOfTheAccount) {
     PassivityController controller(options_of_touch(), kPeak);
     const Vec3 weight(0, 0, -0.5), touch(0, 0, 0.1);
     Vec3 applied = Vec3::Zero();
-    double taken = 0;
-    for (int n = 0; n < 50; ++n) {  // the hand gives way to the weight
+    double max_damping = 0;
+    for (int n = 0; n < 50; ++n) {  // the weight pushes the hand down
       applied = control(controller, weight + touch, says ? weight : Vec3(Vec3::Zero()), applied, Vec3(0, 0, -1e-4));
-      taken = std::max(taken, controller.taken());
+      max_damping = std::max(max_damping, controller.damping_force());
     }
-    EXPECT_EQ(taken == 0, says);
+    EXPECT_EQ(max_damping == 0, says);
   }
 }
 
@@ -110,7 +110,7 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
     PassivityController controller(options, kPeak);
     const std::optional<double> stored = says ? std::optional(1e-4) : std::nullopt;
     const Vec3 resists(0, 0, 1);
-    for (int n = 0; n < 1000; ++n)  // a cut of 10 mm: 10 mJ that are gone
+    for (int n = 0; n < 1000; ++n)  // a cut of 10 mm dissipates 10 mJ
       (void)control(controller, resists, Vec3::Zero(), resists, Vec3(0, 0, -1e-5), stored);
     EXPECT_NEAR(controller.stored(), says ? 1e-4 : 10e-3, 5e-5);
     Vec3 applied = resists;
@@ -120,7 +120,7 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
       given += applied.dot(motion);
       applied = control(controller, resists, Vec3::Zero(), applied, motion, stored);
     }
-    EXPECT_EQ(controller.taken() > 0, says);
+    EXPECT_EQ(controller.damping_force() > 0, says);
     if (says) {
       EXPECT_LT(given, 4e-3);
     } else {
@@ -129,7 +129,7 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
   }
 }
 
-// Where the model says what its motor gave, a force that pushes the hand on is given as far as that and the spring go.
+// If the model reports the work of its motor, a force that pushes the hand on is limited to that work and the spring's.
 TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
   const Vec3 pushes(0, 0, 1), on(0, 0, 1e-4);  // 0.1 mJ a tick
   for (const double paid : {0.0, 0.5, 1.0}) {
@@ -141,20 +141,21 @@ TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
       applied = control(controller, pushes, Vec3::Zero(), applied, on, 1.0, paid * pushes.dot(on));
       motor += paid * pushes.dot(on);
       held += 0.5 * kStiffness * on.squaredNorm();
-      EXPECT_GE(applied.z(), 0) << "no more is taken than pushes";
+      EXPECT_GE(applied.z(), 0) << "the damping does not exceed the push";
     }
     EXPECT_LE(given, motor + held + 1e-12) << paid;
     EXPECT_GE(given, 0.9 * std::min(1.0, paid) * 100 * pushes.dot(on)) << paid;
   }
 }
 
-// A spring and damper to a light tool behind encoders of 55 um: each step is answered when the hand has passed it.
+// A spring and damper to a light tool behind encoders of 55 um. The response to each step comes after the hand has
+// passed.
 TEST(PassivityController, LeavesTheStepsOfEncodersAlone) {
   constexpr double kStep = 55e-6, kDamper = 4, kMass = 5e-3;  // [m], [N s/m], [kg]
   for (const double speed : {2e-3, 5e-3, 10e-3, 20e-3, 40e-3}) {
     PassivityController controller(options_of_touch(), kPeak);
     Vec3 applied = Vec3::Zero();
-    double taken = 0, before = 0, tool = 0, tool_speed = 0;
+    double max_damping = 0, before = 0, tool = 0, tool_speed = 0;
     for (int n = 1; n < 2000; ++n) {
       const double hand = kStep * std::floor(speed * n * kTick / kStep), hand_speed = (hand - before) / kTick;
       const double force = (kStiffness * (hand - tool) + kDamper * (hand_speed - tool_speed)) /
@@ -163,34 +164,34 @@ TEST(PassivityController, LeavesTheStepsOfEncodersAlone) {
       tool += kTick * tool_speed;
       applied = control(controller, Vec3(-force, 0, 0), Vec3::Zero(), applied, Vec3(hand - before, 0, 0),
                         0.5 * kStiffness * (hand - tool) * (hand - tool) + 0.5 * kMass * tool_speed * tool_speed);
-      taken = std::max(taken, controller.taken());
+      max_damping = std::max(max_damping, controller.damping_force());
       before = hand;
     }
-    EXPECT_LT(taken, 1e-9) << speed;
+    EXPECT_LT(max_damping, 1e-9) << speed;
   }
 }
 
-// A tip that is held while the hand turns about it: force and torque work against each other.
+// The hand pivots about a fixed tip: the works of force and torque cancel.
 TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
-  constexpr double kLength = 0.05, kTurn = 1e-3;  // [m], [rad] a tick
+  constexpr double kLength = 0.05, kAngle = 1e-3;  // [m], [rad] per tick
   PassivityController controller(options_of_touch(), kPeak, 0.02, 0.1);
-  const Vec3 turn(0, kTurn, 0), motion = turn.cross(Vec3(0, 0, kLength));
-  Wrench held{Vec3(1, 0, 0), Vec3(0, -kLength, 0)};  // of a force that acts at the tip
+  const Vec3 rotation(0, kAngle, 0), motion = rotation.cross(Vec3(0, 0, kLength));
+  Wrench held{Vec3(1, 0, 0), Vec3(0, -kLength, 0)};  // wrench of a force at the tip
   for (int n = 0; n < 500; ++n) {
-    const Wrench given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
-    EXPECT_EQ(controller.taken(), 0);
+    const Wrench given = controller.control({held, {}, held, motion, rotation, kTick, 0.0});
+    EXPECT_EQ(controller.damping_force(), 0);
     EXPECT_TRUE(given.force == held.force && given.torque == held.torque);
   }
-  held.torque.setZero();  // now it pushes the hand on
+  held.torque.setZero();  // now the force pushes the hand on
   Wrench given;
-  for (int n = 0; n < 50; ++n) given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
+  for (int n = 0; n < 50; ++n) given = controller.control({held, {}, held, motion, rotation, kTick, 0.0});
   EXPECT_LT(given.force.x(), 1);
   EXPECT_LT(given.torque.y(), 0);
 }
 
-// The same through the guard of a device that renders torque.
+// A hand that pivots about the tip, through the guard of a device that renders torque.
 TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
-  constexpr double kLength = 0.05, kTurn = 1e-4;  // [m], [rad] a tick
+  constexpr double kLength = 0.05, kAngle = 1e-4;  // [m], [rad] per tick
   test::GuardedLoop loop({}, "premium6dof");
   loop.reading.valid = true;
   loop.contact.stored = 0;
@@ -204,16 +205,16 @@ TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
   loop.engage();
   Wrench at_tip{Vec3(0.4, 0, 0), Vec3(0, -0.4 * kLength, 0)};
   for (int n = 0; n < 200; ++n) tick(at_tip);  // as fast as force may grow
-  const auto turn = [&] {
+  const auto pivot = [&] {
     for (int n = 0; n < 300; ++n) {
-      angle += kTurn;
+      angle += kAngle;
       tick(at_tip);
     }
   };
-  turn();
+  pivot();
   EXPECT_EQ(loop.count(SafetyEvent::passivity), 0U);
-  at_tip.torque.setZero();  // now it pushes the hand on
-  turn();
+  at_tip.torque.setZero();  // now the force pushes the hand on
+  pivot();
   EXPECT_GT(loop.count(SafetyEvent::passivity), 0U);
 }
 

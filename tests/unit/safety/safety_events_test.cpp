@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every safety event, brought about on purpose: each is counted and entered once in the log that is read outside the
-// loop.
+// Causes every safety event: each is counted, and entered once in the log, which another thread reads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,17 +18,17 @@ using test::kPeriod;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// What the watchdog's thread does while the loop is silent, in simulated time.
+/// Does what the watchdog's thread does while the loop is silent, in simulated time.
 void stay_silent(SafetyGuard& guard, int ticks, const WatchdogOptions& options = {}) {
   const Watchdog watchdog(options);
   for (int n = 1; n <= ticks; ++n) guard.report_silence(watchdog.verdict(n * kPeriod), watchdog.scale(n * kPeriod));
   guard.report_silence(Watchdog::Verdict::alive, 1);
 }
 
-/// Brings an event about, from a guard that is engaged.
+/// Causes an event, starting from an engaged guard.
 struct Cause {
   SafetyEvent event;
-  std::function<void(GuardedLoop&)> bring_about;
+  std::function<void(GuardedLoop&)> cause;
 };
 
 std::vector<Cause> causes() {
@@ -45,9 +44,9 @@ std::vector<Cause> causes() {
                    loop.tick();
                  }};
   };
-  const auto told = [](Event event, const std::function<void(SafetyGuard&)>& tell) {
-    return Cause{event, [tell](GuardedLoop& loop) {
-                   tell(loop.guard);
+  const auto after_call = [](Event event, const std::function<void(SafetyGuard&)>& call) {
+    return Cause{event, [call](GuardedLoop& loop) {
+                   call(loop.guard);
                    loop.tick();
                  }};
   };
@@ -61,7 +60,7 @@ std::vector<Cause> causes() {
                  }};
   };
   const auto silent = [&](Event event, int ticks) {
-    return told(event, [ticks](SafetyGuard& guard) { stay_silent(guard, ticks); });
+    return after_call(event, [ticks](SafetyGuard& guard) { stay_silent(guard, ticks); });
   };
   return {
       once(Event::pose_not_finite, [](DeviceState& s) { s.X_BS.translation.x() = kNan; }),
@@ -79,11 +78,11 @@ std::vector<Cause> causes() {
       once(Event::pose_units, [](DeviceState& s) { s.X_BS.translation.y() = 110; }),
       once(Event::reading_invalid, [](DeviceState& s) { s.valid = false; }),
       once(Event::reading_stale, [](DeviceState& s) { --s.sequence; }),
-      told(Event::armed,
-           [](SafetyGuard& guard) {
-             guard.stop();
-             guard.start();
-           }),
+      after_call(Event::armed,
+                 [](SafetyGuard& guard) {
+                   guard.stop();
+                   guard.start();
+                 }),
       interrupted(Event::waiting_free, Event::reclutched, 0, 1),
       interrupted(Event::start_inside, Event::reclutched, 1, 1),
       interrupted(Event::fading_in, Event::reclutched, 0, 10),
@@ -117,9 +116,9 @@ std::vector<Cause> causes() {
       silent(Event::watchdog_late, 5),
       silent(Event::watchdog_fading, 20),
       silent(Event::watchdog_fault, 60),
-      told(Event::exception, [](SafetyGuard& guard) { guard.report_exception(); }),
-      told(Event::emergency_stop,
-           [](SafetyGuard& guard) { std::thread([&] { guard.requests().emergency_stop(); }).join(); }),
+      after_call(Event::exception, [](SafetyGuard& guard) { guard.report_exception(); }),
+      after_call(Event::emergency_stop,
+                 [](SafetyGuard& guard) { std::thread([&] { guard.requests().emergency_stop(); }).join(); }),
   };
 }
 
@@ -137,7 +136,7 @@ TEST(SafetyLog, EveryEventIsASentenceThatSaysWhatToDoUnlessItIsGood) {
     EXPECT_NE(describe(entry).find(sentence), std::string::npos);
   }
   EXPECT_NE(sentence_of({.event = SafetyEvent::device_fault, .value = double(DeviceFault::motors_warm)})
-                .find("let go until they have cooled."),
+                .find("release the device until they have cooled."),
             std::string::npos);
 }
 
@@ -147,7 +146,7 @@ TEST_P(EveryEvent, HasANameACounterAndOneEntryInTheLog) {
   loop.engage();
   (void)loop.guard.log().drain();
   const std::uint64_t before = loop.count(event);
-  GetParam().bring_about(loop);
+  GetParam().cause(loop);
   EXPECT_GE(loop.count(event), before + 1);
   int entries = 0;
   std::thread([&] {  // outside the loop
@@ -177,7 +176,7 @@ TEST(Silence, IsReportedStageByStageOnceEachAndInTheirOrder) {
   GuardedLoop loop;
   loop.engage();
   stay_silent(loop.guard, 3);
-  EXPECT_EQ(loop.count(SafetyEvent::watchdog_late), 0U) << "three ticks are not worth a word";
+  EXPECT_EQ(loop.count(SafetyEvent::watchdog_late), 0U) << "three ticks are not reported";
   (void)loop.guard.log().drain();
   for (const int again : {1, 2}) {
     stay_silent(loop.guard, 200);
@@ -224,9 +223,9 @@ TEST(SafetyLog, IsInTheOrderOfItsTicksWhateverTheDeviceCallsThem) {
   SafetyLog log;
   log.begin_tick(0.1, 100);
   log.report(SafetyEvent::engaged);
-  log.begin_tick(0.2, 100);  // the same reading again
+  log.begin_tick(0.2, 100);  // repeats a reading
   log.note(SafetyEvent::watchdog_late, 1);
-  log.begin_tick(0.0, 1);  // a new connection counts from one
+  log.begin_tick(0.0, 1);  // a new connection restarts the numbers
   log.report(SafetyEvent::recalibrated);
   log.begin_tick(0.1, 2);
   log.note(SafetyEvent::watchdog_fading, 1);

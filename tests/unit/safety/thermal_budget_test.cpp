@@ -23,7 +23,8 @@ TEST(ThermalBudget, LetsAPeakPassAndFallsToTheContinuousForceWhenItLasts) {
 TEST(ThermalBudget, ObeysTheTemperatureThatTheDeviceMeasures) {
   ThermalBudget budget(3.3, 0.88, {});
   budget.tick(2, 0.75, kPeriod);
-  EXPECT_NEAR(budget.limit(), 2 * (1 - 1e-3), 1e-12);  // the vendor's 0.999 a tick, from the force of the moment
+  EXPECT_NEAR(budget.limit(), 2 * (1 - 1e-3),
+              1e-12);  // the vendor's factor of 0.999 per tick, starting from the present force
   for (int n = 0; n < 2000; ++n) budget.tick(0, 0.6, kPeriod);
   EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
   budget.tick(0, 0.4, kPeriod);

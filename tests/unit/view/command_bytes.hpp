@@ -13,7 +13,7 @@
 
 namespace hapticut::view_test {
 
-/// As docs/view.md numbers them.
+/// The kinds in docs/view.md.
 struct CommandKind {
   static constexpr std::uint8_t set_spindle_speed = 1, set_undo_mark = 2, undo = 3, redo = 4, hold_force = 5,
                                 move_hand = 6, stop = 7, look_at = 8, set_control = 9, load = 10;
@@ -21,7 +21,7 @@ struct CommandKind {
 inline constexpr std::uint8_t kCommandKinds = std::variant_size_v<view::ViewCommand> - 1;  // all but WriterLeft
 static_assert(CommandKind::load == kCommandKinds, "a new command has its kind above");
 
-/// A message as a page writes it.
+/// Builds a message of a page.
 struct Bytes {
   explicit Bytes(std::uint8_t kind) : bytes{kind, view::kProtocolVersion, 0, 0} {}
   template <class Number>
@@ -38,7 +38,7 @@ struct Bytes {
   std::vector<std::uint8_t> bytes;
 };
 
-/// What a page reads at a place of a message.
+/// Reads a number at a place of a message.
 template <class Number>
 Number number_at(const view::Message& message, std::size_t place) {
   Number number{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Byte by byte what the panels of a page are told.
+// The bytes of the messages for the panels of a page.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -58,7 +58,7 @@ TEST(PanelMessages, ATraceIsSixNumbersATick) {
 }
 
 TEST(PanelMessages, ANoticeIsASentenceAndHowBadItIs) {
-  const Message message = encode_notice(Severity::failed, "No.");
+  const Message message = encode_notice(Severity::error, "No.");
   ASSERT_EQ(message.size(), 15U);
   EXPECT_EQ(message[0], 8);
   EXPECT_EQ(number_at<std::uint32_t>(message, 4), 2U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Byte by byte what docs/view.md says, and nothing but that is taken from a page.
+// The bytes of the messages in docs/view.md. Nothing else is accepted from a page.
 #include "hapticut/view/protocol.hpp"
 
 #include <gtest/gtest.h>
@@ -42,17 +42,17 @@ TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
 
 TEST(ViewProtocol, EveryStateOfTheGuardAndEveryBitOfAStepHasASentenceWithItsCure) {
   const Message hello = encode_hello({}, true);
-  const std::string told(hello.begin(), hello.end());
-  const auto expect_told = [&](const auto& one, bool good) {
+  const std::string text(hello.begin(), hello.end());
+  const auto expect_sentence = [&](const auto& one, bool good) {
     ASSERT_NE(one.words, nullptr) << one.name;
     const std::string words = one.words;
     EXPECT_TRUE(words.ends_with('.')) << one.name << ": " << words;
     EXPECT_EQ(words.find(": ") == std::string::npos, good) << one.name << ": " << words;
-    EXPECT_NE(told.find(words), std::string::npos) << one.name << " is not told";
+    EXPECT_NE(text.find(words), std::string::npos) << one.name << " is missing";
   };
-  for (const auto& one : names_of(Of<ArmingState>{})) expect_told(one, one.value == ArmingState::on);
+  for (const auto& one : names_of(Of<ArmingState>{})) expect_sentence(one, one.value == ArmingState::on);
   for (const auto& one : names_of(Of<StepStatus>{}))
-    if (one.value != StepStatus::ok) expect_told(one, false);
+    if (one.value != StepStatus::ok) expect_sentence(one, false);
 }
 
 TEST(ViewProtocol, APageIsItsVerticesAndIndicesAsTheyAre) {

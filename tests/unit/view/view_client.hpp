@@ -18,7 +18,7 @@
 #include "hapticut/view/view_server.hpp"
 
 /// @file
-/// A page without a browser: what tests say to the server over 127.0.0.1.
+/// A client for tests of the view server over 127.0.0.1.
 namespace hapticut::view_test {
 
 namespace asio = boost::asio;
@@ -28,7 +28,7 @@ namespace websocket = beast::websocket;
 using Tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
-/// Waits for what another thread does.  @return whether it has come about
+/// Waits for a condition that another thread fulfils.  @return whether it is fulfilled
 template <class Condition>
 bool soon(const Condition& condition) {
   for (int n = 0; n < 2000; ++n) {
@@ -42,7 +42,8 @@ inline Tcp::endpoint endpoint_of(const view::ViewServer& server) {
   return {asio::ip::address_v4::loopback(), std::uint16_t(server.port())};
 }
 
-/// @param host  empty: the right one
+/// Requests a file.
+/// @param host  empty: the correct one
 inline Response ask(const view::ViewServer& server, const std::string& target, const std::string& host = "",
                     http::verb verb = http::verb::get) {
   asio::io_context context;
@@ -58,9 +59,9 @@ inline Response ask(const view::ViewServer& server, const std::string& target, c
   return parser.release();
 }
 
-/// Asks for a connection with a token.
-/// @param origin  empty: none
-/// @return the status of the answer: 101 where the server agrees
+/// Requests a connection with a token.
+/// @param origin  empty: no origin
+/// @return the status of the response; 101 if the server accepts
 inline unsigned knock(const view::ViewServer& server, const std::string& token, const std::string& origin,
                       const std::string& path = "/socket") {
   asio::io_context context;
@@ -93,7 +94,7 @@ class Page {
 
   [[nodiscard]] bool is_open() const { return !error; }
 
-  /// The next message; nothing when the server has closed.
+  /// The next message; nothing after the server has closed the connection.
   std::optional<view::Message> read() {
     buffer_.consume(buffer_.size());
     socket_.read(buffer_, error);
@@ -106,7 +107,7 @@ class Page {
     socket_.text(true);
     socket_.write(asio::buffer(text), error);
   }
-  /// Reads until the server closes.  @return whether it did so because of what was said
+  /// Reads until the server closes the connection.  @return whether it did so because of an invalid message
   bool is_thrown_out() {
     while (read()) {
     }
@@ -114,7 +115,7 @@ class Page {
   }
   void close() { socket_.close(websocket::close_code::normal, error); }
 
-  /// Goes without a word, also under a read in another thread.
+  /// Disconnects without a close message, also during a read in another thread.
   void vanish() { ::shutdown(beast::get_lowest_layer(socket_).socket().native_handle(), SHUT_RDWR); }
 
   beast::error_code error;

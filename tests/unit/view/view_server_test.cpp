@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server of the page, spoken to over 127.0.0.1: who may come in, who may say what, and what a slow reader gets.
+// The view server over 127.0.0.1: who may connect, who may send what, and what a slow reader receives.
 #include "hapticut/view/view_server.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ bool is_kind(const std::optional<Message>& message, MessageKind kind) {
 
 bool is_writer(const Message& hello) { return hello.at(4) == 1; }
 
-/// The next command, when it comes.
+/// Waits for the next command.
 std::optional<ViewCommand> heard(ViewServer& server) {
   std::optional<ViewCommand> command;
   (void)soon([&] { return (command = server.receive()).has_value(); });
@@ -87,7 +87,7 @@ TEST(ViewServer, LetsNobodyInWithoutItsTokenFromItsOwnPage) {
   EXPECT_EQ(view_test::knock(server, server.token(), "https://" + ours), 403U);
   EXPECT_EQ(view_test::knock(server, server.token(), ""), 403U);
   EXPECT_EQ(view_test::knock(server, server.token(), "http://" + ours, "/other"), 403U);
-  EXPECT_EQ(ask(server, "/", "example.org").result_int(), 403U) << "a name that was made to lead here";
+  EXPECT_EQ(ask(server, "/", "example.org").result_int(), 403U) << "another host name that resolves to this machine";
   EXPECT_EQ(server.refused(), 7U);
   EXPECT_EQ(server.connections(), 0U);
   EXPECT_EQ(view_test::knock(server, server.token(), "http://localhost:" + std::to_string(server.port())), 101U);
@@ -114,7 +114,7 @@ TEST(ViewServer, HasOneWriterAndOthersLookOn) {
   ASSERT_TRUE(left);
   EXPECT_TRUE(std::holds_alternative<WriterLeft>(*left));
   Page third(server);
-  EXPECT_TRUE(is_writer(third.read().value())) << "the first that connects anew";
+  EXPECT_TRUE(is_writer(third.read().value())) << "the next page that connects";
 }
 
 TEST(ViewServer, AWriterThatIsTornAwayHasLeft) {
@@ -122,7 +122,7 @@ TEST(ViewServer, AWriterThatIsTornAwayHasLeft) {
   {
     Page page(server);
     ASSERT_TRUE(page.read());
-  }  // without a word, as of a process that was killed
+  }  // without a close message, like a killed process
   const auto left = heard(server);
   ASSERT_TRUE(left);
   EXPECT_TRUE(std::holds_alternative<WriterLeft>(*left));
@@ -143,7 +143,7 @@ TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
     Page page(server);
     ASSERT_TRUE(page.read());
     page.write_text("\x03\x01\x00\x00");
-    EXPECT_TRUE(page.is_thrown_out()) << "words are no commands";
+    EXPECT_TRUE(page.is_thrown_out()) << "text messages are no commands";
   }
   Page page(server);
   ASSERT_TRUE(page.read());
@@ -157,7 +157,7 @@ TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
 TEST(ViewServer, CallsForAStopAndForALeaderThatHasGoneBeforeAnybodyReceivesThem) {
   std::atomic<int> stops{0}, left{0}, others{0};
   ViewServerOptions options;
-  options.at_once = [&](const ViewCommand& command) {
+  options.on_urgent = [&](const ViewCommand& command) {
     ++(std::holds_alternative<Stop>(command) ? stops : std::holds_alternative<WriterLeft>(command) ? left : others);
   };
   ViewServer server(scene(), options);
@@ -205,7 +205,7 @@ TEST(ViewServer, ThrowsOutWhoTalksTooMuch) {
 
 TEST(ViewServer, KeepsTheStopAndTheNewestPlaceOfTheHand) {
   ViewServerOptions options;
-  options.commands_waiting = 5;
+  options.max_waiting_commands = 5;
   ViewServer server(scene(), options);
   Page page(server);
   ASSERT_TRUE(page.read());
@@ -228,7 +228,7 @@ TEST(ViewServer, ASlowPageGetsTheNewestAndNoQueue) {
   ViewServer server(scene());
   Page slow(server);
   ASSERT_TRUE(slow.read());
-  // A hundred megabytes that it does not read: more than any socket keeps.
+  // A hundred megabytes that it does not read: more than any socket buffers.
   constexpr std::uint64_t kVersions = 2000;
   for (std::uint64_t version = 1; version <= kVersions; ++version) {
     server.send(page_at(32 * int(version % 2), version, 4096));
@@ -236,7 +236,7 @@ TEST(ViewServer, ASlowPageGetsTheNewestAndNoQueue) {
     snapshot.tick = version;
     server.send(snapshot);
   }
-  Page quick(server);  // the other one is not kept waiting
+  Page quick(server);  // the slow page does not delay it
   ASSERT_TRUE(is_kind(quick.read(), MessageKind::hello));
   std::map<int, std::uint64_t> newest;
   std::size_t messages = 0;
@@ -318,7 +318,7 @@ TEST(ViewServer, RefusesAPortInUseAndConnectionsBeyondItsNumber) {
   ASSERT_TRUE(a.read() && b.read() && c.read());
   EXPECT_FALSE(Page(server).is_open());
   a.close();
-  EXPECT_TRUE(soon([&] { return Page(server).is_open(); })) << "there is room again";
+  EXPECT_TRUE(soon([&] { return Page(server).is_open(); })) << "a connection is free again";
 }
 
 TEST(ViewServer, OutlivesWhatIsNoHttp) {

@@ -4,8 +4,8 @@ import { test } from "node:test";
 import * as three from "three";
 import { Eye, type Ground } from "../../src/camera.ts";
 import { axisOf, cross, dot, inverse, length, multiply, offAxisFrustum, rotationAbout, subtract, transform } from "../../src/geometry.ts";
-import { told } from "../../src/guard.ts";
-import { Hand, kHover, kWheelStep, turnedTo } from "../../src/hand.ts";
+import { guardState } from "../../src/guard.ts";
+import { Hand, kHover, kWheelStep, rotatedTo } from "../../src/hand.ts";
 import { connect } from "../../src/link.ts";
 import { outline } from "../../src/outline.ts";
 import { commands, decode, identity, kVersion, otherVersion, type Pose, type Vec3 } from "../../src/protocol.ts";
@@ -56,7 +56,7 @@ test("the pose of the hand is that of the head through the handle", () => {
 test("a tool that follows the surface stays a rotation", () => {
   let R = identity.rotation;
   for (const axis of [[0, 0.6, 0.8], [1, 0, 0], [0, 0, -1], [0.1, -0.9, 0.2]] as Vec3[]) {
-    R = turnedTo(R, axis);
+    R = rotatedTo(R, axis);
     const [x, y, z] = [0, 1, 2].map((n) => axisOf(R, n));
     close(dot(x, y), 0);
     close(length(z), 1);
@@ -131,10 +131,10 @@ test("what the guard and a step report is told in the sentences that the program
     ...count(2), ...sentence(8, "jump", "Bring it back."), ...sentence(16, "low", "Restart."),
   ]));
   assert.ok(hello?.kind === "hello");
-  assert.deepEqual(told(hello, { arming: 2, status: 8 }), { name: "wait free", tone: "waits", text: "Lift it off. Bring it back." });
-  assert.deepEqual(told(hello, { arming: 4, status: 0 }), { name: "on", tone: "calm", text: "It is on." });
-  assert.deepEqual(told(hello, { arming: 4, status: 24 }), { name: "on", tone: "calm", text: "Bring it back. Restart." });
-  assert.equal(told(hello, { arming: 5, status: 0 }).tone, "fault");
+  assert.deepEqual(guardState(hello, { arming: 2, status: 8 }), { name: "wait free", tone: "waits", text: "Lift it off. Bring it back." });
+  assert.deepEqual(guardState(hello, { arming: 4, status: 0 }), { name: "on", tone: "calm", text: "It is on." });
+  assert.deepEqual(guardState(hello, { arming: 4, status: 24 }), { name: "on", tone: "calm", text: "Bring it back. Restart." });
+  assert.equal(guardState(hello, { arming: 5, status: 0 }).tone, "fault");
 });
 
 class Line { // in the place of a WebSocket

@@ -8,12 +8,12 @@
 #include "hapticut/core/device_state.hpp"
 
 /// @file
-/// Mechanical models of devices and of the hand that holds them, for the mock device and the closed loop in simulated
-/// time.
+/// Mechanical models of devices and of the hand that holds them. The mock device and the closed loop in simulated time
+/// use them.
 namespace hapticut {
 
-/// A device as mechanics sees it, the same along every axis: an apparent mass at the tip with viscous and dry friction,
-/// read through an encoder.
+/// The mechanics of a device, equal along all axes: an apparent mass at the tip with viscous and dry friction, read
+/// through an encoder.
 struct DeviceModel {
   std::string_view name;
   double mass = 0;
@@ -33,37 +33,37 @@ struct DeviceModel {
 constexpr auto fields_of(Of<DeviceModel>) {
   using M = DeviceModel;
   return std::tuple{
-      field("name", &M::name, "what device_model is asked for"),
+      field("name", &M::name, "for device_model"),
       field("mass", &M::mass, "kg", Range::positive(), "apparent at the tip"),
       field("damping", &M::damping, "N s/m", Range::not_negative(), "viscous"),
       field("dry_friction", &M::dry_friction, "N", Range::not_negative(), "Coulomb"),
-      field("encoder_step", &M::encoder_step, "m", Range::not_negative(), "to which positions are read"),
-      field("peak_force", &M::peak_force, "N", Range::not_negative(), "greatest that the motors can give"),
-      field("continuous_force", &M::continuous_force, "N", Range::not_negative(), "that the motors bear for ever"),
+      field("encoder_step", &M::encoder_step, "m", Range::not_negative(), "resolution of positions"),
+      field("peak_force", &M::peak_force, "N", Range::not_negative(), "maximum of the motors"),
+      field("continuous_force", &M::continuous_force, "N", Range::not_negative(), "that the motors bear permanently"),
       field("rendered_stiffness", &M::rendered_stiffness, "N/m", Range::not_negative(),
-            "greatest that it is said to render"),
+            "maximum that the device is said to render"),
       field("rendered_damping", &M::rendered_damping, "N s/m", Range::not_negative(),
-            "greatest that it is said to render"),
+            "maximum that the device is said to render"),
       field("rotational_inertia", &M::rotational_inertia, "kg m^2", Range::positive(), "of the gimbal"),
       field("rotational_damping", &M::rotational_damping, "N m s/rad", Range::not_negative(), "of the gimbal"),
       field("peak_torque", &M::peak_torque, "N m", Range::not_negative(), "0: the gimbal has no motors"),
       field("workspace_half_width", &M::workspace_half_width, "m", Range::not_negative(),
-            "of the cube around the origin"),
+            "half the edge of the cube around the origin"),
   };
 }
 
-/// The presets `touch`, `premium15`, `premium6dof` and `omega`: published data where there are any; the omega is a
-/// guess of its class (docs/devices.md).
+/// The presets `touch`, `premium15`, `premium6dof` and `omega`. They follow published data where available. The omega
+/// is an estimate for its class (docs/devices.md).
 [[nodiscard]] std::span<const DeviceModel> device_models();
 
-/// The preset of that name.  @throws Error that lists the names there are
+/// The device preset of a name.  @throws Error that lists the known names
 [[nodiscard]] const DeviceModel& device_model(std::string_view name);
 
-/// What such a device would say about itself.
+/// The capabilities that a device of this model would report.
 [[nodiscard]] DeviceCapabilities capabilities(const DeviceModel& model);
 
-/// A hand: a mass on a spring and a damper to where it wants to be. Bonded to the stylus (`pad_stiffness` 0), or behind
-/// the soft pad of the fingers.
+/// A hand: a mass that a spring and a damper pull to a set point. It is bonded to the stylus (`pad_stiffness` 0), or
+/// coupled through the soft pad of the fingers.
 struct HandModel {
   std::string_view name;
   double mass = 0;
@@ -79,8 +79,8 @@ struct HandModel {
 constexpr auto fields_of(Of<HandModel>) {
   using M = HandModel;
   return std::tuple{
-      field("name", &M::name, "what hand_model is asked for"),
-      field("mass", &M::mass, "kg", Range::not_negative(), "of the hand; behind a pad it must not be 0"),
+      field("name", &M::name, "for hand_model"),
+      field("mass", &M::mass, "kg", Range::not_negative(), "of the hand; with a pad it must not be 0"),
       field("damping", &M::damping, "N s/m", Range::not_negative(), "of its motion"),
       field("stiffness", &M::stiffness, "N/m", Range::not_negative(), "towards the set point"),
       field("pad_stiffness", &M::pad_stiffness, "N/m", Range::not_negative(), "between stylus and hand; 0: bonded"),
@@ -93,11 +93,11 @@ constexpr auto fields_of(Of<HandModel>) {
   };
 }
 
-/// The presets `released`, `light`, `nominal`, `firm`, and with the pad of the fingers `light-pad`, `nominal-pad`,
-/// `firm-pad`.
+/// The presets `released`, `light`, `nominal`, `firm`, and `light-pad`, `nominal-pad`, `firm-pad` with the pad of the
+/// fingers.
 [[nodiscard]] std::span<const HandModel> hand_models();
 
-/// The preset of that name.  @throws Error that lists the names there are
+/// The hand preset of a name.  @throws Error that lists the known names
 [[nodiscard]] const HandModel& hand_model(std::string_view name);
 
 }  // namespace hapticut

@@ -11,20 +11,20 @@
 
 namespace hapticut {
 
-/// A path that a mock device's hand wants to follow: from the time since the start [s] to X_BS.
+/// A path for the set point of a mock device's hand: maps the time since the start [s] to X_BS.
 using ScriptedPath = std::function<Pose(double time)>;
 
-/// The paths that have a name.
+/// A path by its name.
 ///
 /// `rest`   stays at the origin
-/// `press`  goes down (-z) from 5 mm to -5 mm in 2 s, and stays
-/// `line`   the same, then to and fro along x over 20 mm
-/// `circle` the same, then round a circle of 8 mm radius in the xy plane
-/// `spiral` the same, then a spiral that grows from 0 to 8 mm radius and shrinks again, 1 mm deeper every 10 s
-/// @throws Error that lists the names there are
+/// `press`  moves down (-z) from 5 mm to -5 mm in 2 s, and stays there
+/// `line`   like `press`, then moves to and fro along x over 20 mm
+/// `circle` like `press`, then moves along a circle of 8 mm radius in the xy plane
+/// `spiral` like `press`, then a spiral whose radius grows to 8 mm and shrinks again, 1 mm deeper every 10 s
+/// @throws Error that lists the known names
 [[nodiscard]] ScriptedPath scripted_path(const std::string& name);
 
-/// What a mock device is made of.
+/// Options of a mock device.
 struct MockOptions {
   ScriptedPath path;
   DeviceModel device;
@@ -40,22 +40,21 @@ constexpr auto fields_of(Of<MockOptions>) {
   using O = MockOptions;
   return std::tuple{
       field("path", &O::path,
-            "function from time [s] to the pose X_BS, in Python of shape (4, 4), that the hand wants to follow; null: "
-            "rest"),
-      field("device", &O::device, "see device_model; without a mass: touch"),
+            "function from time [s] to the set point X_BS of the hand, of shape (4, 4) in Python; null: rest"),
+      field("device", &O::device, "see device_model; a mass of 0 means touch"),
       field("hand", &O::hand, "see hand_model"),
-      field("rigid", &O::rigid, "true: the stylus is on the path whatever the force; false: force and hand move it"),
-      field("dry_friction", &O::dry_friction, "of the device, when not rigid"),
-      field("encoder", &O::encoder, "positions in steps of the encoder, when not rigid"),
+      field("rigid", &O::rigid, "true: the stylus follows the path exactly; false: force and hand move it"),
+      field("dry_friction", &O::dry_friction, "whether the device has it, when not rigid"),
+      field("encoder", &O::encoder, "whether positions have the steps of the encoder, when not rigid"),
       field("velocity_filter", &O::velocity_filter, "Hz", Range::not_negative(),
-            "of the reported velocity; 0: not filtered"),
-      field("end", &O::end, "s", Range::not_negative(), "after which there are no more readings; 0: never"),
+            "cut-off of the filter of the reported velocity; 0: no filter"),
+      field("end", &O::end, "s", Range::not_negative(), "time after which there are no more readings; 0: never"),
   };
 }
 
-/// A device that is not there: it follows a script, held by a simulated hand that its force can move. The motion knows
-/// no wall clock: the n-th reading is that of n periods of the run, so every run gives the same readings for the same
-/// forces.
+/// A simulated device that follows a script. A simulated hand holds it, and the force can move that hand. The motion
+/// does not depend on the wall clock: the n-th reading is that after n periods of the run, so equal forces give equal
+/// readings in every run.
 class MockDevice : public PolledDevice {
  public:
   /// @throws Error when an option is out of range
@@ -79,7 +78,8 @@ class MockDevice : public PolledDevice {
   Twist velocity_;
 };
 
-/// "mock:PATH", or "mock:PATH,device=touch,hand=nominal,seconds=10"; without a hand the mock is rigid.
+/// Opens a mock device by the text behind "mock:": "PATH" or "PATH,device=touch,hand=nominal,seconds=10". Without a
+/// hand the mock is rigid.
 [[nodiscard]] std::unique_ptr<MockDevice> open_mock(const std::string& text);
 [[nodiscard]] DeviceDriver mock_driver();
 

@@ -20,14 +20,14 @@ constexpr auto names_of(Of<MoveKey>) {
   };
 }
 
-/// How pointer and keys move the hand.
+/// How pointer and keys move the simulated hand.
 struct MouseOptions {
   double per_pixel = 0.05e-3;
   double per_notch = 0.5e-3;
   double key_speed = 0.02;
-  double key_turn = 1.0;
+  double key_angular_speed = 1.0;
   double reach = 0.08;
-  double fastest = 0.3;
+  double max_speed = 0.3;
   std::string_view device = "touch";
   std::string_view hand = "firm";
 };
@@ -37,41 +37,42 @@ constexpr auto fields_of(Of<MouseOptions>) {
   return std::tuple{
       field("per_pixel", &O::per_pixel, "m", Range::positive(), "of the hand per pixel of the pointer"),
       field("per_notch", &O::per_notch, "m", Range::positive(),
-            "along z per notch of the wheel; forwards goes away from the user"),
-      field("key_speed", &O::key_speed, "m/s", Range::not_negative(), "while a key is held"),
-      field("key_turn", &O::key_turn, "rad/s", Range::not_negative(), "about z while a key is held"),
+            "along z per notch of the wheel; forwards moves away from the user"),
+      field("key_speed", &O::key_speed, "m/s", Range::not_negative(), "of the hand while a key is held"),
+      field("key_angular_speed", &O::key_angular_speed, "rad/s", Range::not_negative(), "about z while a key is held"),
       field("reach", &O::reach, "m", Range::positive(), "half the edge of the cube that the hand stays in"),
-      field("fastest", &O::fastest, "m/s", Range::positive(), "of the set point: a pointer jumps, a hand does not"),
-      field("device", &O::device, "mechanics of the simulated device, see device_model"),
-      field("hand", &O::hand, "and of the hand, see hand_model"),
+      field("max_speed", &O::max_speed, "m/s", Range::positive(),
+            "of the set point, because a pointer jumps and a hand does not"),
+      field("device", &O::device, "model of the simulated device, see device_model"),
+      field("hand", &O::hand, "model of the simulated hand, see hand_model"),
   };
 }
 
-/// A device for people without one: pointer, wheel, buttons and keys of any window toolkit move the set point of a
-/// simulated hand, and the force pushes that hand as it would push a real one. It is not felt, but tool and set point
-/// part where the material resists.
+/// A device for users without a haptic device. Pointer, wheel, buttons and keys of any window toolkit move the set
+/// point of a simulated hand, and the force pushes that hand as it would push a real hand. The user feels no force, but
+/// sees tool and set point separate where the material resists.
 ///
-/// The events may come from any thread. Positions are relative to the point where the run began: what moved before it
-/// does not count. There are no torques: the stylus turns with the keys, whatever device it stands for.
+/// The events may come from any thread. Positions are relative to the pointer's position at the start of the run. There
+/// are no torques: the keys rotate the stylus, for every device model.
 class MouseDevice : public PolledDevice {
  public:
   /// @throws Error when an option is out of range
   explicit MouseDevice(const MouseOptions& options = {});
   ~MouseDevice() override;
 
-  /// The pointer moved by so many pixels, y downwards as windows count.
+  /// Reports that the pointer moved by (dx, dy) pixels, y downwards.
   void pointer_moved(double dx, double dy) noexcept;
 
-  /// The wheel turned by so many notches, forwards positive.
+  /// Reports that the wheel turned by a number of notches, forwards positive.
   void wheel_turned(double notches) noexcept;
 
-  /// A button, 0 ... 31, was pressed or let go.
+  /// Reports that a button, 0 ... 31, was pressed or released.
   void button(int number, bool pressed) noexcept;
 
-  /// A key was pressed or let go.
+  /// Reports that a key was pressed or released.
   void key(MoveKey key, bool pressed) noexcept;
 
-  /// Where the hand wants to be: for a second cursor. Any thread.
+  /// [m] The set point of the hand, for a second cursor. Any thread.
   [[nodiscard]] Vec3 set_point() const noexcept;
 
  protected:
@@ -87,7 +88,7 @@ class MouseDevice : public PolledDevice {
   Plant plant_;
   std::unique_ptr<Inputs> inputs_;
   std::uint64_t tick_ = 0;
-  double period_ = 1e-3, begin_ = 0, turn_ = 0;
+  double period_ = 1e-3, begin_ = 0, angle_ = 0;
   bool simulated_ = false;
   Pose target_;
   Vec3 wanted_ = Vec3::Zero();

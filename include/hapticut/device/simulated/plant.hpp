@@ -8,7 +8,7 @@
 
 namespace hapticut {
 
-/// What of the mechanics is simulated.
+/// Which parts of the mechanics are simulated.
 struct PlantOptions {
   double period = 1e-3;
   double fine_step = 20e-6;
@@ -21,22 +21,22 @@ constexpr auto fields_of(Of<PlantOptions>) {
   using O = PlantOptions;
   return std::tuple{
       field("period", &O::period, "s", Range::positive(), "for which a force is held: one tick of the servo loop"),
-      field("fine_step", &O::fine_step, "s", Range::positive(), "of Plant::creep"),
+      field("fine_step", &O::fine_step, "s", Range::positive(), "duration of Plant::advance_fine"),
       field("dry_friction", &O::dry_friction,
-            "Coulomb friction of the device; integrated with steps of 10 us instead of exactly"),
-      field("encoder", &O::encoder, "the position is read in steps of the encoder"),
-      field("rotation", &O::rotation, "the gimbal turns under torque; otherwise it follows the set point"),
+            "whether the device has Coulomb friction; integrated with steps of 10 us instead of exactly"),
+      field("encoder", &O::encoder, "whether positions are read in steps of the encoder"),
+      field("rotation", &O::rotation, "whether torque rotates the gimbal; otherwise the gimbal follows the set point"),
   };
 }
 
-/// A device in a hand, moved by the force it renders: the mechanics of `ClosedLoop` and of the mock device.
+/// A device in a hand, moved by the force that it renders: the mechanics of `ClosedLoop` and of the mock device.
 ///
-/// Per axis, with x the tip, x_h the hand and x_0 the set point that the hand wants to reach:
+/// Per axis, with the tip x, the hand x_h and the set point x_0 of the hand:
 ///
 ///     m x'' = F - b x' - f_c sign(x') + pad,     m_h x_h'' = -pad - b_h x_h' + k_h (x_0 - x_h)
 ///
-/// where the hand is bonded to the tip (x_h = x, masses add) when the pad has no stiffness. Without dry friction a tick
-/// is exact for a force held over it (matrix exponential), so the only error of a stability limit is that of the
+/// The hand is bonded to the tip (x_h = x, masses add) when the pad has no stiffness. Without dry friction a tick is
+/// exact for a force that is held over it (matrix exponential). So the only error of a stability limit is that of the
 /// search.
 /// @realtime no allocation after construction
 class Plant {
@@ -44,24 +44,24 @@ class Plant {
   /// @throws Error when a number is not finite or out of range
   Plant(const DeviceModel& device, const HandModel& hand, const PlantOptions& options);
 
-  /// At rest at a pose, which also becomes the set point.
+  /// Puts the plant at rest at a pose, which also becomes the set point.
   void reset(const Pose& X_BS);
 
-  /// Where the hand wants to be.
+  /// Sets the set point of the hand.
   void set_target(const Pose& X_BS);
   [[nodiscard]] const Pose& target() const { return X_BS_target_; }
 
   /// Gives tip and hand a velocity.  @param velocity [m/s] in B
   void set_velocity(const Vec3& velocity);
 
-  /// One period with a wrench held on the stylus.  @param wrench [N], [N·m] in B
+  /// Advances by one period with a wrench held on the stylus.  @param wrench [N], [N·m] in B
   void advance(const Wrench& wrench);
 
-  /// One fine step, for events within a tick.
-  void creep(const Wrench& wrench);
+  /// Advances by PlantOptions::fine_step, for events within a tick.  @param wrench [N], [N·m] in B
+  void advance_fine(const Wrench& wrench);
 
   [[nodiscard]] Pose pose() const;              ///< exact
-  [[nodiscard]] Pose measured_pose() const;     ///< as the encoders read it
+  [[nodiscard]] Pose measured_pose() const;     ///< with the steps of the encoder
   [[nodiscard]] Twist velocity() const;         ///< exact
   [[nodiscard]] double kinetic_energy() const;  ///< [J] of the translation of tip and hand
 
@@ -80,7 +80,7 @@ class Plant {
 
   [[nodiscard]] bool has_pad() const { return hand_.pad_stiffness > 0; }
   [[nodiscard]] Propagator propagator(double step) const;
-  void move(double duration, const Propagator& exactly, const Wrench& wrench);
+  void move(double duration, const Propagator& propagator, const Wrench& wrench);
   void translate(const Propagator& propagator, const Vec3& force);
   void translate_with_friction(double duration, const Vec3& force);
   void rotate(double duration, const Vec3& torque);

@@ -8,17 +8,17 @@
 
 namespace hapticut {
 
-/// A device that is not there: it says again what another one said, one reading a tick, whatever force it gets. Its
-/// readings keep their own times and numbers, so that the guard sees the same late ticks.
+/// A simulated device that repeats recorded readings, one per tick, independent of the force. The readings keep their
+/// own times and sequence numbers, so that the guard sees the same late ticks.
 ///
-/// `open_device("replay:FILE")` makes one of a recording: see hapticut/io/recording/playback.hpp.
+/// `open_device("replay:FILE")` makes one from a recording: see hapticut/io/recording/playback.hpp.
 class PlaybackDevice : public PolledDevice {
  public:
   /// @throws Error when there are no readings
   PlaybackDevice(std::vector<DeviceState> readings, const DeviceCapabilities& capabilities,
                  std::string name = "playback");
 
-  [[nodiscard]] std::size_t size() const { return readings_.size(); }  ///< readings
+  [[nodiscard]] std::size_t size() const { return readings_.size(); }  ///< number of readings
 
  protected:
   void begin_run(const RunOptions& options) override;

@@ -23,7 +23,7 @@ inline constexpr int kErrorCom = 2, kErrorTimeout = 7, kErrorNotReady = 12, kErr
 /// A vector of the base in the frame of the library: x towards the user, y to the right, z up.
 inline std::array<double, 3> in_library(const Vec3& v_B) { return {v_B.z(), v_B.x(), v_B.y()}; }
 
-/// Puts a device where it should be; pose and twist in the base.
+/// Sets pose and twist of a device, both in the base.
 inline void place_omega(int device, const Pose& X_BS, const Twist& velocity = {}) {
   // Columns: right, up, towards the user, in the frame of the library.
   Mat3 R_DB;
@@ -34,19 +34,19 @@ inline void place_omega(int device, const Pose& X_BS, const Twist& velocity = {}
   dhdsim_set_velocity(device, in_library(velocity.linear).data(), in_library(velocity.angular).data());
 }
 
-/// What the amplifiers let through, in the base.
-inline Wrench let_through(int device) {
+/// The wrench that the amplifiers render, in the base.
+inline Wrench rendered_wrench(int device) {
   std::array<double, 3> f{}, t{};
   dhdsim_get_committed_force(device, f.data(), t.data());
   return {Vec3(f[1], f[2], f[0]), Vec3(t[1], t[2], t[0])};
 }
-inline Wrench let_through(int device, long n) {
+inline Wrench rendered_wrench(int device, long n) {
   std::array<double, 3> f{}, t{};
   dhdsim_get_committed(device, n, f.data(), t.data());
   return {Vec3(f[1], f[2], f[0]), Vec3(t[1], t[2], t[0])};
 }
 
-/// What every end of a run must leave.
+/// Checks the state after every run.
 inline void expect_safe(int device) {
   const dhdsim_counters c = dhdsim_get_counters(device);
   EXPECT_EQ(c.zero_force_before_off, 1);
@@ -55,13 +55,13 @@ inline void expect_safe(int device) {
   EXPECT_EQ(c.brakes_commanded, 1);
   EXPECT_EQ(c.expert_mode, 0);
   EXPECT_EQ(c.expert_mode_violations, 0);
-  EXPECT_TRUE(let_through(device).force.isZero(0));
+  EXPECT_TRUE(rendered_wrench(device).force.isZero(0));
 }
 
 /// Runs in simulated time, by the clock of the stand-in.
 class ForceDimensionRuns {
  public:
-  /// The clock of the device is the stand-in's, which goes on by a millisecond before each reading.
+  /// Options with the clock of the stand-in, which advances by 1 ms before each reading.
   ForceDimensionOptions options_for(const std::string& name = "") {
     ForceDimensionOptions options;
     options.device_name = name;

@@ -30,7 +30,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
       },
       quick(),
       [&](long tick) {
-        forces.push_back(let_through(0).force.x());
+        forces.push_back(rendered_wrench(0).force.x());
         // The loop pauses for a time that the watchdog (20 ms) allows, and later for one that it does not.
         if (tick == 200) dhdsim_advance(15e-3);
         if (tick == 199 || tick == 201) {
@@ -38,13 +38,13 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
         }
         if (tick == 403) dhdsim_advance(20e-3);
         if (tick == 403) {
-          EXPECT_EQ(dhdsim_get_counters(0).force_on, 0) << "nobody commands, so nothing pushes";
+          EXPECT_EQ(dhdsim_get_counters(0).force_on, 0) << "no command, so no force";
         }
       });
   EXPECT_EQ(report.ticks, 1000U);
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_EQ(fault, DeviceFault::overloaded);
-  EXPECT_NEAR(noticed, 0.403 + 0.015 + 0.020, 1e-6) << "in the very tick, not at the next look at the status";
+  EXPECT_NEAR(noticed, 0.403 + 0.015 + 0.020, 1e-6) << "in the same tick, not at the next poll of the status";
   EXPECT_GE(report.events[std::size_t(SafetyEvent::device_fault)], 1U);
   EXPECT_TRUE(says(report.warnings, "forces off once: its watchdog waited too long"));
   for (std::size_t n = 404; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << n;
@@ -72,7 +72,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
         if (tick == 410) {
           EXPECT_EQ(dhdsim_get_counters(0).brakes_on, 1);
         }
-        forces.push_back(let_through(0).force.x());
+        forces.push_back(rendered_wrench(0).force.x());
       });
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_EQ(fault, DeviceFault::speed_limit);
@@ -86,7 +86,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
 TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
   const std::array<std::pair<dhdsim_cause, const char*>, 3> causes = {{
       {DHDSIM_OFF_BUTTON, "its force button was pressed"},
-      {DHDSIM_OFF_DEADMAN, "dead man's switch was let go"},
+      {DHDSIM_OFF_DEADMAN, "dead man's switch was released"},
       {DHDSIM_OFF_SOFTWARE, "a program switched them off"},
   }};
   for (const auto& [cause, words] : causes) {
@@ -105,13 +105,13 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
         [&, cause = cause](long tick) {
           if (tick == 200) dhdsim_switch_off(0, cause);
           if (tick == 500) dhdsim_switch_on(0);  // while the hand still presses
-          forces.push_back(let_through(0).force.x());
+          forces.push_back(rendered_wrench(0).force.x());
         });
     EXPECT_EQ(fault, DeviceFault::switched_off) << words;
     EXPECT_NE(describe(fault).find("motors were switched off"), std::string::npos);
     EXPECT_EQ(report.fault, DeviceFault::none) << words;
     EXPECT_TRUE(says(report.warnings, words)) << words;
-    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never against a person: " << words;
+    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never against the user: " << words;
     for (std::size_t n = 200; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << words << ", tick " << n;
     EXPECT_EQ(forces[900], 1) << words;
   }
@@ -150,7 +150,7 @@ TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLong
   });
   EXPECT_EQ(report.ticks, 1000U);
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reading_invalid)], 3U);
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   for (const dhdsim_call call : {DHDSIM_READ, DHDSIM_WRITE}) {
     report = run(*device, push_for(1000), quick(), [&](long tick) {
       if (tick == 300) dhdsim_fail(0, call, kErrorTimeout, 100000);
@@ -171,7 +171,7 @@ TEST_F(ForceDimensionFaults, SaysWhatItRendersWhereACommandDidNotGetThrough) {
         if (++n > 50) command.wrench.force.x() = n <= 300 ? 1 : 0.5;
         command.stop = n >= 400;
         if (n > 2) {
-          EXPECT_EQ(device->last_output().applied.force, let_through(0).force) << n;
+          EXPECT_EQ(device->last_output().applied.force, rendered_wrench(0).force) << n;
           EXPECT_EQ(has_any(device->last_output().changes, OutputChange::by_driver), n > 301 && n <= 304) << n;
         }
         return command;
@@ -234,8 +234,8 @@ TEST_F(ForceDimensionFaults, GivesNoForceUntilItIsCalibrated) {
           if (tick == 500) dhdsim_set_wrist_initialised(0, 1);
         });
     EXPECT_EQ(before, DeviceFault::uncalibrated) << wrist;
-    EXPECT_EQ(report.guard, ArmingState::on) << wrist;
-    EXPECT_EQ(let_through(0, dhdsim_committed_count(0) - 40).force.x(), 1) << wrist;
+    EXPECT_EQ(report.arming, ArmingState::on) << wrist;
+    EXPECT_EQ(rendered_wrench(0, dhdsim_committed_count(0) - 40).force.x(), 1) << wrist;
     expect_safe(0);
   }
 }
@@ -259,10 +259,10 @@ TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomeb
       [&](long tick) {
         if (tick == 300) dhdsim_set_calibrated(0, 0);
         if (tick == 400) dhdsim_set_calibrated(0, 1);
-        forces.push_back(let_through(0).force.x());
+        forces.push_back(rendered_wrench(0).force.x());
       });
   EXPECT_GE(report.events[std::size_t(SafetyEvent::fault)], 1U);
-  EXPECT_EQ(epoch, 1U) << "poses before and after do not compare";
+  EXPECT_EQ(epoch, 1U) << "poses before and after are not comparable";
   for (std::size_t n = 300; n <= 900; ++n) EXPECT_EQ(forces[n], 0) << n;
   EXPECT_EQ(forces[1100], 1);
 }
@@ -274,19 +274,19 @@ TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
   options.calibrate = true;
   const auto device = open_force_dimension(options);
   EXPECT_EQ(dhdsim_get_counters(0).auto_inits, 1);
-  EXPECT_EQ(run(*device, push_for(300)).guard, ArmingState::on);
+  EXPECT_EQ(run(*device, push_for(300)).arming, ArmingState::on);
 }
 
 TEST_F(ForceDimensionFaults, SaysThatADeviceWithoutWatchdogKeepsItsLastForce) {
   add(kFalcon);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(200));
-  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.arming, ArmingState::on);
   EXPECT_TRUE(says(report.warnings, "has no watchdog"));
 }
 
 TEST_F(ForceDimensionFaults, FadesTheForceOutWhileTheCallbackHangs) {
-  add(kFalcon);  // it has no watchdog of its own
+  add(kFalcon);  // without a watchdog
   dhdsim_use_real_time(1);
   const auto device = open_force_dimension();
   RunOptions options = quick();
@@ -298,11 +298,11 @@ TEST_F(ForceDimensionFaults, FadesTheForceOutWhileTheCallbackHangs) {
         DeviceCommand command;
         if (++n > 50) command.wrench.force.x() = 1;
         command.stop = n > 20000 || pushed;
-        if (let_through(0).force.x() < 0.9) return command;
+        if (rendered_wrench(0).force.x() < 0.9) return command;
         pushed = true;
         for (int waited = 0; waited < 10000 && !faded; ++waited) {  // here it hangs
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          faded = let_through(0).force.isZero(0);
+          faded = rendered_wrench(0).force.isZero(0);
         }
         return command;
       },

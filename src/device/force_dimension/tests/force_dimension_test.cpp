@@ -8,7 +8,7 @@
 #include "device/force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
 
-// The library's header has a type of this name at global scope: were it to come with ours, this would not compile.
+// The library's header has a type of this name at global scope. If our header included it, this would not compile.
 enum class uchar { red, green, blue };
 
 namespace hapticut::force_dimension_test {
@@ -41,7 +41,7 @@ TEST_F(ForceDimension, OpensTheFirstDeviceAndKnowsWhatItIs) {
   EXPECT_EQ(c.peak_torque, 0);
   EXPECT_EQ(c.stiffness, 5000);
   EXPECT_EQ(c.damping, 30);
-  EXPECT_GT(c.workspace_high.minCoeff(), 0.075) << "it reaches farther than the ball that programs stay in";
+  EXPECT_GT(c.workspace_high.minCoeff(), 0.075) << "the arm reaches farther than the documented workspace";
   EXPECT_LT(c.workspace_high.maxCoeff(), 0.15);
   EXPECT_EQ(c.workspace_low, -c.workspace_high);
   EXPECT_EQ(device->name(), "forcedimension");
@@ -58,7 +58,7 @@ TEST_F(ForceDimension, OpensBySerialNumberAndByModelOfEitherHand) {
              second = open_force_dimension(options_for("sigma.7"));
   EXPECT_NE(first->capabilities().serial_number, second->capabilities().serial_number);
   EXPECT_EQ(open_force_dimension(options_for("omega.3"))->capabilities().serial_number, "11");
-  EXPECT_NE(refusal(options_for("omega.3-left")), "") << "there is none";
+  EXPECT_NE(refusal(options_for("omega.3-left")), "") << "there is no such model";
 }
 
 TEST_F(ForceDimension, TellsLeftHandedDevicesApart) {
@@ -93,7 +93,7 @@ TEST_F(ForceDimension, RefusesADeviceThatThisProgramHasOpen) {
   add(kOmega3);
   const auto device = open_force_dimension(options_for());
   EXPECT_NE(refusal(options_for()).find("device in use"), std::string::npos);
-  dhdsim_share(0, 1);  // should the library not refuse it
+  dhdsim_share(0, 1);  // as if the library did not refuse it
   EXPECT_NE(refusal(options_for()).find("open in this program already"), std::string::npos);
   EXPECT_EQ(dhdsim_get_counters(0).closes, 0);
 }
@@ -128,8 +128,8 @@ TEST_F(ForceDimension, IsCarefulWithADeviceThatItDoesNotKnow) {
   EXPECT_EQ(device->capabilities().output_degrees_of_freedom, 3);
   EXPECT_LE(device->capabilities().stiffness, 500);
   const RunReport report = run(*device, push_for(300, {Vec3(9, 0, 0), Vec3::Zero()}));
-  EXPECT_TRUE(says(report.warnings, "(type 91) is not known"));
-  EXPECT_NEAR(let_through(0, 299).force.norm(), 1, 1e-12);
+  EXPECT_TRUE(says(report.warnings, "(type 91) is unknown"));
+  EXPECT_NEAR(rendered_wrench(0, 299).force.norm(), 1, 1e-12);
   EXPECT_EQ(dhdsim_get_counters(0).max_force, 1);
 }
 
@@ -179,7 +179,7 @@ TEST_F(ForceDimension, TakesTheAngularVelocityThatIsReportedAndEstimatesItOtherw
   for (const bool reports : {true, false}) {
     dhdsim_reset();
     dhdsim_device spec = dhdsim_device_of(kOmega6, 1);
-    spec.reports_turning = reports ? 1 : 0;
+    spec.reports_angular_velocity = reports ? 1 : 0;
     dhdsim_add_device(&spec);
     const auto device = open_force_dimension(options_for());
     Vec3 seen = Vec3::Zero();
@@ -192,7 +192,7 @@ TEST_F(ForceDimension, TakesTheAngularVelocityThatIsReportedAndEstimatesItOtherw
         quick(),
         [](long tick) {
           const Pose X{rotation_from_vector(Vec3(0, 0, 2e-3 * double(tick))), Vec3(1e-5 * double(tick), 0, 0)};
-          place_omega(0, X, {Vec3(0.01, 0, 0), Vec3(0, 0, 7)});  // it lies, so that both can be told apart
+          place_omega(0, X, {Vec3(0.01, 0, 0), Vec3(0, 0, 7)});  // a wrong value, so that the test can tell both apart
         });
     EXPECT_LT((seen - Vec3(0, 0, reports ? 7 : 2)).norm(), 0.01) << reports;
   }
@@ -206,9 +206,9 @@ TEST_F(ForceDimension, TakesPositiveAnswersForSuccess) {
     dhdsim_return_on_success(0, positive);
     const RunReport report = run(*device, push_for(300));
     EXPECT_EQ(report.fault, DeviceFault::none) << positive;
-    EXPECT_EQ(report.guard, ArmingState::on) << positive;
+    EXPECT_EQ(report.arming, ArmingState::on) << positive;
     EXPECT_EQ(report.ticks, 300U) << positive;
-    EXPECT_NEAR(let_through(0, 300).force.x(), 1, 1e-12) << positive;
+    EXPECT_NEAR(rendered_wrench(0, 300).force.x(), 1, 1e-12) << positive;
     EXPECT_EQ(says(report.warnings, "could not render all"), positive == 2);
   }
 }
@@ -231,7 +231,7 @@ TEST_F(ForceDimension, SendsACommandInEveryTickSoThatTheArmIsCarried) {
         if (tick == 400) carried = motors[2];
       });
   const dhdsim_counters c = dhdsim_get_counters(0);
-  EXPECT_GE(c.commands, 501) << "one a tick, of no force";
+  EXPECT_GE(c.commands, 501) << "one per tick, of zero force";
   EXPECT_EQ(c.unsupported, 0);
   EXPECT_GT(carried, 1) << "the weight of the arm, upwards";
   EXPECT_EQ(c.gravity_on, 1);
@@ -256,7 +256,7 @@ TEST_F(ForceDimension, LeavesNoForceAndPutsTheBrakesOnWhenItsLoopCannotBegin) {
   add(kOmega6);
   auto device = open_force_dimension(options_for());
   RunOptions impossible = quick();
-  impossible.guard.period = 1e-6;  // no clock has such ticks; found when the device has begun
+  impossible.guard.period = 1e-6;  // an error that is found only after the device was started
   EXPECT_THROW(run(*device, push_for(1000), impossible), Error);
   expect_safe(0);
   device.reset();
@@ -282,7 +282,7 @@ TEST_F(ForceDimension, RunsTwoDevicesAtOnce) {
   });
   EXPECT_EQ(report.ticks, 200U);
   EXPECT_EQ(other.ticks, 200U);
-  EXPECT_NEAR(let_through(1, 200).force.y(), 2, 1e-12);
+  EXPECT_NEAR(rendered_wrench(1, 200).force.y(), 2, 1e-12);
   for (const int device : {0, 1}) expect_safe(device);
 }
 

@@ -9,7 +9,7 @@ using dhdsim::simulation;
 
 namespace {
 
-constexpr std::size_t kHistory = 100000;  // commands before one would allocate
+constexpr std::size_t kHistory = 100000;  // [commands] reserved, so that none of them allocates
 
 /// Runs `work` on a device under the lock.
 template <typename Work>
@@ -85,7 +85,7 @@ void dhdsim_set_pose(int device, const double position[3], const double rotation
 void dhdsim_set_velocity(int device, const double linear[3], const double angular[3]) {
   with(device, [&](Device& d) {
     std::copy_n(linear, 3, d.velocity.begin());
-    std::copy_n(angular, 3, d.turning.begin());
+    std::copy_n(angular, 3, d.angular_velocity.begin());
   });
 }
 void dhdsim_set_buttons(int device, unsigned int mask) {

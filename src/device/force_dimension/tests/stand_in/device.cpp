@@ -10,14 +10,14 @@ namespace {
 
 constexpr double kGravity = 9.81;         // [m/s^2]
 constexpr double kWatchdogUnit = 125e-6;  // [s]
-constexpr double kCarries = 2.5e-3;       // [s] for which the gravity compensation of one command is good
-constexpr double kArmMass = 0.2;          // [kg] that it carries
-constexpr double kSpeedLimit = 1;         // [m/s] faster: brakes
+constexpr double kCarries = 2.5e-3;       // [s] for which one command compensates gravity
+constexpr double kArmMass = 0.2;          // [kg] that gravity compensation carries
+constexpr double kSpeedLimit = 1;         // [m/s] above which the device brakes
 
 double length(const Vec& v) { return std::hypot(v[0], v[1], v[2]); }
 bool is_zero(const Output& output) { return output.force == Vec{} && output.torque == Vec{}; }
 
-/// Opens the first device that `wanted` is true of.
+/// Opens the first device that fulfils `wanted`.
 template <typename Wanted>
 int open_first(const Wanted& wanted) {
   auto& s = simulation();
@@ -36,7 +36,7 @@ int open_first(const Wanted& wanted) {
   return fail(error);
 }
 
-/// A question that is answered with yes or no, also when nobody is there.
+/// Reads a flag of a device; false if there is no such device.
 template <typename Question>
 bool ask(char id, const Question& question) {
   const std::lock_guard lock(simulation().mutex);
@@ -54,7 +54,7 @@ int set_force(char id, const Output& wanted, double gripper) {
     if (!d.spec.active_wrist) d.command.torque = {};
     d.committed = d.force_on ? d.command : Output{};
     d.last_command = simulation().time;
-    // Computed here and nowhere else: without commands nothing carries the arm where it has moved to.
+    // Computed only here: without commands the weight of a moving arm is not compensated.
     d.carried = d.gravity_on ? kArmMass * kGravity : 0;
     d.history.push_back(d.committed);
     return d.success;
@@ -263,10 +263,10 @@ int dhdGetLinearVelocity(double* vx, double* vy, double* vz, char id) {
 }
 int dhdGetAngularVelocityRad(double* wx, double* wy, double* wz, char id) {
   return on(id, [=](Device& d) {
-    if (d.spec.reports_turning == 0) return fail(DHD_ERROR_NOT_AVAILABLE);
-    *wx = d.turning[0];
-    *wy = d.turning[1];
-    *wz = d.turning[2];
+    if (d.spec.reports_angular_velocity == 0) return fail(DHD_ERROR_NOT_AVAILABLE);
+    *wx = d.angular_velocity[0];
+    *wy = d.angular_velocity[1];
+    *wz = d.angular_velocity[2];
     return d.success;
   });
 }

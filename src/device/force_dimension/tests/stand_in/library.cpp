@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What belongs to the library rather than to a device: errors, expert mode; and what is only allowed in it.
+// Functions of the library rather than of a device: errors, expert mode, and calls that need expert mode.
 #include "stand_in.hpp"
 
 using dhdsim::Device;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line program as it is on a machine with the SDK and an omega.6: linked with the program's own main.
+// Simulates a machine with the SDK and an omega.6. Linked with the main function of the command line program.
 #include <dhdsim.h>
 
 namespace {

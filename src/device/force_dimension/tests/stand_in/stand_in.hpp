@@ -28,7 +28,7 @@ struct Device {
   std::string name;
   bool open = false, in_use = false, shared = false, unplugged = false, nan = false;
   bool calibrated = true, wrist_initialised = true;
-  Vec position{}, velocity{}, turning{};
+  Vec position{}, velocity{}, angular_velocity{};
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
   unsigned buttons = 0;
   std::array<Failure, DHDSIM_CALLS> failures{};
@@ -37,14 +37,14 @@ struct Device {
   bool force_on = false, brakes_on = true, gravity_on = false;
   int cause = DHD_FORCE_OFF_NONE;
   bool held_off = false;      // by a button or another program
-  double last_command = -1;   // [s] -1: none since the forces are on
-  Output committed, command;  // let through by the amplifiers; asked for
-  double carried = 0;         // [N] upwards, of the last command
+  double last_command = -1;   // [s] -1: no command since the forces are on
+  Output committed, command;  // rendered by the amplifiers; commanded
+  double carried = 0;         // [N] upwards, compensated weight of the last command
   std::vector<Output> history;
   dhdsim_counters counters{};
 };
 
-/// One per process, like the library it stands for.
+/// One per process, like the real library.
 struct Simulation {
   std::mutex mutex;
   std::vector<Device> devices;
@@ -57,21 +57,21 @@ Simulation& simulation();
 /// Sets the last error of the calling thread.  @return -1
 int fail(int error);
 
-/// The open device of an identifier; null, with the error set, when there is none or it does not answer.
+/// The open device of an identifier; null, with the error set, when there is no such device or it is unplugged.
 Device* find(char id);
 
-/// Takes an injected failure of that kind.  @return the error, or none
+/// Consumes an injected failure of a kind of call.  @return the error, or DHD_NO_ERROR
 int injected(Device& device, dhdsim_call call);
 
 void switch_off(Device& device, int cause);
 
-/// What happens without the program: watchdog, brakes, an arm that sinks. With the clock moved on by so much.
+/// Advances the clock and simulates what happens meanwhile: watchdog, brakes, a sinking arm.
 void let_pass(double seconds);
 
-/// Brings the clock to now, where it is the real one.
+/// Advances the clock to the present if real time is used.
 void catch_up();
 
-/// Runs a command on an open device that answers.
+/// Runs a command on an open device.
 template <typename Work>
 int on(char id, const Work& work) {
   const std::lock_guard lock(simulation().mutex);
@@ -80,7 +80,7 @@ int on(char id, const Work& work) {
   return device == nullptr ? -1 : work(*device);
 }
 
-/// The same for calls that need expert mode.
+/// Runs a command that needs expert mode on an open device.
 template <typename Work>
 int expert(char id, const Work& work) {
   return on(id, [&](Device& device) {

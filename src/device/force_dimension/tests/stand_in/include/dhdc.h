@@ -5,8 +5,8 @@
 #ifndef HAPTICUT_STAND_IN_DHDC_H
 #define HAPTICUT_STAND_IN_DHDC_H
 
-/* The manual wants the system named by a macro that no compiler predefines; without it nothing here may parse, so that
-   the tests notice when nobody names it. */
+/* The manual requires a macro for the system, which no compiler predefines. Without it this header must not parse, so
+   that the tests notice a missing macro. */
 #if defined(_WIN32)
 #define __SDK __stdcall
 #elif defined(LINUX) || defined(MACOSX)
@@ -15,7 +15,7 @@
 #error "define LINUX, MACOSX or WIN64 (stand-in)"
 #endif
 
-/* At global scope, as in the real header: whoever includes it has these names. */
+/* At global scope, as in the real header. */
 typedef unsigned char uchar;
 typedef unsigned short ushort;
 typedef unsigned int uint;

@@ -26,7 +26,7 @@ inline std::string new_token() {
   return token;
 }
 
-/// In a time that does not tell how much of it is right.
+/// Compares in a time that does not depend on the number of equal characters.
 inline bool is_same(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -34,19 +34,19 @@ inline bool is_same(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// What all connections share; only the server's thread touches it, but for the counts.
+/// The state that all connections share. Only the server's thread accesses it, except the atomic counts.
 struct ServerState {
   ServerState(Scene scene, const ViewServerOptions& given)
-      : options(given), mailbox(std::move(scene), given.commands_waiting), files(read_page_files(given.page)) {}
+      : options(given), mailbox(std::move(scene), given.max_waiting_commands), files(read_page_files(given.page)) {}
 
   [[nodiscard]] bool is_our_host(std::string_view host) const {
     const std::string at = ":" + std::to_string(port);
     return host == "127.0.0.1" + at || host == "localhost" + at;
   }
 
-  void take(ViewCommand command) {
+  void accept(ViewCommand command) {
     const bool is_urgent = std::holds_alternative<Stop>(command) || std::holds_alternative<WriterLeft>(command);
-    if (is_urgent && options.at_once) options.at_once(command);
+    if (is_urgent && options.on_urgent) options.on_urgent(command);
     mailbox.put_command(std::move(command));
   }
 
