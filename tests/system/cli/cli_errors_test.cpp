@@ -134,7 +134,7 @@ TEST_F(SettingsFile, ThatIsWrongOrNotThereIsRefused) {
     expect("drill --settings " + path("s.toml"), kFailed, "hapticut: " + path("s.toml") + part);
   }
   expect("drill --settings " + path("none.toml"), kFailed, "there is no such settings file");
-  expect("drill --settings /", kFailed, "it is a folder; give the settings file in it.");
+  expect("drill --settings /", kFailed, "it is a folder; name the settings file in it.");
 }
 
 TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
@@ -153,7 +153,7 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
   expect(source + "--label dentin=2", kFailed, "leave them out by --unclaimed_labels leave_out.");
-  expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "goes with labels");
+  expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "needs labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
   const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
