@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] asked for, so that it is not asked often
 
-[[noreturn]] void fail(int error_number) { throw DiskSpace::Lacking(std::generic_category().message(error_number)); }
+[[noreturn]] void fail(int error_number) { throw DiskSpace::Shortage(std::generic_category().message(error_number)); }
 
 std::uint64_t length_of(int file) {
   struct stat status {};
@@ -41,17 +41,17 @@ void DiskSpace::require(std::uint64_t length) {
   if (length <= safe_) return;
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
-  const std::uint64_t longest = limit.rlim_cur == RLIM_INFINITY ? length + kBytesAtOnce : std::uint64_t(limit.rlim_cur);
-  if (length > longest) fail(EFBIG);
-  const std::uint64_t wanted = std::min(longest, length + kBytesAtOnce);
-  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, off_t(wanted)) != 0) {
+  const std::uint64_t max_length = limit.rlim_cur == RLIM_INFINITY ? length + kBytesAtOnce : std::uint64_t(limit.rlim_cur);
+  if (length > max_length) fail(EFBIG);
+  const std::uint64_t reserved = std::min(max_length, length + kBytesAtOnce);
+  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, off_t(reserved)) != 0) {
     if (errno != EOPNOTSUPP && errno != ENOSYS) fail(errno);
     struct statvfs disk {};  // this file system reserves nothing: see what is free
     if (::fstatvfs(file_, &disk) != 0) fail(errno);
-    const std::uint64_t now = length_of(file_), growth = wanted - std::min(wanted, now);
+    const std::uint64_t now = length_of(file_), growth = reserved - std::min(reserved, now);
     if (std::uint64_t(disk.f_bavail) * disk.f_frsize < growth) fail(ENOSPC);
   }
-  safe_ = wanted;
+  safe_ = reserved;
 }
 
 }  // namespace hapticut

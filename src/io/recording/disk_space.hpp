@@ -13,19 +13,19 @@ namespace hapticut {
 class DiskSpace {
  public:
   /// There is no room, or the file cannot be opened; in the words of the system.
-  class Lacking : public Error {
+  class Shortage : public Error {
    public:
     using Error::Error;
   };
 
-  /// @throws Lacking
+  /// @throws Shortage
   explicit DiskSpace(const std::filesystem::path& path);
   ~DiskSpace();
   DiskSpace(const DiskSpace&) = delete;
   DiskSpace& operator=(const DiskSpace&) = delete;
 
   /// Makes sure that the file can become so long.
-  /// @throws Lacking
+  /// @throws Shortage
   void require(std::uint64_t length);
 
  private:

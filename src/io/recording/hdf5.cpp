@@ -154,7 +154,7 @@ DataSet open_data_set(hid_t parent, const std::string& name) {
     const DataType type(H5Dget_type(set.get()), "looking at " + name);
     auto bytes = double(H5Tget_size(type.get()));
     for (int n = 0; n < rank; ++n) bytes *= double(chunk[std::size_t(n)]);
-    require_room(bytes, size_of_file(set.get()), name);
+    require_size_in_file(bytes, size_of_file(set.get()), name);
   } else if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) || H5Pget_external_count(made.get()) != 0) {
     throw Failure("its '" + name + "' lies in another file");
   }
@@ -171,11 +171,11 @@ H5T_class_t number_class(hid_t data_set, const std::string& name) {
 
 Appender Appender::create(hid_t group, const std::string& name, ValueType type, const std::vector<hsize_t>& row_shape) {
   constexpr hsize_t kChunk = 256;  // rows
-  std::vector<hsize_t> now = row_shape, most = row_shape, chunk = row_shape;
+  std::vector<hsize_t> now = row_shape, max_shape = row_shape, chunk = row_shape;
   now.insert(now.begin(), 0);
-  most.insert(most.begin(), H5S_UNLIMITED);
+  max_shape.insert(max_shape.begin(), H5S_UNLIMITED);
   chunk.insert(chunk.begin(), kChunk);
-  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), most.data()), "making room for " + name);
+  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), max_shape.data()), "making room for " + name);
   const Properties properties(H5Pcreate(H5P_DATASET_CREATE), "creating " + name);
   checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), "creating " + name);
   (void)DataSet(H5Dcreate2(group, name.c_str(), type_of(type), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),

@@ -11,7 +11,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kHead = 12;                             // [bytes] of a file that say what it is
-constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
+constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] that a query may ask for
 
 /// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
 /// Specification, superblock version 3).
@@ -82,29 +82,29 @@ hid_t Hdf5Source::data_set_at(const std::string& place) {
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
-std::string Hdf5Source::answer(const Question& question, const std::string& place, const std::string& name) {
+std::string Hdf5Source::reply_to(const Query& query, const std::string& place, const std::string& name) {
   const hdf5::Quiet quiet;
   std::string content;
-  switch (question.ask) {
-    case Ask::open:
+  switch (query.kind) {
+    case QueryKind::open:
       break;
-    case Ask::exists:
+    case QueryKind::exists:
       append_bytes_of(content, hdf5::exists(holder_of(place).get(), name_at(place)));
       break;
-    case Ask::has_attribute:
+    case QueryKind::has_attribute:
       append_bytes_of(content, hdf5::has_attribute(object_at(place).get(), name));
       break;
-    case Ask::text_attribute:
+    case QueryKind::text_attribute:
       return hdf5::read_text_attribute(object_at(place).get(), name);
-    case Ask::number_attribute:
+    case QueryKind::number_attribute:
       append_bytes_of(content, hdf5::read_number_attribute(object_at(place).get(), name));
       break;
-    case Ask::text:
+    case QueryKind::text:
       return hdf5::read_text(holder_of(place).get(), name_at(place));
-    case Ask::layout:
+    case QueryKind::layout:
       return layout_at(place);
-    case Ask::block:
-      return block_of(question, place);
+    case QueryKind::block:
+      return block_of(query, place);
   }
   return content;
 }
@@ -117,7 +117,7 @@ std::string Hdf5Source::layout_at(const std::string& place) {
   return content;
 }
 
-std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
+std::string Hdf5Source::block_of(const Query& q, const std::string& place) {
   if (double(q.numbers) * double(q.count) > double(kMaxBlock)) throw std::bad_alloc();
   const std::string its = "its '" + name_at(place) + "'", what = "reading " + name_at(place);
   const hid_t set = data_set_at(place);
@@ -135,9 +135,9 @@ std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
   const hsize_t expected = q.numbers * q.count;
   if (hdf5::checked(H5Sget_select_npoints(source.get()), what) != hssize_t(expected))
     throw hdf5::Failure(its + " has another shape");
-  std::string bytes(expected * size_of(ValueType(q.kind)), '\0');
+  std::string bytes(expected * size_of(ValueType(q.value_type)), '\0');
   const hdf5::DataSpace target(H5Screate_simple(1, &expected, nullptr), what);
-  hdf5::checked(H5Dread(set, hdf5::type_of(ValueType(q.kind)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
+  hdf5::checked(H5Dread(set, hdf5::type_of(ValueType(q.value_type)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
                 what);
   return bytes;
 }

@@ -72,7 +72,7 @@ struct Recorder::State {
   std::atomic<bool> ending_failed{false};
 
   // The writer's side.
-  std::unique_ptr<DiskSpace> room;
+  std::unique_ptr<DiskSpace> disk_space;
   hdf5::File file;
   std::vector<const Column*> columns;
   std::vector<hdf5::Appender> appenders;
@@ -114,8 +114,8 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.note = options.note;
     write_recording_header(target.temporary_path(), info, simulation, s.options);
     target.commit();
-    s.room = std::make_unique<DiskSpace>(s.growing);
-    s.room->require(std::filesystem::file_size(s.growing) + kHeadroom);
+    s.disk_space = std::make_unique<DiskSpace>(s.growing);
+    s.disk_space->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
     // From here on the file is in order at any moment: single writer, multiple readers.
     s.file =
@@ -131,7 +131,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     s.effects_appenders.emplace_back(effects.get(), kEffectValues, ValueType::float64);
   } catch (const hdf5::Failure& failure) {
     fail(path, failure.what());
-  } catch (const DiskSpace::Lacking& lacking) {
+  } catch (const DiskSpace::Shortage& lacking) {
     fail(path, lacking.what());
   }
   s.writer = std::make_unique<BackgroundWriter<Message>>(
@@ -231,7 +231,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
   hsize_t length = 0;
   hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
   unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
-  room->require(length + unflushed + kHeadroom);
+  disk_space->require(length + unflushed + kHeadroom);
   // Effects first: a reader of a step finds the effects that belong to it.
   for (const Message& one : batch) {
     if (one.effects == last_effects) continue;  // == is enough: no effect is not-a-number
@@ -263,7 +263,7 @@ void Recorder::close() {
     s.ending_failed.store(true, std::memory_order_release);
     fail(s.path, failure.empty() ? error.what() : failure);
   }
-  s.room.reset();
+  s.disk_space.reset();
   if (!failure.empty())
     fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'");
   std::error_code code;

@@ -4,11 +4,11 @@
 #include <cstdint>
 
 /// @file
-/// What is said between the library and the program that reads HDF5 for it. A question is a Question and two texts, an
-/// answer an Answer and its content: both run on one machine, so numbers go as they are in memory.
+/// What is said between the library and the program that reads HDF5 for it. A query is a Query and two texts, an
+/// reply an Reply and its content: both run on one machine, so numbers go as they are in memory.
 namespace hapticut {
 
-enum class Ask : std::uint32_t {
+enum class QueryKind : std::uint32_t {
   open,              ///< place: path of the file; content: nothing
   exists,            ///< content: one byte, 0 or 1
   has_attribute,     ///< the same
@@ -19,9 +19,9 @@ enum class Ask : std::uint32_t {
   block              ///< content: the rows
 };
 
-struct Question {
-  Ask ask = Ask::open;
-  std::uint32_t kind = 0;         ///< ValueType of a block
+struct Query {
+  QueryKind kind = QueryKind::open;
+  std::uint32_t value_type = 0;         ///< ValueType of a block
   std::uint32_t place_bytes = 0;  ///< that follow
   std::uint32_t name_bytes = 0;   ///< that follow those
   std::uint64_t numbers = 0;      ///< of a row of a block
@@ -29,7 +29,7 @@ struct Question {
   std::uint64_t count = 0;        ///< rows of a block
 };
 
-struct Answer {
+struct Reply {
   enum class Result : std::uint64_t { done, refused, no_memory };
 
   Result result = Result::done;
@@ -37,7 +37,7 @@ struct Answer {
 };
 
 inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]
-inline constexpr std::uint64_t kMaxAnswer = 1 << 20;       // [bytes] of what is no block
+inline constexpr std::uint64_t kMaxReply = 1 << 20;       // [bytes] of what is no block
 inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] of it that are shown
 inline constexpr std::uint64_t kMaxDimensions = 32;        // of a data set
 inline constexpr unsigned kMaxReadingSeconds = 15;         // of processor time, and more for what is long

@@ -59,11 +59,11 @@ class RecordingSource {
   [[nodiscard]] std::vector<std::byte> bytes(const std::string& place);
 
  protected:
-  /// @return the content that `Ask` tells of
-  virtual std::string answer(const Question& question, const std::string& place, const std::string& name) = 0;
+  /// @return the content that `QueryKind` tells of
+  virtual std::string reply_to(const Query& query, const std::string& place, const std::string& name) = 0;
 
  private:
-  [[nodiscard]] std::string ask(Ask what, const std::string& place, const std::string& name = "");
+  [[nodiscard]] std::string ask(QueryKind what, const std::string& place, const std::string& name = "");
   template <class Number>
   [[nodiscard]] std::vector<Number> all(const std::string& place);
 
@@ -74,9 +74,9 @@ class RecordingSource {
 [[nodiscard]] std::string name_at(const std::string& place);
 
 /// @throws hdf5::Failure when a file of this size cannot hold so much
-void require_room(double bytes, std::uint64_t file_size, const std::string& name);
+void require_size_in_file(double bytes, std::uint64_t file_size, const std::string& name);
 
 /// @throws hdf5::Failure that the program that reads the file died of it, hangs or makes no sense
-[[noreturn]] void fail_of_reader();
+[[noreturn]] void fail_in_reader();
 
 }  // namespace hapticut

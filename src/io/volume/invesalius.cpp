@@ -76,8 +76,8 @@ class ProjectArchive {
   }
 
   /// Reads the file of that name, in whatever folder of the archive it is.
-  /// @param largest  [bytes] a larger one is refused
-  std::string read(const std::string& name, double largest) {
+  /// @param max_bytes  [bytes] a larger one is refused
+  std::string read(const std::string& name, double max_bytes) {
     archive_entry* entry = nullptr;
     for (;;) {
       const int status = archive_read_next_header(archive_.get(), &entry);
@@ -87,8 +87,8 @@ class ProjectArchive {
         break;
     }
     const auto size = double(archive_entry_size(entry));
-    if (!(size >= 0 && size <= largest))
-      throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(largest) +
+    if (!(size >= 0 && size <= max_bytes))
+      throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(max_bytes) +
                   " are read.");
     // The archive may claim more than it holds: grow as data arrive.
     std::string bytes, buffer(1U << 20U, '\0');
@@ -98,7 +98,7 @@ class ProjectArchive {
       if (count == 0) break;
       bytes.append(buffer, 0, std::size_t(count));
     }
-    if (double(bytes.size()) != size) throw Error("its file '" + name + "' is cut short.");
+    if (double(bytes.size()) != size) throw Error("its file '" + name + "' is truncated.");
     return bytes;
   }
 

@@ -57,7 +57,7 @@ MetaHeader parse_meta_header(std::string_view bytes) {
   }
   if (text.size() < bytes.size()) throw Error("its header is longer than " + std::to_string(kMaxHeader) + " bytes.");
   if (!header.fields.contains("ElementDataFile"))
-    throw Error("it is not a MetaImage file, or its header is cut short: it has no ElementDataFile.");
+    throw Error("it is not a MetaImage file, or its header is truncated: it has no ElementDataFile.");
   return header;
 }
 
@@ -126,7 +126,7 @@ std::int64_t header_size(const MetaHeader& header, bool local) {
   return *skip;
 }
 
-void take_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
+void read_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
   const std::string name = header.get("ElementDataFile", "");
   const bool local = is_local(name);
   const std::string elsewhere = local ? std::string() : data_file(name);
@@ -141,7 +141,7 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
     image.bytes = unpack_gzip(data, count);
   else
     image.bytes = data.substr(skip == -1 ? data.size() - count : std::size_t(skip), count);
-  if (image.bytes.size() != count) throw Error("its compressed data are damaged or cut short.");
+  if (image.bytes.size() != count) throw Error("its compressed data are damaged or truncated.");
   if (header.is_true("BinaryDataByteOrderMSB") || header.is_true("ElementByteOrderMSB")) swap_bytes(image);
 }
 
@@ -166,7 +166,7 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   RawImage image;
   image.geometry = geometry_in(header, std::size_t(dimensions));
   image.type = type;
-  take_values(header, bytes, data_file, image);
+  read_values(header, bytes, data_file, image);
   return image;
 }
 

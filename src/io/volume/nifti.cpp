@@ -39,7 +39,7 @@ class NiftiFields {
   }
 
   template <class Number, class Numbers>
-  void take(std::size_t place, Numbers& numbers) const {
+  void read(std::size_t place, Numbers& numbers) const {
     for (auto& number : numbers) {
       number = double(at<Number>(place));
       place += sizeof(Number);
@@ -66,32 +66,32 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
       const std::string_view magic = bytes.substr(344, 4);
       if (magic == std::string_view("ni1\0", 4)) throw Error("its values are in another file; save both as one .nii.");
       if (magic != std::string_view("n+1\0", 4)) throw Error("it has the header of an ANALYZE file; save it as NIfTI.");
-      fields.take<std::int16_t>(40, h.dim);
+      fields.read<std::int16_t>(40, h.dim);
       h.type = fields.at<std::int16_t>(70);
-      fields.take<float>(76, h.pixdim);
+      fields.read<float>(76, h.pixdim);
       h.offset = at_least(double(fields.at<float>(108)), kNifti1 + kExtensions);
       h.slope = double(fields.at<float>(112));
       h.intercept = double(fields.at<float>(116));
       h.units = fields.at<std::uint8_t>(123);
       h.qform = fields.at<std::int16_t>(252);
       h.sform = fields.at<std::int16_t>(254);
-      fields.take<float>(256, h.quaternion);
-      fields.take<float>(280, rows);
+      fields.read<float>(256, h.quaternion);
+      fields.read<float>(280, rows);
       return h;
     }
     if (length == std::int32_t(kNifti2) && bytes.size() >= kNifti2) {
       if (bytes.substr(4, 4) != std::string_view("n+2\0", 4))
         throw Error("its values are in another file, or its header is damaged; save it as one .nii.");
       h.type = fields.at<std::int16_t>(12);
-      fields.take<std::int64_t>(16, h.dim);
-      fields.take<double>(104, h.pixdim);
+      fields.read<std::int64_t>(16, h.dim);
+      fields.read<double>(104, h.pixdim);
       h.offset = at_least(double(fields.at<std::int64_t>(168)), kNifti2 + kExtensions);
       h.slope = fields.at<double>(176);
       h.intercept = fields.at<double>(184);
       h.qform = fields.at<std::int32_t>(344);
       h.sform = fields.at<std::int32_t>(348);
-      fields.take<double>(352, h.quaternion);
-      fields.take<double>(400, rows);
+      fields.read<double>(352, h.quaternion);
+      fields.read<double>(400, rows);
       h.units = fields.at<std::int32_t>(500);
       return h;
     }

@@ -101,8 +101,8 @@ std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, s
   if (header.encoding == "gzip" || header.encoding == "bzip2") {
     require_bytes(double(needed), double(data.size()), kDeflate);
     // A header or what is to be skipped may stand before the values.
-    const std::uint64_t most = 2 * needed + std::uint64_t(std::max<std::int64_t>(header.byte_skip, 0)) + (1U << 20U);
-    values = unpacked = header.encoding == "gzip" ? unpack_gzip(data, most) : unpack_bzip2(data, most);
+    const std::uint64_t max_bytes = 2 * needed + std::uint64_t(std::max<std::int64_t>(header.byte_skip, 0)) + (1U << 20U);
+    values = unpacked = header.encoding == "gzip" ? unpack_gzip(data, max_bytes) : unpack_bzip2(data, max_bytes);
   }
   const std::uint64_t nifti = header.encoding == "raw" ? 0 : nifti_header_in(unpacked);
   const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);

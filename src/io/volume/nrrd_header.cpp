@@ -103,11 +103,11 @@ class NrrdFields {
     if (!bytes.starts_with("NRRD000")) throw Error("it is not an NRRD file.");
     bool ended = false;
     while (!ended && at_ < bytes_.size()) {
-      const std::string_view line = take_line();
+      const std::string_view line = next_line();
       ended = line.empty();
-      take(line);
+      add_field(line);
       if (!ended && fields_.contains("data file") && is_list()) {
-        take_list();
+        read_list();
         ended = true;
       }
     }
@@ -166,7 +166,7 @@ class NrrdFields {
   [[nodiscard]] std::size_t end() const { return at_; }
 
  private:
-  std::string_view take_line() {
+  std::string_view next_line() {
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     if (end - at_ > kMaxNrrdLine)
       throw Error("a line of its NRRD header is longer than " + std::to_string(kMaxNrrdLine) + " bytes.");
@@ -175,7 +175,7 @@ class NrrdFields {
     return line;
   }
 
-  void take(std::string_view line) {
+  void add_field(std::string_view line) {
     if (line.starts_with('#')) return;
     const std::size_t colon = line.find(": ");
     if (colon == std::string_view::npos || line.find(":=") < colon) return;
@@ -190,9 +190,9 @@ class NrrdFields {
       throw Error("its field " + in_quotes(name) + " is there twice.");
   }
 
-  void take_list() {
+  void read_list() {
     while (at_ < bytes_.size() && list_.size() < kMaxNrrdFiles)
-      if (const std::string_view line = take_line(); !line.empty()) list_.emplace_back(line);
+      if (const std::string_view line = next_line(); !line.empty()) list_.emplace_back(line);
   }
 
   std::string_view bytes_;

@@ -63,7 +63,7 @@ class PngReader {
   /// @param calls  of libpng; nothing in them may need a destructor
   template <class Calls>
   void checked(const Calls& calls) {
-    if (setjmp(png_jmpbuf(png_)) != 0) cannot_read(path_, "it is damaged or cut short (" + std::string(reason_) + ").");
+    if (setjmp(png_jmpbuf(png_)) != 0) cannot_read(path_, "it is damaged or truncated (" + std::string(reason_) + ").");
     calls();
   }
 

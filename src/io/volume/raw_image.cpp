@@ -81,13 +81,13 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
     cannot_read(path, "its origin or direction is not finite. Check its header.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
-  constexpr double kLongest = 1e5;  // [mm]
-  if (!(extent.maxCoeff() <= kLongest))
+  constexpr double kMaxLength = 1e5;  // [mm]
+  if (!(extent.maxCoeff() <= kMaxLength))
     cannot_read(path, "it is " + format_number(extent.maxCoeff() * 1e-3) + " m long; at most " +
-                          format_number(kLongest * 1e-3) + " m are allowed. Check its spacing, or give another one.");
-  constexpr double kFarthest = 1e9;  // [mm]
-  if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kFarthest))
-    cannot_read(path, "its origin is more than " + format_number(kFarthest * 1e-3) + " m away. Check its header.");
+                          format_number(kMaxLength * 1e-3) + " m are allowed. Check its spacing, or give another one.");
+  constexpr double kMaxDistance = 1e9;  // [mm]
+  if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kMaxDistance))
+    cannot_read(path, "its origin is more than " + format_number(kMaxDistance * 1e-3) + " m away. Check its header.");
   geometry.direction = directions_in(geometry, path);
 
   Volume<Value> volume;
@@ -116,8 +116,8 @@ void require_sane_dims(const std::array<double, 3>& dims) {
                 " are read. Crop or downsample it first.");
 }
 
-void require_dimensions(double dimensions, double most) {
-  if (!(dimensions >= 3 && dimensions <= most))
+void require_dimensions(double dimensions, double max_dimensions) {
+  if (!(dimensions >= 3 && dimensions <= max_dimensions))
     throw Error("it has " + format_number(dimensions) +
                 " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
 }
@@ -131,7 +131,7 @@ void require_bytes(double needed, double available, double best_ratio) {
   const bool compressed = best_ratio > kNotCompressed;
   if (needed > available * best_ratio + (compressed ? 1024 : 0))
     throw Error("its header claims " + format_number(needed) + " bytes of data, but there are only " +
-                format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
+                format_number(available) + (compressed ? " compressed ones." : ".") + " Is it truncated?");
 }
 
 void require_no_more(std::uint64_t claimed, std::uint64_t available) {

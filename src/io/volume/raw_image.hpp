@@ -65,8 +65,8 @@ inline constexpr double kMaxRounding = 6e-3;
 void require_sane_dims(const std::array<double, 3>& dims);
 
 /// @throws Error unless there are three dimensions at least: a sentence that begins with "it"
-/// @param most  that the format can have
-void require_dimensions(double dimensions, double most);
+/// @param max_dimensions  that the format can have
+void require_dimensions(double dimensions, double max_dimensions);
 
 /// @throws Error unless an axis behind the third has one sample: a sentence that begins with "it"
 void require_one_volume(double samples);

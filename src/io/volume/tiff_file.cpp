@@ -75,7 +75,7 @@ class TiffReader {
       fail("its strips do not fit it");
     for (std::size_t y = 0; y < std::size_t(picture.dims[1]); ++y)
       if (TIFFReadScanline(tiff_.get(), picture.bytes.data() + y * row, std::uint32_t(y), 0) != 1)
-        fail("it is damaged or cut short");
+        fail("it is damaged or truncated");
   }
 
   void read_tiles(PictureFile& picture, std::size_t row) {
@@ -91,7 +91,7 @@ class TiffReader {
     const auto width = std::uint32_t(picture.dims[0]), height = std::uint32_t(picture.dims[1]);
     for (std::uint32_t y = 0; y < height; y += tile_height)
       for (std::uint32_t x = 0; x < width; x += tile_width) {
-        if (TIFFReadTile(tiff_.get(), tile.data(), x, y, 0, 0) < 0) fail("it is damaged or cut short");
+        if (TIFFReadTile(tiff_.get(), tile.data(), x, y, 0, 0) < 0) fail("it is damaged or truncated");
         const std::size_t count = pixel * std::min(tile_width, width - x);
         for (std::uint32_t line = 0; line < std::min(tile_height, height - y); ++line)
           std::memcpy(picture.bytes.data() + (y + line) * row + x * pixel, tile.data() + line * tile_row, count);

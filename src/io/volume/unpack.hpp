@@ -11,13 +11,13 @@
 namespace hapticut {
 
 /// Unpacks gzip or zlib data; several gzip members make one whole.
-/// @param most  [bytes] that may come out
-[[nodiscard]] std::string unpack_gzip(std::string_view packed, std::uint64_t most);
+/// @param max_bytes  [bytes] that may come out
+[[nodiscard]] std::string unpack_gzip(std::string_view packed, std::uint64_t max_bytes);
 
-/// The first unpacked bytes, at most `count`.
+/// The first unpacked bytes, at max_bytes `count`.
 [[nodiscard]] std::string start_of_gzip(std::string_view packed, std::size_t count);
 
-/// @param most  [bytes] that may come out
-[[nodiscard]] std::string unpack_bzip2(std::string_view packed, std::uint64_t most);
+/// @param max_bytes  [bytes] that may come out
+[[nodiscard]] std::string unpack_bzip2(std::string_view packed, std::uint64_t max_bytes);
 
 }  // namespace hapticut

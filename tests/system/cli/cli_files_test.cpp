@@ -276,7 +276,7 @@ TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {
     slice.set(0x0020000e, "UI", n < 2 ? "1.2.3" : "1.2.4");
     write_bytes(folder / "scan" / slice_name(n), dicom_file(slice));
   }
-  expect_refused("inspect " + path("scan"), {"Choose one by --dicom_series."});
+  expect_refused("inspect " + path("scan"), {"Choose one with --dicom_series."});
   EXPECT_EQ(run("inspect " + path("scan") + " --dicom-series 1.2.4").code, 0);
   write_bytes(folder / "v.mha",
               "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n12345678");

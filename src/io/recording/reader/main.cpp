@@ -23,9 +23,9 @@
 namespace hapticut::recording_reader {
 namespace {
 
-using child::give;
+using child::write_all;
 using child::limit;
-using child::take;
+using child::read_all;
 
 constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
 constexpr std::uint64_t kMemoryPerByte = 4;
@@ -40,33 +40,33 @@ void limit_memory(const std::string& path) {
 #endif
 }
 
-void answer_all() {
+void reply_to_all() {
   std::unique_ptr<Hdf5Source> source;
   std::uint64_t given = 0;
-  for (Question q; take(reinterpret_cast<char*>(&q), sizeof q);) {
+  for (Query q; read_all(reinterpret_cast<char*>(&q), sizeof q);) {
     if (q.place_bytes > kMaxPlace || q.name_bytes > kMaxPlace) return;
     std::string place(q.place_bytes, '\0'), name(q.name_bytes, '\0'), content;
-    if (!take(place.data(), place.size()) || !take(name.data(), name.size())) return;
+    if (!read_all(place.data(), place.size()) || !read_all(name.data(), name.size())) return;
     limit(RLIMIT_CPU, kMaxReadingSeconds + given / kBytesPerSecond);
-    Answer answer;
+    Reply reply;
     try {
-      if (q.ask == Ask::open) {
+      if (q.kind == QueryKind::open) {
         limit_memory(place);
         source = open_hdf5_file(place);
       } else if (source == nullptr) {
         throw hdf5::Failure("no file is open");
       } else {
-        content = source->answer(q, place, name);
+        content = source->reply_to(q, place, name);
       }
     } catch (const std::bad_alloc&) {
-      answer.result = Answer::Result::no_memory;
+      reply.result = Reply::Result::no_memory;
     } catch (const std::exception& error) {
-      answer.result = Answer::Result::refused;
+      reply.result = Reply::Result::refused;
       content = error.what();
     }
-    answer.bytes = content.size();
+    reply.bytes = content.size();
     given += content.size();
-    if (!give(reinterpret_cast<const char*>(&answer), sizeof answer) || !give(content.data(), content.size())) return;
+    if (!write_all(reinterpret_cast<const char*>(&reply), sizeof reply) || !write_all(content.data(), content.size())) return;
   }
 }
 
@@ -78,7 +78,7 @@ int main() {
   ::signal(SIGPIPE, SIG_IGN);
   ::signal(SIGXCPU, SIG_DFL);
   limit(RLIMIT_CORE, 0);
-  answer_all();
+  reply_to_all();
   // Not through HDF5's own end, which may hang over a damaged file.
   ::_exit(0);
 }
