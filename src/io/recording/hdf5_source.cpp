@@ -10,10 +10,10 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kHead = 12;                             // [bytes] of a file that say what it is
-constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] that a query may ask for
+constexpr std::size_t kHead = 12;                             // [bytes] of the file header that identify the format
+constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] limit of a block query
 
-/// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
+/// Whether a writer has the file open, or was killed with the file open: a bit in the header (HDF5 File Format
 /// Specification, superblock version 3).
 bool has_writer(std::string_view head) {
   constexpr std::size_t kVersion = 8, kFlags = 11;
@@ -21,8 +21,8 @@ bool has_writer(std::string_view head) {
   return head.size() > kFlags && head[kVersion] == 3 && (unsigned(head[kFlags]) & kWriterWithReaders) != 0;
 }
 
-/// @param id    what HDF5 made of the file
-/// @param head  its first bytes
+/// @param id    HDF5's identifier of the file
+/// @param head  first bytes of the file
 hdf5::File require_open(hid_t id, std::string_view head) {
   hdf5::File file(id);
   if (file.valid()) return file;
@@ -36,7 +36,7 @@ std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
   const hdf5::Quiet quiet;
   const std::string head = first_bytes(path, kHead);
   const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
+  constexpr unsigned kAttempts = 12;  // retries while the writer changes metadata; HDF5's default of 100 takes minutes
   unsigned mode = H5F_ACC_RDONLY;
   if (has_writer(head)) {
     mode |= H5F_ACC_SWMR_READ;
@@ -44,13 +44,13 @@ std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
   }
   hdf5::File file = require_open(H5Fopen(path.c_str(), mode, access.get()), head);
   hsize_t size = 0;
-  hdf5::checked(H5Fget_filesize(file.get(), &size), "looking at the file");
+  hdf5::checked(H5Fget_filesize(file.get(), &size), "inspecting the file");
   return std::make_unique<Hdf5Source>(std::move(file), size);
 }
 
 Hdf5Source::~Hdf5Source() {
   const hdf5::Quiet quiet;
-  hdf5::be_quiet_at_exit();  // where HDF5 closes what is left of a damaged file
+  hdf5::be_quiet_at_exit();  // where HDF5 closes a damaged file
   data_sets_.clear();
   file_.reset();
 }
@@ -137,8 +137,9 @@ std::string Hdf5Source::block_of(const Query& q, const std::string& place) {
     throw hdf5::Failure(its + " has another shape");
   std::string bytes(expected * size_of(ValueType(q.value_type)), '\0');
   const hdf5::DataSpace target(H5Screate_simple(1, &expected, nullptr), what);
-  hdf5::checked(H5Dread(set, hdf5::type_of(ValueType(q.value_type)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
-                what);
+  hdf5::checked(
+      H5Dread(set, hdf5::type_of(ValueType(q.value_type)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
+      what);
   return bytes;
 }
 

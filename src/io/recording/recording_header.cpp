@@ -12,7 +12,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kMaxHeaderBytes = 2 << 20;  // [bytes] more than all but the workpiece needs
+constexpr std::uint64_t kMaxHeaderBytes = 2 << 20;  // [bytes] upper bound of the header without the workpiece
 
 void write_info(hid_t file, const RecordingInfo& info) {
   hdf5::write_attribute(file, "content", kMagic);

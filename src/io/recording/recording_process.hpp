@@ -11,16 +11,16 @@
 
 namespace hapticut {
 
-/// A recording that the program `hapticut-recording-reader` reads: what HDF5 does to a file that was made to hurt, it
-/// does to that program. The program runs as long as this object lives, or until it dies of the file; then all
-/// functions throw. It may be asked from several threads, one after the other.
+/// Reads a recording through the program `hapticut-recording-reader`, so a malicious file can crash only that program.
+/// The program runs as long as this object, unless the file crashes it; then all functions throw. Several threads may
+/// call the functions; the calls run one after the other.
 class RecordingProcess final : public RecordingSource {
  public:
   static constexpr std::chrono::seconds kMaxReplyTime{20};
 
   /// Opens a file.
-  /// @param time_limit  how long it may take over one reply
-  /// @throws hdf5::Failure when HDF5 refuses it, or the program dies of it
+  /// @param time_limit  maximum time of one reply
+  /// @throws hdf5::Failure when HDF5 refuses the file, or the file crashes the program
   /// @throws Error when the program is missing
   RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
                    std::chrono::nanoseconds time_limit = kMaxReplyTime);

@@ -9,7 +9,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] that are asked for at once
+constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] per block query
 
 template <class Number>
 std::vector<Number> numbers_of(const void* bytes, std::size_t size) {
@@ -36,8 +36,7 @@ void require_size_in_file(double bytes, std::uint64_t file_size, const std::stri
 
 void fail_in_reader() {
   throw hdf5::Failure(
-      "it is a damaged HDF5 file: the program that reads it came to an end over it, or needed too long; get a complete "
-      "copy");
+      "it is a damaged HDF5 file: the program that reads it crashed or took too long; get a complete copy");
 }
 
 std::string RecordingSource::ask(QueryKind what, const std::string& place, const std::string& name) {
@@ -91,7 +90,7 @@ void RecordingSource::rows(const std::string& place, ValueType kind, std::uint64
 template <class Number>
 std::vector<Number> RecordingSource::all(const std::string& place) {
   const std::vector<std::uint64_t> shape = layout(place).shape;
-  double total = 1;  // whose product does not run over
+  double total = 1;  // double, so the product cannot overflow
   for (const std::uint64_t length : shape) total *= double(length);
   require_size_in_file(total * double(sizeof(Number)), file_size_, name_at(place));
   std::uint64_t numbers = 1;

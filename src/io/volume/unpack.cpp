@@ -14,14 +14,14 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kAtOnce = std::size_t(1) << 20U;  // [bytes]
-constexpr int kGzipOrZlib = 15 + 32;                    // what zlib calls it
+constexpr int kGzipOrZlib = 15 + 32;                    // zlib's code
 
 void append_unpacked(std::string& unpacked, const char* bytes, std::size_t count, std::uint64_t max_bytes) {
-  if (unpacked.size() + count > max_bytes) throw Error("its compressed data hold far more than its header says.");
+  if (unpacked.size() + count > max_bytes) throw Error("its compressed data contain far more than its header says.");
   unpacked.append(bytes, count);
 }
 
-/// zlib, unpacking what is in memory.
+/// Unpacks data in memory with zlib.
 class Inflater {
  public:
   explicit Inflater(std::string_view packed) : left_(packed) {
@@ -31,11 +31,11 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// @return how many bytes came out
+  /// @return number of unpacked bytes
   std::size_t unpack(char* to, std::size_t capacity, int flush) {
-    // zlib counts in 32 bits: large data are handed over in pieces.
+    // zlib counts in 32 bits, so large data are passed in pieces.
     const std::size_t give = std::min(std::size_t(1) << 30U, left_.size());
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(left_.data()));  // it is not written to
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(left_.data()));  // zlib does not modify it
     stream_.avail_in = uInt(give);
     stream_.next_out = reinterpret_cast<Bytef*>(to);
     stream_.avail_out = uInt(capacity);
@@ -46,7 +46,7 @@ class Inflater {
     return capacity - stream_.avail_out;
   }
 
-  /// Whether nothing follows: another member may, anything else behind the last one is no part of the data.
+  /// Whether the data have ended. Another gzip member may follow; any other bytes are not part of the data.
   bool is_done() { return ended_ && (!left_.starts_with("\x1f\x8b") || inflateReset(&stream_) != Z_OK); }
 
  private:

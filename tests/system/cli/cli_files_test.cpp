@@ -224,7 +224,7 @@ TEST_F(Inspect, ReadsAFileWithoutAHeader) {
        {std::pair("", "needs all of workpiece.raw_dims"), std::pair("--raw_dims 4,3,2 --raw_type uint16", "spacing_mm"),
         std::pair("--raw_dims 4,3,2 --raw_type short --spacing_mm 1,1,1", "must be one of uint8"),
         std::pair("--raw_dims 4,3,2.5 --raw_type int8 --spacing_mm 1,1,1", "whole numbers"),
-        std::pair("--raw_dims 4,3,2 --raw_type int8 --spacing_mm 1,1,1 --dicom-series 1.2", "no series to choose"),
+        std::pair("--raw_dims 4,3,2 --raw_type int8 --spacing_mm 1,1,1 --dicom-series 1.2", "has no series"),
         std::pair("--raw_dims 40,30,20 --raw_type int8 --spacing_mm 1,1,1", "v.raw")})
     expect_refused("inspect " + path("v.raw") + " " + arguments, {part});
 }

@@ -102,7 +102,7 @@ TEST(DicomFrames, InDifferentDirectionsAreRefused) {
 TEST(DicomFrames, WithoutPositionsAreNotAsFarApartAsTheyAreThick) {
   DicomElements e = test::dicom_picture(1, 1, {1, 2, 3});
   e.set(0x00280008, "IS", "3").set(0x00180050, "DS", "0.9");
-  expect_part(error_of(e), "it does not say how far apart its samples are (0.1 x 0.2 x 0 mm); set Vol");
+  expect_part(error_of(e), "it lacks the spacing of its samples (0.1 x 0.2 x 0 mm); set Vol");
   EXPECT_NEAR(read(e, {.spacing = Vec3(1, 2, 3) * mm}).spacing.z(), 3 * mm, 1e-12);
   EXPECT_NEAR(read(e.set(0x00180088, "DS", "0.5")).spacing.z(), 0.5 * mm, 1e-12);
 }

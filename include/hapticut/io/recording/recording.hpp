@@ -16,7 +16,7 @@
 /// read too. docs/recording.md describes the file and what a replay guarantees.
 namespace hapticut {
 
-/// The format that this library writes. It reads formats 1 to this one.
+/// The only format that this library writes and reads.
 inline constexpr std::uint64_t kRecordingFormat = 3;
 
 /// One row of a recording: one step with its input and its result.

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// The program that reads recordings for the library: it answers questions about one HDF5 file over the socket that it
-// is given as its input. A file that was made to hurt may end it in any way: the library takes that for damage.
+// SPDX-License-Identifier: Apache-2.0 Program that reads recordings for the library. It replies to queries about one
+// HDF5 file over the socket at standard input. A malicious file may end it in any way; the library then reports a
+// damaged file.
 #include <unistd.h>
 
 #include <csignal>
@@ -23,11 +23,11 @@
 namespace hapticut::recording_reader {
 namespace {
 
-using child::write_all;
 using child::limit;
 using child::read_all;
+using child::write_all;
 
-constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] in addition to kMemoryPerByte
 constexpr std::uint64_t kMemoryPerByte = 4;
 
 void limit_memory(const std::string& path) {
@@ -36,7 +36,7 @@ void limit_memory(const std::string& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   limit(RLIMIT_AS, kMemory + (code ? 0 : kMemoryPerByte * size));
 #else
-  (void)path;  // the sanitizer reserves more than any limit
+  (void)path;  // sanitizers reserve more address space than any limit
 #endif
 }
 
@@ -66,7 +66,8 @@ void reply_to_all() {
     }
     reply.bytes = content.size();
     given += content.size();
-    if (!write_all(reinterpret_cast<const char*>(&reply), sizeof reply) || !write_all(content.data(), content.size())) return;
+    if (!write_all(reinterpret_cast<const char*>(&reply), sizeof reply) || !write_all(content.data(), content.size()))
+      return;
   }
 }
 
@@ -79,6 +80,6 @@ int main() {
   ::signal(SIGXCPU, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   reply_to_all();
-  // Not through HDF5's own end, which may hang over a damaged file.
+  // Skips HDF5's exit function, which may hang on a damaged file.
   ::_exit(0);
 }
