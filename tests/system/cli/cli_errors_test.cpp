@@ -38,7 +38,7 @@ TEST_F(Complaint, OfADeviceThatThisBuildLacksNamesNoFunctionToCall) {
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
-  expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Numbers of one flag are joined by commas");
+  expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Separate the numbers of one flag by commas");
   expect("drill --feed 4", kWrongUsage, "there is no --feed. Did you mean --feed_mm_per_s?");
   expect("drill --to 1,3,2.5", kWrongUsage, "there is no --to. Did you mean --to_mm?");
   expect("drill --radius 1", kWrongUsage, "there is no --radius. Did you mean --radius_mm?");
@@ -187,11 +187,11 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
   expect("stability --json " + nowhere, kFailed, "cannot write");
   expect("calibrate tests.csv --json " + nowhere, kFailed, "cannot write");
-  expect("convert molar " + path("x.doc"), kFailed, "must end in");
+  expect("convert molar " + path("x.doc"), kFailed, "extension must be");
   for (const char* flag : {"--json", "--save", "--steps_csv"})
     expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
-  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "must end in");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "extension must be");
   if (::geteuid() != 0) {  // nothing is forbidden to root
     std::filesystem::create_directory(folder / "closed");
     std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);

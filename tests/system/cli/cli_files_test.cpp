@@ -298,7 +298,7 @@ TEST_F(Inspect, SaysWhereAVolumeIs) {
   EXPECT_NEAR(report["box"]["min_mm"][1].get<double>(), 20 - 0.5, 1e-9);
   EXPECT_NEAR(report["box"]["max_mm"][1].get<double>(), 20 + 1.5, 1e-9);
   EXPECT_NEAR(report["box"]["max_mm"][2].get<double>(), 30 + 10.5, 1e-9);
-  EXPECT_NE(read_bytes(folder / "stdout").find("axes turned"), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "stdout").find("axes rotated"), std::string::npos);
 }
 
 TEST_F(Convert, TurnsAGridOfAnotherProgramIntoAWorkpiece) {
