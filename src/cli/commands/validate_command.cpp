@@ -27,7 +27,7 @@ struct ValidateSettings {
   double tolerance_factor = 1;
 };
 
-std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
+std::string percent(double fraction) { return rounded(100 * fraction, 2) + " %"; }
 
 void write_page(const std::string& path, const std::string& text) {
   if (!path.empty()) write_atomically(path, text);
