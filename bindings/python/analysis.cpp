@@ -21,20 +21,21 @@ void bind_plant(py::module_& m) {
            py::arg("options") = O{}, doc("Plant::Plant"))
       .def("reset", &Plant::reset, py::arg("X_BS"), doc("Plant::reset"))
       .def("set_target", &Plant::set_target, py::arg("X_BS"), doc("Plant::set_target"))
-      .def_property_readonly("target", &Plant::target, "(4, 4) where the hand wants to be.")
+      .def_property_readonly("target", &Plant::target, "(4, 4) target pose of the hand.")
       .def("set_velocity", &Plant::set_velocity, py::arg("velocity"), doc("Plant::set_velocity"))
       .def("advance", &Plant::advance, py::arg("wrench"), doc("Plant::advance"))
       .def("advance_fine", &Plant::advance_fine, py::arg("wrench"), doc("Plant::advance_fine"))
-      .def_property_readonly("pose", &Plant::pose, "(4, 4) exact.")
-      .def_property_readonly("measured_pose", &Plant::measured_pose, "(4, 4) as the encoders read it.")
-      .def_property_readonly("velocity", &Plant::velocity, "(6,) exact.")
+      .def_property_readonly("pose", &Plant::pose, "(4, 4) exact pose.")
+      .def_property_readonly("measured_pose", &Plant::measured_pose, "(4, 4) pose measured by the encoders.")
+      .def_property_readonly("velocity", &Plant::velocity, "(6,) exact velocity.")
       .def_property_readonly("kinetic_energy", &Plant::kinetic_energy, doc("Plant::kinetic_energy"))
-      .def_property_readonly("device", &Plant::device, py::return_value_policy::copy, "As given.")
-      .def_property_readonly("hand", &Plant::hand, py::return_value_policy::copy, "As given.")
-      .def_property_readonly("options", &Plant::options, py::return_value_policy::copy, "As given.");
+      .def_property_readonly("device", &Plant::device, py::return_value_policy::copy, "As passed to the constructor.")
+      .def_property_readonly("hand", &Plant::hand, py::return_value_policy::copy, "As passed to the constructor.")
+      .def_property_readonly("options", &Plant::options, py::return_value_policy::copy,
+                             "As passed to the constructor.");
   py::reinterpret_borrow<py::class_<MockDevice, Device>>(m.attr("MockDevice"))
       .def_property_readonly("plant", &MockDevice::plant, py::return_value_policy::copy,
-                             "A copy of device and hand as they are now.");
+                             "A copy of the present state of device and hand.");
 }
 
 void bind_closed_loop(py::module_& m) {
@@ -56,7 +57,7 @@ void bind_closed_loop(py::module_& m) {
       .def_readwrite("filter", &W::filter, doc("LinearWall::filter"))
       .def_readwrite("one_sided", &W::one_sided, doc("LinearWall::one_sided"))
       .def_readwrite("height", &W::height, doc("LinearWall::height"))
-      .def("__call__", &W::operator(), py::arg("state"), "The wrench for a reading.");
+      .def("__call__", &W::operator(), py::arg("state"), "The wrench for a device reading.");
 
   using C = ClosedLoopConfig;
   bind_struct<C>(m, "ClosedLoopConfig", field("device", &C::device), field("hand", &C::hand), field("delay", &C::delay),
@@ -73,10 +74,10 @@ void bind_closed_loop(py::module_& m) {
            py::overload_cast<const Wrench&, const std::function<void(const Plant&, const Wrench&)>&>(&L::write),
            py::arg("wrench"), py::arg("observer"), doc("ClosedLoop::write#2"))
       .def("miss_tick", &L::miss_tick, py::arg("scale") = 1.0, doc("ClosedLoop::miss_tick"))
-      .def("tick", &L::tick, py::arg("model"), "One tick: reads, asks the model, and writes.")
+      .def("tick", &L::tick, py::arg("model"), "One tick: reads the device, calls the model, writes the wrench.")
       .def_property_readonly("plant", py::overload_cast<>(&L::plant), py::return_value_policy::reference_internal,
-                             "Device and hand.")
-      .def_property_readonly("config", &L::config, py::return_value_policy::copy, "As given.")
+                             "The plant: device and hand.")
+      .def_property_readonly("config", &L::config, py::return_value_policy::copy, "As passed to the constructor.")
       .def_property_readonly("applied", &L::applied, py::return_value_policy::copy, doc("ClosedLoop::applied"))
       .def_property_readonly("generated_energy", &L::generated_energy, doc("ClosedLoop::generated_energy"))
       .def_property_readonly("device_dissipation", &L::device_dissipation, doc("ClosedLoop::device_dissipation"));
@@ -120,7 +121,7 @@ void bind_stability(py::module_& m) {
         return measure_bounce(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = T{},
-      "What becomes of a free flight into the material.");
+      "Measures a free flight into the material.");
   using Z = Buzz;
   bind_result<Z>(m, "Buzz", member("position_rms", &Z::position_rms), member("frequency", &Z::frequency),
                  member("force_peak_to_peak", &Z::force_peak_to_peak), member("generated_power", &Z::generated_power),
@@ -137,20 +138,20 @@ void bind_stability(py::module_& m) {
         return measure_buzz(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = P{},
-      "How a hand feels that presses steadily.");
+      "Measures the vibration of a hand that presses steadily.");
 }
 
 void bind_pressed_ball(py::module_& m) {
-  py::class_<PythonForceModel>(m, "ForceModel", "A model that the library made: from a reading to a wrench.")
+  py::class_<PythonForceModel>(m, "ForceModel", "A force model of the library: maps a device reading to a wrench.")
       .def(
           "__call__", [](const PythonForceModel& self, const DeviceState& state) { return self.model(state); },
-          py::arg("state"), "The wrench for a reading.");
+          py::arg("state"), "The wrench for a device reading.");
   py::class_<PythonModelFactory>(m, "ModelFactory",
-                                 "Makes models of a given stiffness. They run without the interpreter.")
+                                 "Makes force models of a given stiffness. They run without the interpreter lock.")
       .def(
           "__call__",
           [](const PythonModelFactory& self, double stiffness) { return PythonForceModel{self.make(stiffness)}; },
-          py::arg("stiffness"), "A fresh model.");
+          py::arg("stiffness"), "A new model.");
   using C = PressedBall;
   bind_struct<C>(m, "PressedBall", field("radius", &C::radius), field("voxel_size", &C::voxel_size),
                  field("coupling", &C::coupling));
@@ -164,7 +165,7 @@ void bind_faults(py::module_& m) {
   bind_enum<InjectedFault>(m, "InjectedFault");
   m.def(
       "injected_faults", [] { return std::vector<InjectedFault>(injected_faults().begin(), injected_faults().end()); },
-      "All of them.");
+      "All faults.");
   using R = FaultResponse;
   bind_result<R>(m, "FaultResponse", member("time_to_zero", &R::time_to_zero), member("max_force", &R::max_force),
                  member("max_growth", &R::max_growth), member("oldest_force", &R::oldest_force),

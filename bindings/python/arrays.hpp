@@ -18,18 +18,17 @@
 #include "hapticut/force/contact_stiffness.hpp"
 
 /// @file
-/// How vectors, rotations, poses, twists and lists of points cross between C++ and NumPy.
+/// Conversion of vectors, rotations, poses, twists and lists of points between C++ and NumPy.
 ///
-/// An array that is given has the one type float64 and its elements follow each other in memory (C order): everything
-/// else is refused with what was given and what is needed, so that no number changes on the way and no large array is
-/// copied behind the user's back. Lists and tuples of numbers, and arrays of whole numbers, are taken as well where
-/// only a few numbers are wanted.
+/// An array must be float64 and contiguous in C order. Anything else is refused with a message, so no number changes
+/// and no large array is copied silently. Where only a few numbers are needed, lists, tuples and arrays of whole
+/// numbers are accepted too.
 namespace hapticut::python {
 
 namespace py = pybind11;
 
-/// An argument that is checked by hand, because its message shall name it.
-/// @param Type  what it is to type checkers
+/// Declares an argument type that is checked manually, so the message can name the argument.
+/// @param Type  its type for type checkers
 #define HAPTICUT_NAMED_ARGUMENT(Name, Type)                                 \
   class Name : public pybind11::object {                                    \
    public:                                                                  \
@@ -39,26 +38,26 @@ namespace py = pybind11;
    private:                                                                 \
     static bool accept(PyObject*) { return true; }                          \
   }
-HAPTICUT_NAMED_ARGUMENT(FewNumbers, "numpy.typing.ArrayLike");                 ///< float64 array or a list of numbers
-HAPTICUT_NAMED_ARGUMENT(Float64Array, "numpy.typing.NDArray[numpy.float64]");  ///< nothing but a float64 array
+HAPTICUT_NAMED_ARGUMENT(FewNumbers, "numpy.typing.ArrayLike");                 ///< float64 array or list of numbers
+HAPTICUT_NAMED_ARGUMENT(Float64Array, "numpy.typing.NDArray[numpy.float64]");  ///< only a float64 array
 HAPTICUT_NAMED_ARGUMENT(Durations, "float | numpy.typing.NDArray[numpy.float64]");  ///< a number or a float64 array
 HAPTICUT_NAMED_ARGUMENT(RealArray, "numpy.typing.NDArray[typing.Any]");  ///< array of real numbers of any type
 
-/// "array of shape (3, 4) and dtype float32", or the type of anything else.
+/// "array of shape (3, 4) and dtype float32"; for other objects their type.
 [[nodiscard]] std::string describe_given(py::handle given);
 
 /// "(n, 4, 4)"; -1 stands for n.
 [[nodiscard]] std::string describe_shape(std::span<const py::ssize_t> shape);
 
 /// The numbers of an array of exactly this shape (-1: any length).
-/// @param what  how messages begin, e.g. "poses"
-/// @throws Error naming what was given and what is needed
+/// @param what  beginning of messages, e.g. "poses"
+/// @throws Error that names the given and the required array
 [[nodiscard]] std::span<const double> numbers_of(py::handle given, const char* what,
                                                  std::initializer_list<py::ssize_t> shape);
 
 /// Copies a few numbers out of an array, a list or a tuple.
-/// @return false when it is nothing of that kind, so that another overload may take it
-/// @throws Error when it is, but of another shape or type
+/// @return false for any other object, so another overload can accept it
+/// @throws Error when shape or type is wrong
 bool read_numbers(py::handle given, const char* what, std::initializer_list<py::ssize_t> shape, double* numbers);
 
 /// A homogeneous matrix as a pose.
@@ -69,11 +68,11 @@ bool read_numbers(py::handle given, const char* what, std::initializer_list<py::
 /// [16] in rows.
 void write_pose(const Pose& pose, double* matrix);
 
-/// A read-only array that looks into memory which `owner` keeps alive.
+/// A read-only view of memory that `owner` keeps alive.
 [[nodiscard]] py::array view(const py::dtype& type, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                              const void* data, py::handle owner);
 
-/// (n, 3) float64 that looks into the vectors.
+/// (n, 3) float64 view of the vectors.
 [[nodiscard]] py::array view_of(std::span<const Vec3> points, py::handle owner);
 
 }  // namespace hapticut::python
@@ -92,7 +91,7 @@ struct handle_type_name<Argument> {
   static constexpr auto name = Argument::kPythonType;
 };
 
-/// A number in rad/s. A whole one is refused, but 0, for it is one of turns a minute.
+/// A speed in rad/s. Whole numbers other than 0 are refused, because they are probably rpm.
 template <>
 struct type_caster<hapticut::AngularSpeed> {
   PYBIND11_TYPE_CASTER(hapticut::AngularSpeed, const_name("float"));
@@ -103,7 +102,7 @@ struct type_caster<hapticut::AngularSpeed> {
     const bool is_whole = isinstance<int_>(given) || isinstance(given, module_::import("numpy").attr("integer"));
     if (is_whole && speed != 0)
       throw hapticut::Error("a speed of " + std::string(str(given)) +
-                            " is a whole number, as turns a minute are, and speeds are in rad/s: write " +
+                            " is a whole number, so probably in rpm, but speeds are in rad/s: write " +
                             std::string(str(given)) + " * hapticut.units.rpm, or " + std::string(str(given)) +
                             " * hapticut.units.rad_per_s.");
     value = hapticut::AngularSpeed::in_rad_per_s(speed);

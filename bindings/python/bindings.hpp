@@ -5,8 +5,8 @@
 
 namespace hapticut::python {
 
-/// Each binds one folder of the library; the order is that of the folders, because defaults refer to what is bound
-/// before.
+/// Each function binds one folder of the library, in the order of the folders, because defaults refer to earlier
+/// bindings.
 void bind_core(pybind11::module_& m);
 void bind_tool(pybind11::module_& m);
 void bind_materials(pybind11::module_& m);

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// include/hapticut/workpiece: everything that makes a workpiece
+// SPDX-License-Identifier: Apache-2.0 include/hapticut/workpiece: builders of workpieces
 #include "hapticut/workpiece/builders.hpp"
 
 #include "bindings.hpp"

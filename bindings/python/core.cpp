@@ -23,10 +23,10 @@ TriangleMesh mesh_from(const Float64Array& vertices, const RealArray& triangles)
   const py::array any = py::array::ensure(triangles);
   const bool whole = any && (any.dtype().kind() == 'i' || any.dtype().kind() == 'u');
   using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-  const Indices given = whole ? Indices::ensure(any) : Indices();  // what uint64 has beyond int64 becomes negative
+  const Indices given = whole ? Indices::ensure(any) : Indices();  // uint64 values above int64 become negative
   if (!whole || !given || given.ndim() != 2 || given.shape(1) != 3) {
     throw Error("triangles: " + describe_given(triangles) +
-                " was given; needed is an array of shape (n, 3) and a whole-number dtype.");
+                " was given; required is an array of shape (n, 3) and a whole-number dtype.");
   }
   mesh.triangles.resize(std::size_t(given.shape(0)));
   for (py::ssize_t i = 0; i < given.shape(0); ++i)
@@ -63,13 +63,13 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
             const auto size = py::ssize_t(sizeof(Value));
             return view(py::dtype::of<Value>(), {nx, ny, nz}, {size, size * nx, size * nx * ny}, v.values.data(), self);
           },
-          "(nx, ny, nz) read-only; values[i, j, k] is sample (i, j, k). Looks into the volume: nothing is copied.")
+          "(nx, ny, nz) read-only; values[i, j, k] is sample (i, j, k). A view of the volume, not a copy.")
       .def_property_readonly(
           "dims", [](const V& v) { return py::make_tuple(v.dims[0], v.dims[1], v.dims[2]); }, doc("Volume::dims"))
       .def_readonly("spacing", &V::spacing, doc("Volume::spacing"))
       .def_readonly("X_WG", &V::X_WG, doc("Volume::X_WG"))
       .def_readonly("padding", &V::padding, doc("Volume::padding"))
-      .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) of a sample, in W.");
+      .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) position of a sample, in W.");
 }
 
 void bind_spatial(py::module_& m) {
@@ -93,7 +93,7 @@ void bind_spatial(py::module_& m) {
 void bind_core(py::module_& m) {
   bind_result<BuildInfo>(m, "BuildInfo", member("version", &BuildInfo::version), member("commit", &BuildInfo::commit),
                          member("compiler", &BuildInfo::compiler), member("cpu", &BuildInfo::cpu));
-  m.def("build_info", &build_info, "Which library this is and what it runs on.");
+  m.def("build_info", &build_info, "Version of the library and the machine that it runs on.");
   bind_spatial(m);
 
   py::class_<TriangleMesh>(m, "TriangleMesh", doc("TriangleMesh"))
@@ -101,10 +101,10 @@ void bind_core(py::module_& m) {
            "Copies vertices (n, 3) float64 [m] and triangles (m, 3) of whole numbers.")
       .def_property_readonly(
           "vertices", [](const py::object& self) { return view_of(self.cast<const TriangleMesh&>().vertices, self); },
-          "(n, 3) [m] in W; read-only, looks into the mesh.")
+          "(n, 3) [m] in W; a read-only view of the mesh.")
       .def_property_readonly(
           "triangles", [](const py::object& self) { return triangles_of(self.cast<const TriangleMesh&>(), self); },
-          "(m, 3) uint32: indices of vertices, counter-clockwise seen from outside; read-only, looks into the mesh.")
+          "(m, 3) uint32: indices of vertices, counter-clockwise seen from outside; a read-only view of the mesh.")
       .def("__repr__", [](const TriangleMesh& mesh) {
         return "TriangleMesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
                std::to_string(mesh.triangles.size()) + " triangles)";

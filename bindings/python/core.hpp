@@ -13,13 +13,13 @@ namespace hapticut::python {
 
 /// Copies a NumPy array into a volume. The array may have any memory order and any type of real numbers; grey values
 /// become float32, labels must be whole numbers 0 ... 65535.
-/// @throws Error naming what was given and what is needed
+/// @throws Error that names the given and the required array
 template <class Value>
 Volume<Value> volume_from(py::handle values, const Vec3& spacing, const Pose& X_WG) {
   constexpr bool kLabels = std::is_integral_v<Value>;
   const std::string what = kLabels ? "labels" : "grey values";
   const auto needed = [&] {
-    return "needed is an array of shape (nx, ny, nz) and " +
+    return "required is an array of shape (nx, ny, nz) and " +
            std::string(kLabels ? "a whole-number dtype, e.g. uint8 or uint16."
                                : "a real dtype, e.g. int16 or float32.");
   };

@@ -19,14 +19,14 @@ struct PythonCoupling {
   std::shared_ptr<PythonSimulation> simulation;
   VirtualCoupling coupling;
 
-  /// @throws Error while another thread is at work on the simulation
+  /// @throws Error while another thread uses the simulation
   [[nodiscard]] VirtualCoupling& write() {
     simulation->occupancy.require_writable("The simulation");
     return coupling;
   }
 };
 
-/// A tick's result that outlives the next tick.
+/// A result of a tick that stays valid after the next tick.
 struct PythonCoupledResult {
   CoupledResult result;
   std::vector<RemovedVoxel> voxels;
@@ -38,7 +38,7 @@ struct PythonCoupledResult {
         changed(given.changed_blocks.origins.begin(), given.changed_blocks.origins.end()) {}
 };
 
-/// Calls `visit(name, value)` for each field of a row of what VirtualCoupling.run returns.
+/// Calls `visit(name, value)` for each field of a row of VirtualCoupling.run's result.
 /// @param time  [s] at the end of the tick, since the run began
 template <class Visit>
 void for_each_field_of_row(const CoupledResult& result, double time, const Visit& visit) {
@@ -89,7 +89,7 @@ void bind_coupled_result(py::module_& m) {
       .def("closure", &E::closure, doc("CouplingEnergy::closure"));
   using R = PythonCoupledResult;
   py::class_<R>(m, "CoupledResult",
-                "What one tick of the coupling gives. It owns what it holds and stays as it is when further ticks are "
+                "Result of one tick of the coupling. It owns its data and does not change when further ticks are  "
                 "made.")
       .def_property_readonly("hand", of_result(&CoupledResult::hand), doc("CoupledResult::hand"))
       .def_property_readonly("coupling", of_result(&CoupledResult::coupling), doc("CoupledResult::coupling"))
@@ -101,13 +101,13 @@ void bind_coupled_result(py::module_& m) {
       .def_property_readonly(
           "removed_materials",
           [](const py::object& self) { return voxel_materials(self.cast<const R&>().voxels, self); },
-          "(n,) uint8: what each of the removed voxels was made of; read-only.")
+          "(n,) uint8: material ids of the removed voxels; read-only.")
       .def_property_readonly("removed_volume", of_result(&CoupledResult::removed_volume),
                              doc("CoupledResult::removed_volume"))
       .def_property_readonly(
           "changed_blocks",
           [](const R& r) { return py::make_tuple(block_origins(r.changed), r.result.changed_blocks.complete); },
-          "What the tick has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
+          "Changes of the tick: (n, 3) int32 first voxels of the changed blocks, and whether the list is complete.")
       .def_property_readonly("parts", of_result(&CoupledResult::parts), doc("CoupledResult::parts"))
       .def_property_readonly("newton_steps", of_result(&CoupledResult::newton_steps),
                              doc("CoupledResult::newton_steps"))
@@ -142,12 +142,12 @@ void bind_coupling(py::module_& m) {
           py::arg("X_WD"), py::arg("V_WD"), py::arg("dt"), doc("VirtualCoupling::step"))
       .def(
           "run", &run, py::arg("poses"), py::arg("velocities"), py::arg("dt"),
-          "Makes a tick for every row, without the interpreter lock; the arguments are those of Simulation.run.\n\n"
+          "Makes a tick for every row, without the interpreter lock. The arguments are those of Simulation.run.\n\n"
           "Returns\n-------\n"
           "numpy.ndarray\n"
           "    (n,) structured; the fields are those of CoupledResult: `trace[\"hand\"][\"force\"]` is (n, 3),\n"
           "    `trace[\"X_WH\"]` (n, 4, 4); removed_voxels is their number, see Simulation.removed_in_run; `time` [s]\n"
-          "    is that since the beginning of the run.")
+          "    is the time since the beginning of the run.")
       .def("reset", writing<C>(&VirtualCoupling::reset), doc("VirtualCoupling::reset"))
       .def("park", writing<C>(&VirtualCoupling::park), py::arg("rejoin"), doc("VirtualCoupling::park"))
       .def(
@@ -161,7 +161,7 @@ void bind_coupling(py::module_& m) {
       .def(
           "worst_case", [](const C& self) { return self.coupling.worst_case(); }, doc("VirtualCoupling::worst_case"))
       .def_property_readonly(
-          "gains", [](const C& self) { return self.coupling.gains(); }, "As they are now.")
+          "gains", [](const C& self) { return self.coupling.gains(); }, "The present gains.")
       .def_property_readonly(
           "last_result",
           [](const C& self) {
@@ -170,7 +170,7 @@ void bind_coupling(py::module_& m) {
           },
           "The result of the last tick.")
       .def_property_readonly(
-          "simulation", [](const C& self) { return self.simulation; }, "The one that it steps.");
+          "simulation", [](const C& self) { return self.simulation; }, "The simulation that the coupling steps.");
 }
 
 }  // namespace hapticut::python

@@ -17,8 +17,8 @@ namespace hapticut::python {
 
 namespace {
 
-/// A path that may be a function of Python: what it raises cannot come out of the device's loop. It goes to
-/// sys.unraisablehook, and the reading is one that the guard does not believe, so that there is no force.
+/// A path that may be a Python function. An exception cannot leave the device's loop: it goes to sys.unraisablehook,
+/// and the reading becomes invalid, so the guard gives no force.
 ScriptedPath safe_path(const ScriptedPath& given) {
   return [given](double time) {
     try {
@@ -37,7 +37,7 @@ ScriptedPath safe_path(const ScriptedPath& given) {
 
 }  // namespace
 
-/// Null is None.
+/// A null pointer becomes None.
 template <>
 struct InPython<ScriptedPath> {
   using Type = std::optional<ScriptedPath>;
@@ -85,7 +85,7 @@ void bind_devices(py::module_& m) {
   py::class_<Device>(m, "Device", doc("Device"))
       .def_property_readonly("name", &Device::name, doc("Device::name"))
       .def_property_readonly("capabilities", &Device::capabilities, py::return_value_policy::copy,
-                             "What it can measure and render.")
+                             "What the device can measure and render.")
       .def(
           "run",
           [](Device& device, const DeviceCallback& callback, const RunOptions& options) {
@@ -124,7 +124,7 @@ void bind_devices(py::module_& m) {
         }
         return drivers;
       },
-      "All known kinds of devices, usable or not: dicts of scheme, usage and missing (empty, or what to install).");
+      "All device drivers, usable or not: dicts with scheme, usage and missing (empty, or what to install).");
 
   m.def("scripted_path", &scripted_path, py::arg("name"), doc("scripted_path"));
   bind_described<MockOptions>(m, "MockOptions");

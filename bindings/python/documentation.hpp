@@ -5,11 +5,11 @@
 
 namespace hapticut::python {
 
-/// The docstring of a declaration of the C++ headers, e.g. "Material::damping"; "name#2" is the second overload.
-/// @throws std::logic_error when no header documents it: then the import of the module fails, and the tests with it
+/// The docstring of a declaration in the C++ headers, e.g. "Material::damping"; "name#2" is the second overload.
+/// @throws std::logic_error when no header documents it; then the import of the module and the tests fail
 [[nodiscard]] const char* doc(std::string_view key);
 
-/// The same, but empty when the header has nothing to say.
+/// The docstring of a declaration; empty when no header documents it.
 [[nodiscard]] const char* doc_or_none(std::string_view key);
 
 }  // namespace hapticut::python

@@ -5,8 +5,8 @@
     documentation.py OUTPUT HEADER...
 
 Every declaration with a ``///`` comment becomes an entry ``{"Scope::name", "text"}`` of OUTPUT, sorted by key; further
-overloads are ``name#2``, ``name#3``. Doxygen's commands become the sections of NumPy's style, so that there is one
-description of a thing, and it stands in the header. What is an array in Python gets its shape from the type in C++.
+overloads are ``name#2``, ``name#3``. Doxygen's commands become the sections of NumPy's style. So every object has one
+description, in the header. Arrays get their shape from the C++ type.
 """
 import keyword
 import re
@@ -26,20 +26,20 @@ SHAPES = {"Vec3": "(3,)", "VoxelIndex": "(3,)", "Mat3": "(3, 3)", "Pose": "(4, 4
           "ScriptedPath": "function from time [s] to (4, 4);",
           "std::function<double(const Vec3& p_WQ)>": "function from (3,) to a number;",
           "std::function<MaterialId(const Vec3& p_WQ)>": "function from (3,) to a whole number;"}
-# Said of references, which Python does not have: its results own what they hold.
+# Remarks about references. Python has none: its results own their data.
 LIFETIME = re.compile(r"a reference that stays valid; its contents are those of the last call"
                       r"|[;,] valid until the next (?:call|one|step)|valid until the next call\. ")
 
 
 def shape_of(cpp_type: str) -> Optional[str]:
-    """The shape in Python of a type of C++, or None where it is not an array."""
+    """The shape in Python of a C++ type, or None when it is not an array."""
     words = r"\b(?:static|inline|constexpr|virtual|explicit|mutable)\b|\[\[\w+\]\]"
     plain = re.sub(r"^const\b|&$", "", re.sub(words, "", cpp_type).strip()).strip()
     return SHAPES.get(plain)
 
 
 def shapes_of_parameters(declaration: str) -> dict[str, str]:
-    """The shapes of a function's parameters that are arrays, by their names."""
+    """The shapes of a function's array parameters, by name."""
     depth, parts = 0, [""]
     for character in declaration[declaration.index("(") + 1 :]:
         depth += {"(": 1, "<": 1, "{": 1, ")": -1, ">": -1, "}": -1}.get(character, 0)
@@ -59,14 +59,13 @@ def shapes_of_parameters(declaration: str) -> dict[str, str]:
 
 
 def after_the_unit(text: str, shape: str) -> str:
-    """A description with the shape put after its unit in brackets."""
+    """A description with the shape inserted after its unit in brackets."""
     unit = re.match(r"(?:\[[^\]]*\])?", text)[0]
     return " ".join(filter(None, [unit, shape, text[len(unit) :].lstrip(", ")]))
 
 
 def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str]) -> str:
-    """The lines of one Doxygen comment as the text of a docstring; the shapes are those of the parameters and of what is
-    returned."""
+    """The lines of one Doxygen comment as the text of a docstring, with the shapes of parameters and result."""
     comment = [LIFETIME.sub("", line) for line in comment]
     text: list[str] = []
     sections: dict[str, list[list[str]]] = {}
@@ -91,7 +90,7 @@ def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str
     described = " ".join(entry[0] for entry in parameters)
     parameters += [[name] for name in shapes if not re.search(rf"\b{name}\b", described)]
     if result is not None and not parameters and "Returns" not in sections and lines and lines[0].startswith("["):
-        lines[0] = after_the_unit(lines[0], result)  # of an accessor, which is a property in Python
+        lines[0] = after_the_unit(lines[0], result)  # an accessor, which is a property in Python
     elif result is not None:
         returned = sections.setdefault("Returns", [[""]])
         returned[0][0] = after_the_unit(returned[0][0], result)
@@ -126,7 +125,7 @@ def without_comments_and_strings(line: str) -> str:
 
 
 class Header:
-    """Reads one header line by line, with a stack of the scopes that it is in."""
+    """Reads one header line by line, with a stack of the open scopes."""
 
     def __init__(self, entries: dict[str, str]):
         self.entries = entries
@@ -136,9 +135,9 @@ class Header:
         self.last: list[str] = []  # keys that a following ///< line continues
         self.trailing: list[str] = []
         self.open_parentheses = 0
-        self.below: list[str] = []  # the line that is read and those that follow
+        self.below: list[str] = []  # the current line and the following ones
         self.shapes: dict[str, str] = {}  # of the last declaration's parameters
-        self.result: Optional[str] = None  # and of what it returns
+        self.result: Optional[str] = None  # shape of its result
 
     def key(self, name: str) -> str:
         return "::".join([scope for scope, _, _ in self.scopes if scope != "hapticut"] + [name])
@@ -185,7 +184,7 @@ class Header:
             self.last = []
             if self.pending and self.pending[0].startswith("@file"):
                 self.pending = []
-        elif not PREAMBLE.match(code):  # the comment belongs to what follows it
+        elif not PREAMBLE.match(code):  # the comment belongs to the next declaration
             self.pending = []
         self.open_parentheses = max(0, self.open_parentheses + code.count("(") - code.count(")"))
         self.depth += code.count("{") - code.count("}")
@@ -216,7 +215,7 @@ class Header:
         function = FUNCTION.search(head)
         assigned = head.find("=")
         if function and (assigned < 0 or function.start() < assigned):
-            # a field such as std::function<double(int)> f; is no function
+            # a field such as std::function<double(int)> f; is not a function
             field = re.match(r"^\s*((?:std::)\w+<.*>)\s+(\w+)\s*(?:=.*|\{.*)?;", head)
             if field:
                 self.add_field(field[1], [field[2]], comment or trailing)
@@ -247,7 +246,7 @@ def main() -> None:
         Header(entries).read(Path(header))
     lines = ["// Written by documentation.py from the headers."]
     for key in sorted(entries):
-        # Raw strings have a greatest length that no comment reaches.
+        # Raw strings have a maximum length that no comment reaches.
         lines.append(f'{{"{key}", R"~~({entries[key]})~~"}},')
     text = "\n".join(lines) + "\n"
     path = Path(output)

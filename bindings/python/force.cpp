@@ -25,8 +25,9 @@ void bind_laws(py::module_& m) {
   bind_enum<RemovalLaw>(m, "RemovalLaw");
   py::class_<ForceLaw, std::shared_ptr<ForceLaw>>(
       m, "ForceLaw",
-      "A force law: from the samples inside the head to the force on the tool and to what is left of each voxel.\n\n"
-      "It works in the 1 kHz loop, so a law of your own is a class in C++; Python chooses one and its constants.")
+      "A force law: maps the samples inside the head to the force on the tool and to the remaining fraction of each "
+      "voxel.\n\n"
+      "It runs in the 1 kHz loop, so a custom law is a C++ class; Python selects a law and its constants.")
       .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
       .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));
@@ -43,7 +44,8 @@ void bind_laws(py::module_& m) {
                       field("spin_torque", &Thesis::spin_torque), field("spin_exponent", &Thesis::spin_exponent),
                       field("required_power", &Thesis::required_power));
   thesis.def(py::init<const Thesis&>(), py::arg("constants"), doc("ThesisLaw::ThesisLaw"))
-      .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy, "As given.");
+      .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy,
+                             "As passed to the constructor.");
 
   LawBinding<ContactMechanicsLaw>(m, "ContactMechanicsLaw", doc("ContactMechanicsLaw"))
       .def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))

@@ -37,10 +37,10 @@ void bind_log(py::module_& m) {
   py::class_<L>(m, "SafetyLogEntry", doc("SafetyLogEntry"))
       .def_readonly("time", &L::time, doc("SafetyLogEntry::time"))
       .def_readonly("sequence", &L::sequence, doc("SafetyLogEntry::sequence"))
-      .def_readonly("event", &L::event, "What began.")
+      .def_readonly("event", &L::event, "The event.")
       .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
   m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
-        "An entry as text: time, name, value and the sentence.");
+        "An entry as text: time, name, value and sentence.");
   m.def("sentence_of", &sentence_of, py::arg("entry"), doc("sentence_of"));
   py::class_<SafetyLog>(m, "SafetyLog", doc("SafetyLog"))
       .def("count", &SafetyLog::count, py::arg("event"), doc("SafetyLog::count"))
@@ -69,14 +69,14 @@ void bind_guard(py::module_& m) {
       .def("emergency_stop", &Q::emergency_stop, doc("Requests::emergency_stop"))
       .def("reset_fault", &Q::reset_fault, doc("Requests::reset_fault"))
       .def("interrupt", &Q::interrupt, py::arg("reason"), doc("Requests::interrupt"))
-      .def_property_readonly("stop_wanted", &Q::stop_wanted, "Whether a stop is asked for.")
-      .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop lasts.")
-      .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is asked for.");
+      .def_property_readonly("stop_wanted", &Q::stop_wanted, "Whether a stop is requested.")
+      .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop is active.")
+      .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is requested.");
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("max_contact_speed") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
       .def(py::init([](const DeviceCapabilities& capabilities, const GuardOptions& options) {
-             return std::make_unique<SafetyGuard>(capabilities, options);  // with a mailbox of its own
+             return std::make_unique<SafetyGuard>(capabilities, options);  // with a separate Requests object
            }),
            py::arg("capabilities"), py::arg("options") = GuardOptions{}, doc("SafetyGuard::SafetyGuard"))
       .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
@@ -92,15 +92,15 @@ void bind_guard(py::module_& m) {
       .def_property_readonly(
           "heartbeat", [](const SafetyGuard& guard) { return guard.heartbeat().load(); }, doc("SafetyGuard::heartbeat"))
       .def_property_readonly("log", py::overload_cast<>(&SafetyGuard::log), py::return_value_policy::reference_internal,
-                             "What was reported.")
+                             "The log of the guard.")
       .def(
           "drain_log", [](SafetyGuard& guard) { return guard.log().drain(); },
-          "Takes the entries out of the log, oldest first.")
+          "Removes and returns the entries of the log, oldest first.")
       .def(
           "count", [](const SafetyGuard& guard, SafetyEvent event) { return guard.log().count(event); },
           py::arg("event"), doc("SafetyLog::count"))
       .def_property_readonly("output", &SafetyGuard::output, py::return_value_policy::copy,
-                             "Both sides of the last tick.")
+                             "Commanded and applied wrench of the last tick.")
       .def_property_readonly("period", &SafetyGuard::period, doc("SafetyGuard::period"))
       .def_property_readonly("slew", &SafetyGuard::slew, doc("SafetyGuard::slew"))
       .def_property_readonly("max_force", &SafetyGuard::max_force, doc("SafetyGuard::max_force"));

@@ -20,7 +20,7 @@ using Cell = std::array<int, 3>;
 
 using CellNumber = double (HeatField::*)(const Cell& cell) const;
 
-/// (nx, ny, nz) of a number that each cell has.
+/// (nx, ny, nz) array of one number per cell.
 py::array cells_of(const HeatField& field, CellNumber number) {
   const Cell dims = field.dims();
   py::array_t<double> all({dims[0], dims[1], dims[2]});
@@ -37,7 +37,7 @@ const Cell& inside(const HeatField& field, const Cell& cell) {
   return cell;
 }
 
-/// Of one cell, and of all.
+/// Bindings for one cell and for all cells.
 auto of_cell(CellNumber number) {
   return [number](const HeatField& field, const Cell& cell) { return std::invoke(number, field, inside(field, cell)); };
 }
@@ -49,8 +49,8 @@ void bind_collector(py::module_& m) {
   using C = HeatCollector;
   bind_described_result<HeatPulse>(m, "HeatPulse");
   bind_described<HeatCollectorOptions>(m, "HeatCollectorOptions");
-  py::class_<C, std::shared_ptr<C>>(
-      m, "HeatCollector", (std::string(doc("HeatCollector")) + "\n\nIt lasts as long as its simulation.").c_str())
+  py::class_<C, std::shared_ptr<C>>(m, "HeatCollector",
+                                    (std::string(doc("HeatCollector")) + "\n\nIt keeps its simulation alive.").c_str())
       .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, const HeatCollectorOptions& options) {
              simulation->occupancy.require_writable("The simulation");
              auto collector = std::make_shared<C>(simulation->simulation, options);
@@ -66,7 +66,7 @@ void bind_collector(py::module_& m) {
             if (!self.receive(*pulse)) pulse.reset();
             return pulse;
           },
-          "Receives one pulse; None when there is none. HeatField.drain receives all.")
+          "Removes and returns one pulse; None when there is none. HeatField.drain handles all pulses.")
       .def(
           "receive_block",
           [](C& self) {
@@ -74,7 +74,7 @@ void bind_collector(py::module_& m) {
             if (!self.receive(*block)) block.reset();
             return block;
           },
-          "Takes one changed block; None when there is none.");
+          "Removes and returns one changed block; None when there is none.");
   m.def("touching_point", &touching_point, py::arg("head"), py::arg("wrench_T"), doc("touching_point"));
 }
 
@@ -111,19 +111,18 @@ void bind_heat(py::module_& m) {
           py::arg("block"), doc("HeatField::update"))
       .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"))
       .def("set_irrigation", &F::set_irrigation, py::arg("coefficient"), doc("HeatField::set_irrigation"))
-      .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of what it was made with.")
+      .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of its configuration.")
       .def("structures", &F::structures, doc("HeatField::structures"))
       .def("balance", &F::balance, doc("HeatBalance"))
       .def("temperature_at", &F::temperature_at, py::arg("p_WQ"), doc("HeatField::temperature_at"))
-      .def_property_readonly("dims", &F::dims, "How many cells there are along each axis.")
+      .def_property_readonly("dims", &F::dims, "Number of cells along each axis.")
       .def_property_readonly("cell_size", &F::cell_size, "[m] edge of a cell.")
-      .def("center", &F::center, py::arg("cell"), "[m] (3,) of a cell, in W.")
-      .def("temperature", of_cell(&F::temperature), py::arg("cell"),
-           "[deg C] of a cell; nan where it holds no material.")
-      .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] of a cell, maximum so far.")
+      .def("center", &F::center, py::arg("cell"), "[m] (3,) centre of a cell, in W.")
+      .def("temperature", of_cell(&F::temperature), py::arg("cell"), "[deg C] of a cell; NaN when it has no material.")
+      .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] maximum so far of a cell.")
       .def("dose", of_cell(&F::dose), py::arg("cell"), "[min] CEM43 of a cell.")
       .def("temperatures", of_cells(&F::temperature),
-           "[deg C] (nx, ny, nz) of all cells; nan where they hold no material.")
+           "[deg C] (nx, ny, nz) of all cells; NaN in cells without material.")
       .def("peaks", of_cells(&F::peak), "[deg C] (nx, ny, nz) maximum so far.")
       .def("doses", of_cells(&F::dose), "[min] (nx, ny, nz) CEM43.");
 }

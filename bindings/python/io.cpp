@@ -34,7 +34,7 @@ void bind_vdb(py::module_& m) {
       .def_readwrite("material", &VdbImport::material, doc("VdbImport::material"))
       .def_readwrite("grid", &VdbImport::grid, doc("VdbImport::grid"))
       .def_readwrite("unit_mm", &VdbImport::unit_mm, doc("VdbImport::unit_mm"))
-      .def_readwrite("kind", &VdbImport::kind, "What the grid's values mean.");
+      .def_readwrite("kind", &VdbImport::kind, "Meaning of the grid's values.");
 m.def(
     "save_vdb",
     [](const PythonWorkpiece& workpiece, const Path& path) {
@@ -46,7 +46,7 @@ m.def("load_vdb", making(py::overload_cast<const Path&, const VdbImport&>(&load_
       py::arg("options"), doc("load_vdb#2"));
 }  // namespace
 
-/// What is done alike to grey values and labels.
+/// Functions for both grey values and labels.
 template <class Volume>
 void bind_operations_of(py::module_& m) {
   using V = const Volume&;
@@ -169,7 +169,7 @@ void bind_filters(py::module_& m) {
         return resample(v, voxel_size, interpolation);
       },
       py::arg("volume"), py::arg("voxel_size"), py::arg("interpolation") = LabelInterpolation::nearest,
-      "The same volume with cubic samples of another size.", Released());
+      "Resamples a label volume to cubic samples.", Released());
   m.def(
       "close_gaps", [](Labels v, double radius, std::uint16_t label) { return close_gaps(v, radius, label); },
       py::arg("volume"), py::arg("radius"), py::arg("label"), doc("close_gaps"), Released());

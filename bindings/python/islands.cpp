@@ -33,7 +33,7 @@ void bind_islands(py::module_& m) {
   bind_described<ChangeFeedOptions>(m, "ChangeFeedOptions");
   bind_described<IslandWatchOptions>(m, "IslandWatchOptions");
   py::class_<Island>(m, "Island", doc("Island"))
-      .def_property_readonly("indices", &indices_of, "(n, 3) int32 of its voxels, block by block.")
+      .def_property_readonly("indices", &indices_of, "(n, 3) int32 indices of its voxels, block by block.")
       .def_readonly("voxels", &Island::voxels, doc("Island::voxels"))
       .def_readonly("min_fill", &Island::min_fill, doc("Island::min_fill"));
   using F = IslandFinder;
@@ -67,7 +67,7 @@ void bind_islands(py::module_& m) {
       .def_readonly("joined", &R::joined, doc("IslandRemoval::joined"))
       .def_property_readonly(
           "is_over", [](const R& self) { return self.is_over(); },
-          "Whether the removal has ended: the island was removed, or stays.");
+          "Whether the removal has ended: the island has left or stays.");
   m.def(
       "remove_island",
       [](PythonSimulation& simulation, R& removal, std::size_t max_blocks) {

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// include/hapticut/device: a simulation driven by a device in a thread of its own
+// SPDX-License-Identifier: Apache-2.0 include/hapticut/device: a simulation driven by a device in a separate thread
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,12 +18,12 @@ namespace hapticut::python {
 
 namespace {
 
-/// A model, and what it works on.
+/// A model and the objects that it uses.
 struct PythonModel {
   std::shared_ptr<PythonSimulation> simulation;
   py::object device;
   std::unique_ptr<SimulationModel> model;
-  std::unique_ptr<IslandModel> islands;  // around it, where pieces leave
+  std::unique_ptr<IslandModel> islands;  // wraps the model if loose pieces are removed
 
   [[nodiscard]] LoopModel& of_loop() const {
     if (islands) return *islands;
@@ -42,7 +41,7 @@ PythonModel model_of(const std::shared_ptr<PythonSimulation>& simulation, const 
 
 }  // namespace
 
-/// A loop; while it runs, no other code can touch its simulation.
+/// A loop; while it runs, no other code can use its simulation.
 class PythonLoop {
  public:
   PythonLoop(py::object model, const RealtimeLoopOptions& options)
@@ -91,19 +90,18 @@ class PythonLoop {
   py::object model_;
   std::shared_ptr<PythonSimulation> simulation_;
   std::unique_ptr<RealtimeLoop> loop_;
-  std::shared_ptr<void> recorder_;  // that observes the simulation must live as long as the loop runs
+  std::shared_ptr<void> recorder_;  // observes the simulation and must live as long as the loop runs
   bool holds_ = false;
 };
 
 namespace {
 
-/// A command of Python as the loop takes it: copied, or, where it brings something, moved away, so that it can be sent
-/// once.
+/// A Python command in the loop's form: copied, or moved if it carries data, so it can be sent only once.
 struct GivenCommand {
   py::object object;
   LoopCommand command;
 
-  /// What was not sent is put back.
+  /// Restores a command that was not sent.
   void give_back() {
     std::visit(
         [&](auto& what) {
@@ -125,8 +123,8 @@ struct GivenCommand {
     });
     if (command) return {object, std::move(*command)};
     throw py::type_error(
-        "send() takes a command: one of hapticut.commands, or what SimulationModel.prepare_tool, "
-        "prepare_materials or prepare_workpiece returns");
+        "send() takes a command: one of hapticut.commands, or the result of SimulationModel.prepare_tool, "
+        "prepare_materials or prepare_workpiece");
   }
 };
 
@@ -164,13 +162,13 @@ void bind_commands(py::module_& m) {
              return c::ExchangeWorkpiece(Simulation(workpiece.read().clone(), tool, config));
            }),
            py::arg("workpiece"), py::arg("tool"), py::arg("config"),
-           "Of a copy of a workpiece, the tool for it and the configuration of both.")
+           "Prepares the exchange from a copy of a workpiece, its tool and the configuration of both.")
       .def_property_readonly(
           "bounds",
           [](const c::ExchangeWorkpiece& self) {
             return self.simulation != nullptr ? self.simulation->workpiece().bounds() : IndexBox{};
           },
-          "Of its workpiece; empty once it was sent.");
+          "Frame of the new workpiece; empty after the command was sent.");
 }
 
 void bind_messages(py::module_& m) {
@@ -226,7 +224,7 @@ void bind_model(py::module_& m) {
            }),
            py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, py::arg("islands") = py::none(),
            (std::string(doc("SimulationModel::SimulationModel")) +
-            "\n\nWith `islands`, pieces that are cut loose are removed between the ticks.")
+            "\n\nWith `islands`, loose pieces are removed between the ticks.")
                .c_str())
       .def_property_readonly(
           "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"))
@@ -265,17 +263,17 @@ void bind_loop(py::module_& m) {
   py::class_<L>(
       m, "RealtimeLoop",
       (std::string(doc("RealtimeLoop")) +
-       "\n\nIts thread runs without the interpreter. While it runs, calls that touch the simulation raise Error.")
+       "\n\nIts thread runs without the interpreter lock. While it runs, calls that use the simulation raise Error.")
           .c_str())
       .def(py::init([](const py::object& model, const O& options) { return L(model, options); }), py::arg("model"),
-           py::arg("options") = O{}, "Of a SimulationModel and its device.")
+           py::arg("options") = O{}, "Makes a loop of a SimulationModel and its device.")
       .def("start", &L::start, doc("RealtimeLoop::start"))
       .def(
           "wait", [](L& self) { return self.end(&RealtimeLoop::wait); }, doc("RealtimeLoop::wait"))
       .def(
           "stop", [](L& self) { return self.end(&RealtimeLoop::stop); }, doc("RealtimeLoop::stop"))
       .def_property_readonly(
-          "is_running", [](const L& self) { return self.loop().is_running(); }, "Whether a run is under way.")
+          "is_running", [](const L& self) { return self.loop().is_running(); }, "Whether a run is in progress.")
       .def_property_readonly(
           "requests", [](const L& self) -> Requests& { return self.loop().requests(); },
           py::return_value_policy::reference_internal, doc("RealtimeLoop::requests"))
@@ -289,7 +287,7 @@ void bind_loop(py::module_& m) {
             if (!self.loop().receive(*block)) block.reset();
             return block;
           },
-          "Takes one changed block; None when there is none.");
+          "Removes and returns one changed block; None when there is none.");
 }
 
 void bind_changed_block(py::module_& m) {
@@ -311,7 +309,7 @@ void bind_changed_block(py::module_& m) {
             return view(py::dtype::of<float>(), {kBlockEdge, kBlockEdge, kBlockEdge},
                         {4 * kBlockEdge * kBlockEdge, 4 * kBlockEdge, 4}, self.cast<const B&>().fill.data(), self);
           },
-          "[1] (8, 8, 8) float32 filled shares; read-only.");
+          "[1] (8, 8, 8) float32 filled fractions; read-only.");
 }
 
 }  // namespace hapticut::python

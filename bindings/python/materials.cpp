@@ -17,7 +17,7 @@ void bind_materials(py::module_& m) {
       .def(py::init<>())
       .def(py::init<std::vector<Material>>(), py::arg("materials"), doc("MaterialTable::MaterialTable"))
       .def("add", &MaterialTable::add, py::arg("material"), doc("MaterialTable::add"))
-      .def("size", &MaterialTable::size, "How many there are.")
+      .def("size", &MaterialTable::size, "Number of materials.")
       .def("contains", &MaterialTable::contains, py::arg("id"), "Whether there is a material of this id.")
       .def("id_of", &MaterialTable::id_of, py::arg("name"), doc("MaterialTable::id_of"))
       .def("all", &MaterialTable::all, py::return_value_policy::copy, doc("MaterialTable::all"))

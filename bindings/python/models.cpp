@@ -11,7 +11,7 @@ namespace hapticut::python {
 
 namespace {
 
-/// An object that may be let go of without the interpreter lock.
+/// A Python object that may be released without the interpreter lock.
 using Kept = std::shared_ptr<py::object>;
 
 Kept kept(py::object object) {
@@ -39,7 +39,7 @@ ModelFactory factory_from(const AnyFactory& given) {
   if (py::isinstance<PythonModelFactory>(given)) return given.cast<const PythonModelFactory&>().make;
   if (PyCallable_Check(given.ptr()) == 0)
     throw Error("factory: " + describe_given(given) +
-                " was given; needed is a function from a stiffness to a model, or contact_models.");
+                "  was given; required is a function from a stiffness to a model, or contact_models.");
   return [factory = kept(given)](double stiffness) {
     const py::gil_scoped_acquire lock;
     return model_from((*factory)(stiffness));

@@ -8,12 +8,12 @@
 
 namespace hapticut::python {
 
-/// A force model of the library: what a factory makes.
+/// A force model made by a factory of the library.
 struct PythonForceModel {
   ForceModel model;
 };
 
-/// A factory of the library. It and its models run without the interpreter.
+/// A factory of the library. The factory and its models run without the interpreter lock.
 struct PythonModelFactory {
   ModelFactory make;
 };
@@ -22,9 +22,9 @@ struct PythonModelFactory {
 HAPTICUT_NAMED_ARGUMENT(
     AnyFactory, "ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]]");
 
-/// What the closed loop works with. A LinearWall or a ForceModel that a function of Python returns runs in C++ from
-/// then on; anything else that can be called is called at every tick, with the interpreter lock.
-/// @throws Error when it cannot be called
+/// Converts the result of a factory to a model of the closed loop. A LinearWall or ForceModel returned by a Python
+/// function runs in C++. Any other callable is called in every tick with the interpreter lock.
+/// @throws Error when the result is not callable
 [[nodiscard]] ModelFactory factory_from(const AnyFactory& given);
 
 }  // namespace hapticut::python

@@ -11,7 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What pybind11 keeps about a function, property or method, or null where it is none of pybind11's.
+/// pybind11's record of a function, property or method; null for other objects.
 py::detail::function_record* record_of(py::handle function) {
   if (function && PyInstanceMethod_Check(function.ptr())) function = PyInstanceMethod_GET_FUNCTION(function.ptr());
   if (!function || !PyCFunction_Check(function.ptr())) return nullptr;
@@ -25,7 +25,7 @@ py::detail::function_record* record_of(py::handle function) {
 #endif
 }
 
-/// Calls a function for each record of the functions, methods and properties in a module or class: one per overload.
+/// Calls a function for each record (one per overload) of the functions, methods and properties in a module or class.
 void for_each_record(py::handle scope, void (*change)(py::detail::function_record&)) {
   const auto change_all = [change](py::handle function) {
     for (auto* record = record_of(function); record != nullptr; record = record->next) change(*record);
@@ -45,14 +45,14 @@ void for_each_record(py::handle scope, void (*change)(py::detail::function_recor
   }
 }
 
-/// pybind11 hands None as a null pointer to methods that are member functions of C++ and name no argument: says of one
-/// that its object may not be None.
+/// pybind11 passes None as a null pointer to methods that are C++ member functions without named arguments. Marks the
+/// object of such a method as not None.
 void refuse_none_as_self(py::detail::function_record& record) {
-  if (record.is_method && record.args.empty())  // the name is freed with the record
+  if (record.is_method && record.args.empty())  // pybind11 frees the name with the record
     record.args.emplace_back(strdup("self"), nullptr, py::handle(), true, false);
 }
 
-/// Leaves the name of this module out of a text, which becomes shorter where it is.
+/// Removes the name of this module from a text, in place.
 void leave_out_module(char* text) {
   constexpr const char* kModule = "hapticut._hapticut.";
   for (char* found = text; found != nullptr && (found = std::strstr(found, kModule)) != nullptr;) {
@@ -61,7 +61,7 @@ void leave_out_module(char* text) {
   }
 }
 
-/// `Box` in the place of `hapticut._hapticut.Box`, which nobody writes, in what `help` and errors say of a function.
+/// Writes `Box` instead of `hapticut._hapticut.Box` in the signature that `help` and errors show.
 void shorten_signature(py::detail::function_record& record) {
   leave_out_module(record.signature);
   if (record.def != nullptr) leave_out_module(const_cast<char*>(record.def->ml_doc));  // pybind11's own copy
@@ -74,7 +74,7 @@ PYBIND11_MODULE(_hapticut, m) {
   m.doc() = "The compiled part of hapticut.";
   const auto error = py::register_exception<hapticut::Error>(m, "Error", PyExc_RuntimeError);
   error.attr("__doc__") =
-      "Something that was asked for cannot be done. The message says what was given, what is allowed and what to do.";
+      "A request cannot be fulfilled. The message says what was given, what is allowed and what to do.";
   bind_core(m);
   bind_tool(m);
   bind_materials(m);
@@ -98,7 +98,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_sound(m);
 
   for_each_record(m, &refuse_none_as_self);
-  // Called by the package: the stub is written from the names in full.
+  // Called by the package, because the stub is written from the full names.
   m.def("_shorten_signatures", [] { for_each_record(py::module_::import("hapticut._hapticut"), &shorten_signature); });
 
   py::list names;

@@ -9,7 +9,7 @@
 
 namespace hapticut::python {
 
-/// A recorder and the simulation that it belongs to.
+/// A recorder and its simulation.
 struct PythonRecorder {
   std::shared_ptr<PythonSimulation> simulation;
   py::object driven_by;  // kept alive

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// include/hapticut/io: recordings and their replay
+// SPDX-License-Identifier: Apache-2.0 include/hapticut/io: recordings and their replay
 #include "bindings.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
@@ -16,7 +15,7 @@ namespace hapticut::python {
 
 namespace {
 
-/// What a recorder says of itself.
+/// Accessor of a recorder's state.
 template <class Result>
 auto of_recorder(Result (Recorder::*what)() const) {
   return [what](const PythonRecorder& self) { return ((*self.recorder).*what)(); };
@@ -37,8 +36,7 @@ void bind_recorder(py::module_& m) {
                        const O& given, py::object driven_by) {
              simulation->occupancy.require_writable("The simulation");
              if (!simulation->recorder.expired())
-               throw Error(
-                   "the simulation to be recorded is observed already, by another recorder; let go of it first.");
+               throw Error("another recorder already observes the simulation; close and delete it first.");
              O options = given;
              if (!driven_by.is_none()) options.driven_by = &driven_by.cast<const Device&>();
              auto held = std::make_shared<R>(R{simulation, std::move(driven_by), nullptr});
@@ -50,9 +48,9 @@ void bind_recorder(py::module_& m) {
              return held;
            }),
            py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, py::arg("driven_by") = py::none(),
-           "Records every step of a simulation, also those of a loop or a coupling, until it is closed.\n\n"
-           "driven_by is the device whose loop makes the steps: its name, its capabilities and its side of every step\n"
-           "are taken from it. Without it a loop of your own gives them: options.device, options.capabilities and\n"
+           "Records every step of a simulation, including those of a loop or a coupling, until it is closed.\n\n"
+           "driven_by is the device whose loop makes the steps. It supplies name, capabilities and the device data of\n"
+           "every step. Without it, a custom loop supplies them by options.device, options.capabilities and\n"
            "set_device_tick.")
       .def(
           "step",
@@ -68,9 +66,8 @@ void bind_recorder(py::module_& m) {
             return make_steps(*self.simulation, poses, velocities, dt, self.stepper());
           },
           py::arg("poses"), py::arg("velocities"), py::arg("dt"),
-          "Makes a step for every row of poses (n, 4, 4) and velocities (n, 6) and records it; see Simulation.run. A "
-          "run\n"
-          "is quicker than the disk: set RecorderOptions.wait_when_full, or steps will be lost.")
+          "Makes and records a step for every row of poses (n, 4, 4) and velocities (n, 6); see Simulation.run.\n"
+          "A run is faster than the disk: set RecorderOptions.wait_when_full, or steps are lost.")
       .def(
           "set_device_tick",
           [](const R& self, const DeviceTick& tick) {
@@ -99,9 +96,9 @@ void bind_recording(py::module_& m) {
   bind_result<RecordedEffects>(m, "RecordedEffects", member("first_step", &RecordedEffects::first_step),
                                member("effects", &RecordedEffects::effects));
   py::class_<Recording>(m, "Recording", doc("Recording"))
-      .def_property_readonly("path", &Recording::path, "Of the file.")
+      .def_property_readonly("path", &Recording::path, "Path of the file.")
       .def_property_readonly("info", &Recording::info, py::return_value_policy::copy,
-                             "Which build, machine and device made it, and how it ended.")
+                             "Build, machine and device of the recording, and how it ended.")
       .def_property_readonly("has_device", &Recording::has_device, doc("Recording::has_device"))
       .def_property_readonly("capabilities", &Recording::capabilities, py::return_value_policy::copy,
                              doc("Recording::capabilities"))
@@ -140,7 +137,7 @@ void bind_recording(py::module_& m) {
                               static_cast<std::byte*>(trace.mutable_data()) + width * std::size_t(i));
               removed_voxels.mutable_at(i) = std::int64_t(step.removed_voxels);
             }
-            trace["removed_voxels"] = removed_voxels;  // the recording has their number only
+            trace["removed_voxels"] = removed_voxels;  // the recording has only their number
             py::dict out;
             out["poses"] = poses;
             out["velocities"] = velocities;
@@ -149,10 +146,9 @@ void bind_recording(py::module_& m) {
             return out;
           },
           py::arg("first") = 0, py::arg("count") = py::none(),
-          "The steps from one on, all of them without a count: a dict of poses (n, 4, 4), velocities (n, 6) and dt "
-          "(n,),\n"
-          "as Simulation.run takes them, and trace, as it returns them.")
-      .def_property_readonly("tool", &Recording::tool, py::return_value_policy::copy, "That made the steps.")
+          "`count` steps from `first` on, without a count all: a dict of poses (n, 4, 4), velocities (n, 6) and\n"
+          "dt (n,), the arguments of Simulation.run, and trace, its result.")
+      .def_property_readonly("tool", &Recording::tool, py::return_value_policy::copy, "The tool that made the steps.")
       .def_property_readonly("config", &Recording::config, py::return_value_policy::copy, doc("Recording::config"))
       .def_property_readonly("effects", &Recording::effects, py::return_value_policy::copy, doc("Recording::effects"))
       .def(

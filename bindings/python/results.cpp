@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// include/hapticut/simulation: what goes into a step and what comes out
+// SPDX-License-Identifier: Apache-2.0 include/hapticut/simulation: input and result of a step
 #include "bindings.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
 #include "simulation.hpp"
@@ -33,7 +32,7 @@ void bind_result_of_step(py::module_& m) {
 
   using R = PythonStepResult;
   py::class_<R> result(m, "StepResult",
-                       "What one step returns. It owns what it holds and stays as it is when further steps are made.");
+                       "Result of one step. It owns its data and does not change when further steps are made.");
   for_each_field<StepResult>([&](const auto& field) {
     using T = typename std::remove_cvref_t<decltype(field)>::Type;
     if constexpr (std::is_same_v<T, std::span<const RemovedVoxel>>) {
@@ -57,7 +56,7 @@ void bind_result_of_step(py::module_& m) {
       .def_property_readonly(
           "removed_materials",
           [](const py::object& self) { return voxel_materials(self.cast<const R&>().voxels, self); },
-          "(n,) uint8: what each of the removed voxels was made of; read-only.")
+          "(n,) uint8: material ids of the removed voxels; read-only.")
       .def("__repr__", [](const py::object& self) {
         const auto text = [&](const char* name) { return std::string(py::repr(self.attr(name))); };
         return "StepResult(force=" + text("force") + ", torque=" + text("torque") +
@@ -68,7 +67,7 @@ void bind_result_of_step(py::module_& m) {
   bind_described_result<ContactProbe>(m, "ContactProbe")
       .def_property_readonly(
           "stiffness", [](const ContactProbe& probe) { return probe.stiffness; },
-          "[N/m], [N], [N m] (6, 6) about Ho, in W: of motions, then of turns; positive semidefinite.");
+          "[N/m], [N], [N m] (6, 6) about Ho, in W: translations, then rotations; positive semidefinite.");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace hapticut::python {
 
 namespace {
 
-/// (256,) of volumes that the simulation has counted.
+/// (256,) array of volumes by material.
 auto by_material(const ByMaterial<double>& (Simulation::*volumes)() const) {
   return [volumes](const PythonSimulation& self) {
     const ByMaterial<double>& all = (self.read().*volumes)();
@@ -70,7 +70,7 @@ void bind_the_simulation(py::module_& m) {
              return std::make_shared<S>(Simulation(std::move(copy), tool, config));
            }),
            py::arg("workpiece"), py::arg("tool"), py::arg("config") = SimulationConfig{},
-           "Works on a copy of the workpiece, and reserves all memory that cutting will need.\n\n"
+           "Works on a copy of the workpiece, and reserves all memory for cutting.\n\n"
            "Raises\n------\nError\n    When the configuration is invalid, the workpiece is empty, or the head thinner "
            "than a voxel.")
       .def(
@@ -93,18 +93,16 @@ void bind_the_simulation(py::module_& m) {
           "Returns\n-------\n"
           "numpy.ndarray\n"
           "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
-          "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time` [s] "
-          "is\n"
-          "    that since the beginning of the run.\n\n"
+          "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time`\n"
+          "    [s] is the time since the beginning of the run.\n\n"
           "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
-          "nothing was simulated then.\n    Everything else that is wrong with an input is reported by `status`, as "
-          "step "
-          "does.\n\nWarns\n-----\nUserWarning\n    When none of the steps was taken.")
+          "then no step was made.\n    `status` reports all other errors of an input, as in step.\n\n"
+          "Warns\n-----\nUserWarning\n    When no step was made.")
       .def(
           "probe",
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
             const StepInput input = step_input(pose, velocity, dt);
-            // It works in the simulation's own memory.
+            // The probe uses the memory of the simulation.
             return self.write().probe(input.X_WH, input.V_WH, input.dt, motions);
           },
           py::arg("X_WH"), py::arg("V_WH"), py::arg("dt"),
@@ -119,14 +117,14 @@ void bind_the_simulation(py::module_& m) {
           "(n,) structured: step, index (3,) and material of every voxel that the last run emptied.")
       .def_property_readonly(
           "workpiece", [](S& self) { return PythonWorkpiece(self.shared_from_this()); },
-          "What is left: a look at it, not a copy. It cannot be changed from there.")
-      .def_property_readonly("tool", reading<S>(&Simulation::tool), "As given.")
-      .def_property_readonly("config", reading<S>(&Simulation::config), "As given; a copy.")
+          "The remaining workpiece: a read-only view, not a copy.")
+      .def_property_readonly("tool", reading<S>(&Simulation::tool), "As passed to the constructor.")
+      .def_property_readonly("config", reading<S>(&Simulation::config), "A copy of the configuration.")
       .def_property_readonly(
           "last_result", [](const S& self) { return PythonStepResult(self.read().last_result()); },
           "The result of the last step.")
       .def_property_readonly("removed_volume_by_material", by_material(&Simulation::removed_volume_by_material),
-                             "[m^3] (256,) taken away since construction or reset, by material id.")
+                             "[m^3] (256,) removed since construction or reset, by material id.")
       .def_property_readonly("spindle_setting", reading<S>(&Simulation::spindle_setting),
                              doc("Simulation::spindle_setting"))
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
@@ -139,7 +137,8 @@ void bind_the_simulation(py::module_& m) {
             const ChangedBlocks changed = self.read().changed_blocks();
             return py::make_tuple(block_origins(changed.origins), changed.complete);
           },
-          "What the last step has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
+          "Changes of the last step: (n, 3) int32 first voxels of the changed blocks, and whether the list is "
+          "complete.")
       .def("worst_case", reading<S>(&Simulation::worst_case), doc("Simulation::worst_case"))
       .def_property_readonly("stage_times", reading<S>(&Simulation::stage_times), doc("Simulation::stage_times"))
       .def("set_spindle_speed", writing<S>(&Simulation::set_spindle_speed), py::arg("speed"),
@@ -153,7 +152,7 @@ void bind_the_simulation(py::module_& m) {
       .def("halt_spindle", writing<S>(&Simulation::halt_spindle), doc("Simulation::halt_spindle"))
       .def("hold_spindle", writing<S>(&Simulation::hold_spindle), py::arg("hold"), doc("Simulation::hold_spindle"))
       .def_property_readonly("spindle_is_held", reading<S>(&Simulation::spindle_is_held),
-                             "Whether the spindle is held, whatever it is set to.")
+                             "Whether the spindle is held, independent of its set speed.")
       .def("reserve_blocks", writing<S>(&Simulation::reserve_blocks), py::arg("count"),
            doc("Simulation::reserve_blocks"))
       .def("snapshot", reading<S>(&Simulation::snapshot), doc("Simulation::snapshot"))
@@ -165,23 +164,25 @@ void bind_the_simulation(py::module_& m) {
             if (!self.write().set_undo_mark()) throw Error("There is no memory for undo; call reserve_undo first.");
           },
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
-      .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks), "How many marks `undo` can return to.")
+      .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks),
+                             "Number of marks that `undo` can return to.")
       .def("undo", writing<S>(&Simulation::undo), py::arg("max_blocks"), doc("Simulation::undo"))
       .def_property_readonly(
           "detached_volume_by_material", by_material(&Simulation::detached_volume_by_material),
-          "[m^3] (256,) that left without a cut since construction or reset, by material id: islands.remove_island.")
+          "[m^3] (256,) removed as islands since construction or reset, by material id: see islands.remove_island.")
       .def_property_readonly("redo_marks", reading<S>(&Simulation::redo_marks),
-                             "How many undone marks `redo` can go forth over.")
+                             "Number of marks that `redo` can restore.")
       .def("redo", writing<S>(&Simulation::redo), py::arg("max_blocks"), doc("Simulation::redo"))
       .def(
           "reset", [](S& self, const PythonWorkpiece& workpiece) { self.write().reset(workpiece.read().clone()); },
           py::arg("workpiece"),
           "Starts again with a copy of another workpiece: tool position, energies, removed volumes and undo marks are "
-          "forgotten.\nIt gets as much memory for undo as the old one had.\n\nRaises\n------\nError\n    When the "
+          "reset.\nThe new workpiece gets as much memory for undo as the old one.\n\nRaises\n------\nError\n    When "
+          "the "
           "workpiece is empty, or the head thinner than a voxel.");
 }
 
-/// What Simulation.run would be in C++: the same steps, nothing kept but their sum.
+/// The loop of Simulation.run in C++: makes the steps and keeps only their sum.
 double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Float64Array& velocities,
                    const Durations& dt) {
   const RunInput input(poses, velocities, dt);

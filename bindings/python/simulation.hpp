@@ -15,27 +15,28 @@ namespace hapticut::python {
 struct RemovedInRun {
   std::int64_t step;      ///< index of the step in the run
   std::int32_t index[3];  ///< in the workpiece's grid
-  std::uint8_t material;  ///< what it was made of
+  std::uint8_t material;  ///< material id
 };
 
-/// A simulation as Python holds it.
+/// A simulation owned by Python.
 class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
  public:
   explicit PythonSimulation(Simulation given) : simulation(std::move(given)) {}
 
   Simulation simulation;
   Occupancy occupancy;
-  std::vector<RemovedInRun> removed;  ///< of the last run
-  std::weak_ptr<void> recorder;       ///< that observes it, if any; code that makes steps without the lock holds it
+  std::vector<RemovedInRun> removed;  ///< voxels of the last run
+  std::weak_ptr<void>
+      recorder;  ///< recorder that observes the simulation; code that makes steps without the lock keeps it alive
 
-  std::vector<std::shared_ptr<StepObserver>> observers;  ///< that were made in Python; the first to go
+  std::vector<std::shared_ptr<StepObserver>> observers;  ///< observers made in Python; destroyed first
 
-  /// @throws Error while another thread is at work on it
+  /// @throws Error while another thread uses it
   [[nodiscard]] const Simulation& read() const {
     occupancy.require_readable("The simulation");
     return simulation;
   }
-  /// @throws Error as `read`, and while another thread reads it
+  /// @throws Error while another thread uses or reads it
   [[nodiscard]] Simulation& write() {
     occupancy.require_writable("The simulation");
     return simulation;
@@ -47,7 +48,7 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
   }
 };
 
-/// A step's result that outlives the next step: owns its list of voxels.
+/// A result of a step that stays valid after the next step: it owns its list of voxels.
 struct PythonStepResult {
   StepResult result;
   std::vector<RemovedVoxel> voxels;

@@ -20,10 +20,10 @@ void bind_sound(py::module_& m) {
             return samples;
           },
           py::arg("count"), py::arg("sample_rate"), py::arg("input"),
-          "The next samples of one channel. How they are cut into calls does not matter.\n\n"
-          "count\n    of samples.\n"
+          "The next samples of one channel. The number of samples per call does not affect the sound.\n\n"
+          "count\n    number of samples.\n"
           "sample_rate\n    [Hz] 8000 ... 384 000; silence at any other.\n"
-          "input\n    from now on; what is not finite counts as 0.\n"
+          "input\n    valid from now on; numbers that are not finite count as 0.\n"
           "Returns\n    (n,) float32 of n = count, -1 ... 1");
   py::class_<LoopListener>(m, "LoopListener", doc("LoopListener"))
       .def(py::init<double>(), py::arg("rate") = 1000.0, doc("LoopListener::LoopListener"))

@@ -26,7 +26,7 @@ RunInput::RunInput(const py::object& given_poses, const py::object& given_veloci
       steps(poses.size() / 16) {
   if (velocities.size() / 6 != steps)
     throw Error("poses has " + std::to_string(steps) + " rows, but velocities has " +
-                std::to_string(velocities.size() / 6) + "; each step needs one of both.");
+                std::to_string(velocities.size() / 6) + "; they must be equal.");
   if (py::isinstance<py::array>(given_dt) && py::reinterpret_borrow<py::array>(given_dt).ndim() > 0) {
     durations = numbers_of(given_dt, "dt", {-1});
     if (durations.size() != steps)
@@ -38,8 +38,7 @@ RunInput::RunInput(const py::object& given_poses, const py::object& given_veloci
     if (PyErr_Occurred() != nullptr) {
       PyErr_Clear();
       throw Error("dt: " + describe_given(given_dt) +
-                  " was given; needed is a number, or an array of shape (n,) and "
-                  "dtype float64.");
+                  "  was given; required is a number, or an array of shape (n,) and dtype float64.");
     }
     require_finite({&dt, 1}, 1, "dt");
   }
@@ -92,13 +91,14 @@ std::vector<VoxelIndex> origins_from(const py::array_t<std::int32_t, py::array::
 void TakenSteps::tell() const {
   if (taken_ == 0 && all_ > 0)
     py::module_::import("hapticut._runs")
-        .attr("none_taken")("none of the " + std::to_string(all_) + " steps was taken: " + describe(seen_));
+        .attr("warn_no_steps")("none of the " + std::to_string(all_) + " steps was made: " + describe(seen_));
 }
 
 PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
                            const Stepper& step) {
   const StepInput input = step_input(pose, velocity, dt);
-  simulation.occupancy.require_writable("The simulation");  // last: reading the input may let other threads run
+  simulation.occupancy.require_writable(
+      "The simulation");  // checked last, because reading the input may let other threads run
   return PythonStepResult(step(input));
 }
 

@@ -11,7 +11,7 @@
 
 namespace hapticut::python {
 
-/// What makes the steps: a simulation, or a recorder in its stead.
+/// Source of the steps: a simulation, or a recorder for it.
 using Stepper = std::function<const StepResult&(const StepInput&)>;
 
 /// The inputs of a run, checked before its first step.
@@ -20,17 +20,17 @@ struct RunInput {
   double dt;
   std::size_t steps;
 
-  /// @throws Error that names the argument, what was given and what is needed
+  /// @throws Error that names the argument, the given and the required value
   RunInput(const py::object& poses, const py::object& velocities, const py::object& dt);
 
   [[nodiscard]] StepInput operator[](std::size_t step) const;
 };
 
 /// The input of one step.
-/// @throws Error as above
+/// @throws Error that names the argument, the given and the required value
 [[nodiscard]] StepInput step_input(const FewNumbers& pose, const FewNumbers& velocity, double dt);
 
-/// What became of the steps of a run.
+/// Counts the accepted steps of a run.
 class TakenSteps {
  public:
   void note(StepStatus status) {
@@ -38,7 +38,7 @@ class TakenSteps {
     ++all_;
     taken_ += has_any(status, kRejected | StepStatus::tool_waits) ? 0 : 1;
   }
-  /// Warns when there were some, and none of them was taken.
+  /// Warns when all steps of a run were rejected.
   void tell() const;
 
  private:
@@ -47,15 +47,16 @@ class TakenSteps {
 };
 
 /// A row of numbers for every step, without the interpreter lock.
-/// @param step  makes one of an input and returns its result
+/// @param step  makes a step from an input and returns its result
 /// @param write  `write(result, time, row)`
-/// @throws Error while another thread is at work on the simulation
+/// @throws Error while another thread uses the simulation
 template <class Step, class Write>
 py::array make_rows(PythonSimulation& simulation, const RunInput& input, const py::dtype& type, const Step& step,
                     const Write& write) {
   py::array all = empty_rows(type, input.steps);
   auto* row = static_cast<std::byte*>(all.mutable_data());
-  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
+  simulation.occupancy.require_writable(
+      "The simulation");  // checked last, because the code above may let other threads run
   simulation.removed.clear();
   TakenSteps taken;
   {
@@ -75,24 +76,24 @@ py::array make_rows(PythonSimulation& simulation, const RunInput& input, const p
   return all;
 }
 
-/// (n, 3) int32 and (n,) uint8 that look into a list of voxels which `owner` keeps alive.
+/// (n, 3) int32 and (n,) uint8 views of a list of voxels that `owner` keeps alive.
 [[nodiscard]] py::array voxel_indices(const std::vector<RemovedVoxel>& voxels, py::handle owner);
 [[nodiscard]] py::array voxel_materials(const std::vector<RemovedVoxel>& voxels, py::handle owner);
 
 /// (n, 3) int32, copied.
 [[nodiscard]] py::array block_origins(std::span<const VoxelIndex> origins);
 
-/// The way back.
-/// @throws Error unless it is an (n, 3) array
+/// Converts an (n, 3) int32 array to indices.
+/// @throws Error for any other array
 [[nodiscard]] std::vector<VoxelIndex> origins_from(const py::array_t<std::int32_t, py::array::c_style>& given);
 
-/// One step, its pose and velocity checked.
-/// @throws Error as above
+/// Checks pose and velocity and makes one step.
+/// @throws Error that names the argument, the given and the required value
 [[nodiscard]] PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose,
                                          const FewNumbers& velocity, double dt, const Stepper& step);
 
-/// A step for every row, without the interpreter lock.
-/// @throws Error as above, and when a number is not finite; then no step was made
+/// Makes a step for every row, without the interpreter lock.
+/// @throws Error that names a wrong argument, or when a number is not finite; then no step was made
 [[nodiscard]] pybind11::array make_steps(PythonSimulation& simulation, const Float64Array& poses,
                                          const Float64Array& velocities, const Durations& dt, const Stepper& step);
 

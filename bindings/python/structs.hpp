@@ -21,14 +21,14 @@
 #include "hapticut/core/description.hpp"
 
 /// @file
-/// One way to bind a plain struct: every field is a keyword of the constructor, with the default of C++, an attribute
-/// with the comment of the header, and part of the text and the pickle of the object. The fields are those that the
-/// struct describes itself (core/description.hpp), or are listed here.
+/// Binds plain structs. Every field is a keyword of the constructor with C++'s default, an attribute with the header's
+/// comment, and part of the object's text and pickle. The fields come from the struct's description
+/// (core/description.hpp) or from the call.
 namespace hapticut::python {
 
 namespace detail {
 
-/// A field's comment; Python's `from_` is C++'s `from`.
+/// The comment of a field; `from_` in Python is `from` in C++.
 inline const char* doc_of_field(const std::string& scope, std::string_view name) {
   while (name.ends_with('_')) name.remove_suffix(1);
   return doc_or_none(scope + "::" + std::string(name));
@@ -37,7 +37,7 @@ inline std::string doc_of_field(const std::string& text, const std::string& scop
   return text.empty() ? doc_of_field(scope, name) : text;
 }
 
-/// What a struct says of a field, and below it the comment of the header, if there is one: "[m] >= 0 from Ho to To".
+/// The description of a field, followed by the comment of the header if there is one: "[m] >= 0 from Ho to To".
 template <class S, class T>
 std::string doc_of_described(const hapticut::Field<S, T>& field, const std::string& scope) {
   std::string text = *field.unit != '\0' ? "[" + std::string(field.unit) + "]" : "";
@@ -93,13 +93,13 @@ Field<S, T, false> field(const char* name, T S::*member) {
   return {name, member, {}};
 }
 
-/// A field that the constructor must be given.
+/// A field that is a required argument of the constructor.
 template <class S, class T>
 Field<S, T, true> required(const char* name, T S::*member) {
   return {name, member, {}};
 }
 
-/// A field that Python sees as another type.
+/// A field with another type in Python.
 template <class S, class T, class Get, class Set>
 struct ComputedField {
   using Value = T;
@@ -122,17 +122,17 @@ ComputedField<S, T, Get, Set> computed(const char* name, Get getter, Set setter,
   return {name, getter, setter, std::move(text)};
 }
 
-/// An enumeration of bits: in Python a whole number.
+/// A bit enumeration, which is a whole number in Python.
 template <class T>
 concept Bits = std::is_enum_v<T> && requires(T bits) {
   { bits | bits } -> std::same_as<T>;
 };
 
-/// Whether the constructor must be given the numbers of a struct; to be specialised beside its binding.
+/// Whether the numbers of a struct are required arguments; specialise it next to the binding.
 template <class S>
 inline constexpr bool kNumbersAreRequired = false;
 
-/// What Python has in place of a type of C++: `Type`, and the way there and back. To be specialised.
+/// The Python type `Type` for a C++ type, with both conversions. Specialise it.
 template <class T>
 struct InPython {};
 
@@ -143,7 +143,7 @@ struct InPython<T> {
   static T back(Type number) { return T(number); }
 };
 
-/// Null is None.
+/// A null pointer becomes None.
 template <class T>
 struct InPython<std::shared_ptr<const T>> {
   using Type = std::optional<std::shared_ptr<T>>;
@@ -153,7 +153,7 @@ struct InPython<std::shared_ptr<const T>> {
   static std::shared_ptr<const T> back(const Type& given) { return given.value_or(nullptr); }
 };
 
-/// A name that is looked at, not owned; what Python gives stays for the life of the program.
+/// A non-owned name; names from Python live as long as the program.
 template <>
 struct InPython<std::string_view> {
   using Type = std::string;
@@ -166,7 +166,7 @@ struct InPython<std::string_view> {
 
 namespace detail {
 
-/// A field as Python sees it.
+/// A field in its Python form.
 template <class S, class T>
 auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
   std::string text = doc_of_described(field, scope);
@@ -182,7 +182,7 @@ auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
   }
 }
 
-/// How many fields may be given by position: all of a few, else those that must be given, or the first.
+/// Number of positional arguments: all fields if there are few, else the required ones, at least the first.
 template <class... Fields>
 constexpr std::size_t positional_fields() {
   constexpr std::size_t kFew = 4;
@@ -251,8 +251,8 @@ py::class_<S> bind_struct(py::handle parent, const char* name, Fields... fields)
   return bind_struct<S>(parent, name, name, fields...);
 }
 
-/// Binds a struct with the fields that it describes itself.
-/// @param scope  its name in C++, within namespace hapticut, where that is another than in Python
+/// Binds a described struct with all its fields.
+/// @param scope  its name in C++ within namespace hapticut, if different from Python
 template <Described S>
 py::class_<S> bind_described(py::handle parent, const char* name, const char* scope = nullptr) {
   const char* in_cpp = scope != nullptr ? scope : name;
@@ -266,7 +266,7 @@ std::pair<const char*, T S::*> member(const char* name, T S::*pointer) {
   return {name, pointer};
 }
 
-/// Binds a struct that Python only reads: what a call returns.
+/// Binds a read-only struct, e.g. the result of a call.
 template <class S, class... Members>
 py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const char*, Members S::*>... members) {
   py::class_<S> binding(parent, name, doc(name));
@@ -279,7 +279,7 @@ py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const c
   return binding;
 }
 
-/// Binds a struct that describes itself and that Python only reads.
+/// Binds a described, read-only struct.
 template <Described S>
 py::class_<S> bind_described_result(py::handle parent, const char* name) {
   py::class_<S> binding(parent, name, doc(name));
@@ -294,8 +294,8 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
   return binding;
 }
 
-/// Binds an enumeration that names its values; their docstrings are the comments of the header.
-/// @param scope  its name in C++, within namespace hapticut, where that is another than in Python
+/// Binds a named enumeration; the docstrings of its values are the comments of the header.
+/// @param scope  its name in C++ within namespace hapticut, if different from Python
 template <NamedEnum E>
 py::enum_<E> bind_enum(py::handle parent, const char* name, const char* scope = nullptr) {
   const std::string in_cpp = scope != nullptr ? scope : name;
@@ -305,12 +305,12 @@ py::enum_<E> bind_enum(py::handle parent, const char* name, const char* scope = 
   return binding;
 }
 
-/// Binds an enumeration of bits: `a | b` and `a & b` are whole numbers, and so are those with a number; with an array
-/// of numbers they are arrays.
+/// Binds a bit enumeration. `a | b` and `a & b` give whole numbers, also with a number as operand; with an array they
+/// give arrays.
 template <NamedEnum E>
 void bind_bits(py::handle parent, const char* name) {
   py::enum_<E> binding = bind_enum<E>(parent, name);
-  binding.attr("__array_ufunc__") = py::none();  // so that arrays leave the operation to these
+  binding.attr("__array_ufunc__") = py::none();  // arrays then use the operators below
   const auto define = [&binding](const char* left, const char* right, const char* operation) {
     const auto apply = [operation](E bits, const py::object& other) -> py::object {
       const py::object number = py::isinstance<E>(other) ? py::object(py::int_(other)) : other;

@@ -26,7 +26,7 @@ py::dtype vertex_type() {
   return py::dtype(names, formats, offsets, sizeof(SurfaceVertex));
 }
 
-/// (n, 3) float64 of something that each vertex has.
+/// (n, 3) float64 array of a vector per vertex.
 template <class Of>
 py::array of_vertices(const SurfacePage& page, const Of& of) {
   py::array_t<double> all({py::ssize_t(page.vertices.size()), py::ssize_t(3)});
@@ -43,14 +43,14 @@ void bind_whole_surface(py::module_& m) {
       .def_readonly("mesh", &WorkpieceSurface::mesh, doc("WorkpieceSurface::mesh"))
       .def_property_readonly(
           "normals", [](const py::object& self) { return view_of(self.cast<const WorkpieceSurface&>().normals, self); },
-          "(n, 3) of each vertex, of length 1, out of the material; in W; read-only.")
+          "(n, 3) unit normals of the vertices, out of the material, in W; read-only.")
       .def_property_readonly(
           "materials",
           [](const py::object& self) {
             const auto& ids = self.cast<const WorkpieceSurface&>().materials;
             return view(py::dtype::of<std::uint8_t>(), {py::ssize_t(ids.size())}, {1}, ids.data(), self);
           },
-          "(n,) uint8 of each vertex: of the nearest voxel around that is at least half full; read-only.");
+          "(n,) uint8 material ids of the vertices: from the nearest voxel that is at least half full; read-only.");
   m.def(
       "extract_surface",
       [](const PythonWorkpiece& w) { return w.read_released([](const Workpiece& x) { return extract_surface(x); }); },
@@ -84,19 +84,19 @@ void bind_page(py::module_& m) {
             return view(py::dtype::of<std::uint16_t>(), {py::ssize_t(indices.size() / 3), 3}, {6, 2}, indices.data(),
                         self);
           },
-          "(m, 3) uint16 of the triangles, counter-clockwise seen from outside; read-only.")
+          "(m, 3) uint16 vertices of the triangles, counter-clockwise seen from outside; read-only.")
       .def(
           "positions",
           [](const P& self, const GridFrame& frame) {
             return of_vertices(self, [&](const SurfaceVertex& v) { return vertex_position(frame, self, v); });
           },
-          py::arg("frame"), "[m] (n, 3) of the vertices, in W.")
+          py::arg("frame"), "[m] (n, 3) positions of the vertices, in W.")
       .def(
           "normals",
           [](const P& self, const GridFrame& frame) {
             return of_vertices(self, [&](const SurfaceVertex& v) { return vertex_normal(frame, v); });
           },
-          py::arg("frame"), "(n, 3) of the vertices, in W, of length 1.");
+          py::arg("frame"), "(n, 3) unit normals of the vertices, in W.");
   page.attr("kEdge") = P::kEdge;
   page.attr("kBlocks") = P::kBlocks;
   page.attr("kMaxVertices") = P::kMaxVertices;
@@ -131,7 +131,8 @@ void bind_surface(py::module_& m) {
             if (!self.next_page(*page)) page.reset();
             return page;
           },
-          "Takes the page that waits nearest to the point looked at, meshed as it is now; None when none waits.")
+          "Removes and returns the waiting page nearest to the point looked at, meshed from the present voxels; None "
+          "when no page waits.")
       .def("look_at", &S::look_at, py::arg("p_WQ"), doc("SurfaceStream::look_at"))
       .def("resend", &S::resend, doc("SurfaceStream::resend"))
       .def_property_readonly("frame", &S::frame, py::return_value_policy::copy, doc("GridFrame"))

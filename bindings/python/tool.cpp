@@ -73,7 +73,7 @@ void bind_heads(py::module_& m) {
       .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
       .def("spring_at", &ToolHead::spring_at, py::arg("p_TQ"),
-           "The spring at a point (3,) [m] of T: how deep it lies in the head, and in which direction it pushes.")
+           "The spring at a point (3,) [m] in T: depth in the head and direction of the force.")
       .def("__repr__",
            [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
 

@@ -9,8 +9,8 @@
 
 namespace pybind11::detail {
 
-/// Where a head is wanted a shape is one, as in C++. pybind11's own implicit conversions would swallow the message when
-/// the shape is not valid.
+/// Accepts a shape as a head, as in C++. pybind11's implicit conversions would lose the message when the shape is
+/// invalid.
 template <>
 struct type_caster<hapticut::ToolHead> : type_caster_base<hapticut::ToolHead> {
   bool load(handle given, bool convert) {

@@ -10,8 +10,8 @@
 #include "structs.hpp"
 
 /// @file
-/// Rows of structured arrays, such as that of Simulation.run: `time`, and the fields of StepResult as they describe
-/// themselves. Of the removed voxels they have the number.
+/// Rows of structured arrays, e.g. from Simulation.run: `time` and the described fields of StepResult. For the removed
+/// voxels, a row has only their number.
 namespace hapticut::python {
 
 namespace detail {
@@ -54,7 +54,7 @@ py::list row_fields() {
   return fields;
 }
 
-/// Writes the same, one number behind the other.
+/// Writes the fields in order, without gaps.
 template <class T>
 void put(std::byte*& at, const T& value) noexcept {
   const auto copy = [&at](const auto& number) {
@@ -88,12 +88,12 @@ void put(std::byte*& at, const T& value) noexcept {
 
 }  // namespace detail
 
-/// The type of a row, which is filled up where its last number has half the width of the others.
+/// The type of a row, padded when its last number has half the width of the others.
 inline py::dtype row_type(const py::list& fields) {
   return py::dtype::from_args(py::module_::import("numpy").attr("dtype")(fields, py::arg("align") = true));
 }
 
-/// The same of Simulation.run.
+/// The type of a row of Simulation.run.
 inline py::dtype trace_type() {
   py::list fields;
   fields.append(detail::row_field<double>("time"));

@@ -26,7 +26,7 @@ const Workpiece& PythonWorkpiece::read() const {
 Workpiece& PythonWorkpiece::write() {
   if (own_ == nullptr)
     throw Error(
-        "this workpiece belongs to a Simulation, which alone may change it; use Simulation.restore, .reset or "
+        "only its Simulation may change this workpiece; use Simulation.restore, .reset or "
         ".reserve_blocks, or change a clone() of it.");
   own_occupancy_->require_writable("The workpiece");
   return *own_;
@@ -38,14 +38,14 @@ Occupancy& PythonWorkpiece::occupancy() const {
 
 namespace {
 
-/// An array larger than this, 4 GiB of bytes, is a mistake more often than a wish.
+/// Maximum size of an array: 4 GiB. A larger one is probably a mistake.
 constexpr double kMaxVoxelsOfAnArray = 4294967296.0;
 
 IndexBox box_or_bounds(const Workpiece& workpiece, const std::optional<IndexBox>& box) {
   const IndexBox wanted = box ? *box : workpiece.bounds();
   if (wanted.empty())
     throw Error(box ? "IndexBox is empty; each max must be at least its min." : "the workpiece is empty; give a box.");
-  double voxels = 1;  // IndexBox::voxels cannot count those of any box
+  double voxels = 1;  // as double, because IndexBox::voxels can overflow
   for (std::size_t axis = 0; axis < 3; ++axis) voxels *= double(wanted.max[axis]) - wanted.min[axis] + 1;
   if (voxels > kMaxVoxelsOfAnArray)
     throw Error("an array of " + format_number(voxels) + " voxels is too large; ask for a smaller box.");
@@ -59,15 +59,14 @@ std::array<std::size_t, 3> extent_of(const IndexBox& box) {
   return extent;
 }
 
-/// Calls `function(block, voxel in the block, place in the array)` for every voxel of a box that the workpiece may
-/// fill.
+/// Calls `function(block, voxel in the block, index in the array)` for every voxel of a box that can be solid.
 template <class Function>
 void for_each_filled_voxel(const Workpiece& workpiece, const IndexBox& box, const Function& function) {
   const std::array<std::size_t, 3> extent = extent_of(box);
   const auto place = [&box](const VoxelIndex& at, std::size_t axis) {
     return std::size_t(std::int64_t(at[axis]) - box.min[axis]);
   };
-  const IndexBox both = overlap(workpiece.bounds(), box);  // within +-2^30, so that the loops below end
+  const IndexBox both = overlap(workpiece.bounds(), box);  // within +-2^30, so the loops below end
   for_each_block_origin(both, [&](const VoxelIndex& origin) {
     const BlockView block = workpiece.block(origin);
     if (block.empty()) return;
@@ -92,14 +91,14 @@ py::array dense(const PythonWorkpiece& workpiece, const std::optional<IndexBox>&
   return array;
 }
 
-/// A workpiece from dense arrays of voxels, exactly: the opposite of material_array and fill_array.
+/// A workpiece from dense voxel arrays: the inverse of material_array and fill_array.
 PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::array>& fill, const GridFrame& frame,
                             const MaterialTable& materials, const VoxelIndex& origin) {
   const auto ids = py::array_t<std::uint8_t, py::array::c_style>::ensure(material);
   if (material.dtype().kind() != 'u' || material.itemsize() != 1 || material.ndim() != 3 || !ids) {
     PyErr_Clear();
     throw Error("material: " + describe_given(material) +
-                " was given; needed is an array of shape (nx, ny, nz) and dtype uint8.");
+                " was given; required is an array of shape (nx, ny, nz) and dtype uint8.");
   }
   py::array_t<float, py::array::c_style | py::array::forcecast> fills;
   if (fill) {
@@ -107,14 +106,15 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
     const bool same_shape = fill->ndim() == 3 && std::equal(material.shape(), material.shape() + 3, fill->shape());
     if (fill->dtype().kind() != 'f' || !same_shape)
       throw Error("fill: " + describe_given(*fill) +
-                  " was given; needed is a floating dtype and the shape of material, " +
+                  " was given; required is a floating dtype and the shape of material,  " +
                   std::string(py::str(material.attr("shape"))) + ".");
   }
   if (material.size() == 0) throw Error("material has no voxels; every axis must have at least one.");
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (std::int64_t(origin[axis]) + ids.shape(py::ssize_t(axis)) > std::numeric_limits<int>::max())
       throw Error("origin = " + std::to_string(origin[axis]) + " along axis " + std::to_string(axis) + " and " +
-                  std::to_string(ids.shape(py::ssize_t(axis))) + " voxels from there are beyond what an index can be.");
+                  std::to_string(ids.shape(py::ssize_t(axis))) +
+                  " voxels from there are outside the range of indices.");
   const int nx = int(ids.shape(0)), ny = int(ids.shape(1)), nz = int(ids.shape(2));
   const IndexBox domain{origin, {origin[0] + nx - 1, origin[1] + ny - 1, origin[2] + nz - 1}};
   const std::uint8_t* id = ids.data();
@@ -173,10 +173,10 @@ std::vector<LabelMaterial> label_materials_from(const py::dict& materials) {
 
 void bind_values(py::module_& m) {
   bind_struct<IndexBox>(m, "IndexBox", field("min", &IndexBox::min), field("max", &IndexBox::max))
-      .def("empty", &IndexBox::empty, "Whether there is no voxel in it.")
-      .def("voxels", &IndexBox::voxels, "How many voxels there are in it.");
+      .def("empty", &IndexBox::empty, "Whether the box has no voxel.")
+      .def("voxels", &IndexBox::voxels, "Number of voxels in the box.");
   bind_struct<GridFrame>(m, "GridFrame", field("voxel_size", &GridFrame::voxel_size), field("X_WV", &GridFrame::X_WV))
-      .def("center", &GridFrame::center, py::arg("index"), "[m] (3,) of a voxel, in W.");
+      .def("center", &GridFrame::center, py::arg("index"), "[m] (3,) centre of a voxel, in W.");
   bind_struct<Box>(m, "Box", required("min", &Box::min), required("max", &Box::max));
   bind_result<MaterialAmount>(m, "MaterialAmount", member("material", &MaterialAmount::material),
                               member("voxels", &MaterialAmount::voxels), member("volume", &MaterialAmount::volume),
@@ -211,7 +211,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
           "A workpiece from a segmentation.\n\n"
           "Parameters\n----------\n"
           "array\n    (nx, ny, nz) of a whole-number dtype, any memory order: array[i, j, k] is the label of sample\n"
-          "    (i, j, k). An array that was read as [z, y, x] is given as array.T.\n"
+          "    (i, j, k). For an array in the order [z, y, x], pass array.T.\n"
           "spacing\n    [m] (3,) distance of neighbouring samples along x, y, z.\n"
           "materials\n    dict from a label, or a tuple of labels, to its Material; ids follow its order.\n"
           "X_WG\n    (4, 4) pose of the grid: position of sample (0, 0, 0) and directions of its axes.\n"
@@ -227,7 +227,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
           },
           py::arg("array"), py::arg("spacing"), py::arg("ranges"), py::arg("X_WG") = Pose{},
           py::arg("options") = VolumeBuildOptions{},
-          "A workpiece from grey values: what no range covers is empty.\n\n"
+          "A workpiece from grey values: values outside all ranges are empty.\n\n"
           "Parameters\n----------\n"
           "array\n    (nx, ny, nz) of any real dtype, any memory order: array[i, j, k] is sample (i, j, k).\n"
           "spacing\n    [m] (3,) distance of neighbouring samples along x, y, z.\n"
@@ -246,7 +246,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
           py::arg("options") = VolumeBuildOptions{})
       .def_static("from_arrays", &from_arrays, py::arg("material"), py::arg("fill"), py::arg("frame"),
                   py::arg("materials"), py::arg("origin") = VoxelIndex{0, 0, 0},
-                  "A workpiece from its voxels: what material_array and fill_array give, but for the centroids.\n\n"
+                  "A workpiece from its voxels: the results of material_array and fill_array, without centroids.\n\n"
                   "Parameters\n----------\n"
                   "material\n    (nx, ny, nz) uint8 ids, 0 where there is nothing.\n"
                   "fill\n    (nx, ny, nz) filled fractions 0 ... 1, or None: all full.\n"
@@ -301,14 +301,15 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
       .def("set_materials", writing<W>(&Workpiece::set_materials), py::arg("materials"),
            doc("Workpiece::set_materials"))
       .def("snapshot", reading<W>(&Workpiece::snapshot),
-           "A frozen copy of the state, to return to. Cheap to copy; shares memory.")
+           "A frozen copy of the state, for `restore`. Cheap to copy; shares memory.")
       .def("restore", writing<W>(&Workpiece::restore), py::arg("snapshot"), doc("Workpiece::restore"))
       .def("reserve_undo", writing<W>(&Workpiece::reserve_undo), py::arg("blocks"), doc("Workpiece::reserve_undo"))
-      .def_property_readonly("undo_blocks", reading<W>(&Workpiece::undo_blocks), "How many `reserve_undo` asked for.")
+      .def_property_readonly("undo_blocks", reading<W>(&Workpiece::undo_blocks),
+                             "Number of blocks reserved by `reserve_undo`.")
       .def("set_mark", writing<W>(&Workpiece::set_mark), doc("Workpiece::set_mark"))
-      .def_property_readonly("marks", reading<W>(&Workpiece::marks), "How many marks can be returned to.")
+      .def_property_readonly("marks", reading<W>(&Workpiece::marks), "Number of marks that can be restored.")
       .def("undo_block", writing<W>(&Workpiece::undo_block), doc("Workpiece::undo_block"))
-      .def_property_readonly("redo_marks", reading<W>(&Workpiece::redo_marks), "How many undone marks there are.")
+      .def_property_readonly("redo_marks", reading<W>(&Workpiece::redo_marks), "Number of undone marks.")
       .def("redo_block", writing<W>(&Workpiece::redo_block), doc("Workpiece::redo_block"))
       .def("reserve_blocks", writing<W>(&Workpiece::reserve_blocks), py::arg("count"), doc("Workpiece::reserve_blocks"))
       .def("reserved_blocks", reading<W>(&Workpiece::reserved_blocks), doc("Workpiece::reserved_blocks"))

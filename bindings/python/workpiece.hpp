@@ -12,11 +12,11 @@
 
 namespace hapticut::python {
 
-/// Which thread is at work on a C++ object while the interpreter lock is released. Only looked at with the lock held.
+/// Tracks which threads use a C++ object while the interpreter lock is released. Access it only with the lock held.
 class Occupancy {
  public:
   void require_readable(const char* what) const {
-    if (writing_) throw Error(std::string(what) + " is being worked on by another thread; wait until that has ended.");
+    if (writing_) throw Error(std::string(what) + "  is in use by another thread; wait until that has ended.");
   }
   void require_writable(const char* what) const {
     require_readable(what);
@@ -72,8 +72,8 @@ class ReleasedWriting {
 
 class PythonSimulation;
 
-/// A workpiece as Python holds it: its own, or a look at that of a simulation, which it keeps alive. The look is always
-/// at the simulation's present workpiece, also after a reset, and cannot change it.
+/// A workpiece in Python: owned, or a read-only view of a simulation's workpiece. A view keeps the simulation alive and
+/// always shows its present workpiece, also after a reset.
 class PythonWorkpiece {
  public:
   explicit PythonWorkpiece(Workpiece workpiece)
@@ -83,7 +83,7 @@ class PythonWorkpiece {
   /// @throws Error while another thread changes it
   [[nodiscard]] const Workpiece& read() const;
 
-  /// @throws Error when it belongs to a simulation, or another thread is at work on it
+  /// @throws Error when it belongs to a simulation, or another thread uses it
   [[nodiscard]] Workpiece& write();
 
   [[nodiscard]] Occupancy& occupancy() const;
@@ -115,13 +115,13 @@ auto making(Workpiece (*make)(Given...)) {
   return [make](const std::remove_cvref_t<Given>&... given) { return make_released([&] { return make(given...); }); };
 }
 
-/// A method of C++ that looks at an object, as one of what holds it in Python: of `Holder::read`.
+/// Wraps a const C++ method for the Python holder, through `Holder::read`.
 template <class Holder, class Object, class Result, class... Given>
 auto reading(Result (Object::*method)(Given...) const) {
   return [method](const Holder& self, Given... given) { return (self.read().*method)(std::forward<Given>(given)...); };
 }
 
-/// The same of one that changes it: of `Holder::write`.
+/// Wraps a mutating C++ method for the Python holder, through `Holder::write`.
 template <class Holder, class Object, class Result, class... Given>
 auto writing(Result (Object::*method)(Given...)) {
   return [method](Holder& self, Given... given) { return (self.write().*method)(std::forward<Given>(given)...); };

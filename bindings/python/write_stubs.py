@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the types of the compiled module from what it says about itself: write_stubs.py MODULE FOLDER
+"""Writes the types of the compiled module: write_stubs.py MODULE FOLDER
 
-MODULE is the file of the module as it was built. Its stub _hapticut.pyi goes to FOLDER, and with it py.typed, which tells
-type checkers that there is one. Needs pybind11-stubgen. Without it, or where the module cannot be imported (because it
-waits for a sanitizer, say), nothing is written, a sentence says why, and the build goes on: types are no part of what
-runs.
+MODULE is the file of the built module. Writes its stub _hapticut.pyi and py.typed, which tells type checkers about the
+stub, to FOLDER. Needs pybind11-stubgen. Without it, or when the module cannot be imported (e.g. in a sanitizer build),
+writes nothing, prints the reason, and the build continues: types are not needed at run time.
 """
 import ast
 import importlib
@@ -17,7 +16,7 @@ from typing import Optional
 
 
 def import_alone(module: Path) -> None:
-    """Imports the compiled module without the package around it, which tells of each name where the user finds it."""
+    """Imports the compiled module without the package, which would move its names to other modules."""
     package = types.ModuleType("hapticut")
     package.__path__ = [str(module.parent)]
     sys.modules["hapticut"] = package
@@ -25,7 +24,7 @@ def import_alone(module: Path) -> None:
 
 
 def stub() -> str:
-    """The text of _hapticut.pyi, of the module that was imported."""
+    """The text of _hapticut.pyi for the imported module."""
     from pybind11_stubgen import main
 
     with tempfile.TemporaryDirectory() as folder:
@@ -37,8 +36,8 @@ def stub() -> str:
     return "# SPDX-License-Identifier: Apache-2.0\n# Written by pybind11-stubgen.\n" + text
 
 
-def why_none(module: Path, folder: Path) -> Optional[str]:
-    """Writes both files. @return why they could not be written, or None"""
+def write(module: Path, folder: Path) -> Optional[str]:
+    """Writes both files. Returns the reason of a failure, or None."""
     for name in ("_hapticut.pyi", "py.typed"):
         (folder / name).unlink(missing_ok=True)
     try:
@@ -52,7 +51,7 @@ def why_none(module: Path, folder: Path) -> Optional[str]:
 
 
 if __name__ == "__main__":
-    reason = why_none(Path(sys.argv[1]), Path(sys.argv[2]))
+    reason = write(Path(sys.argv[1]), Path(sys.argv[2]))
     if reason is not None:
         print(f"hapticut for Python is built without types, because they could not be written ({reason}).",
               file=sys.stderr)

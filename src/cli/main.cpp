@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The program: turns the settings of each subcommand into flags, applies the settings file and then the flags, and
-// runs.
+// SPDX-License-Identifier: Apache-2.0 The program: makes flags from the settings of each subcommand, applies the
+// settings file, then the flags, and runs the command.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -25,16 +24,16 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
-/// A subcommand, and what was written behind its flags.
+/// A subcommand and the texts given to its flags.
 struct Registered {
   Command command;
   CLI::App* app = nullptr;
   std::string settings_file = {};
-  std::deque<std::vector<std::string>> texts = {};  // one per setting
+  std::deque<std::vector<std::string>> texts = {};  // one element per setting
 };
 
 void register_flags(Registered& entry) {
-  entry.app->add_option("--settings", entry.settings_file, "a TOML file with settings; flags override it");
+  entry.app->add_option("--settings", entry.settings_file, "TOML file with settings; flags override it");
   for (const Setting& setting : entry.command.settings) {
     std::vector<std::string>& texts = entry.texts.emplace_back();
     if (setting.flag.empty()) continue;
@@ -54,10 +53,10 @@ void register_flags(Registered& entry) {
 
 std::string name_of(const Setting& setting) { return setting.flag.empty() ? setting.key : setting.flag; }
 
-/// What a run reads is not what it writes, and each of its outputs has a file of its own.
-/// @throws Error naming both settings
+/// A run must not overwrite its inputs, and each output needs a separate file.
+/// @throws Error that names both settings
 void require_own_files(const std::vector<Setting>& settings, const std::string& settings_file) {
-  std::map<std::filesystem::path, std::string> taken;  // by file, the setting that names it
+  std::map<std::filesystem::path, std::string> taken;  // file -> setting that names it
   const auto place_of = [](const std::string& file) {
     std::error_code unknown;
     const std::filesystem::path path = std::filesystem::absolute(file);
@@ -75,7 +74,7 @@ void require_own_files(const std::vector<Setting>& settings, const std::string& 
     const auto [other, is_new] = taken.try_emplace(place, name_of(setting));
     std::error_code unknown;
     if (!is_new && (std::filesystem::is_regular_file(place, unknown) || !std::filesystem::exists(place, unknown)))
-      throw Error(name_of(setting) + " would overwrite '" + *setting.file + "', which is the file of " + other->second +
+      throw Error(name_of(setting) + " would overwrite '" + *setting.file + "', the file of " + other->second +
                   ". Give it another name.");
   }
 }
@@ -103,7 +102,7 @@ std::string unknown_argument(const std::deque<Registered>& entries, const std::s
     help = "hapticut " + entry.command.name + " --help";
   }
   if (parse_number(argument))
-    return argument + " belongs to no flag. Numbers of one flag are joined by commas: 60,10,10. See " + help + ".";
+    return argument + " belongs to no flag. Separate the numbers of one flag by commas: 60,10,10. See " + help + ".";
   return "there is no " + argument + "." + suggestion(argument, known) + " See " + help + ".";
 }
 
@@ -112,7 +111,7 @@ int complain(const std::string& message, int code) {
   return code;
 }
 
-/// In flags a dash is as good as an underscore: --steps-csv, --voxel-mm.
+/// Flags accept a dash instead of an underscore: --steps-csv, --voxel-mm.
 void use_underscores(char* argument) {
   if (argument[0] != '-' || argument[1] != '-') return;
   for (char* c = argument + 2; *c != '\0' && *c != '='; ++c)
@@ -136,7 +135,7 @@ int main_with(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    // What CLI11 could not place explains more than what it then misses.
+    // Unknown arguments explain the error better than the missing ones that follow from them.
     const std::vector<std::string> extras = app.remaining(true);
     return complain(extras.empty() ? std::string(error.what()) + ". See hapticut --help."
                                    : unknown_argument(entries, extras.front()),
@@ -161,13 +160,13 @@ int main_with(int argc, char** argv) {
 }  // namespace hapticut::cli
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, and is said
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit then becomes a write error
   try {
     return hapticut::cli::main_with(argc, argv);
-  } catch (const std::exception& error) {  // out of memory while the arguments are read
+  } catch (const std::exception& error) {  // e.g. out of memory while parsing the arguments
     std::fprintf(stderr, "hapticut: %s\n", error.what());
   } catch (...) {
-    std::fputs("hapticut: failed for a reason it cannot name.\n", stderr);
+    std::fputs("hapticut: failed for an unknown reason.\n", stderr);
   }
   return 1;
 }

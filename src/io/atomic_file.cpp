@@ -28,7 +28,7 @@ std::string text_of_errno(int error_number) { return std::generic_category().mes
 constexpr std::string_view kTemporaryPrefix = ".hapticut-";
 constexpr std::size_t kMaxName = 255;  // [bytes] of a file
 
-/// Of processes that see each other by number: this machine, and the space that its numbers are counted in.
+/// Identifies this machine and its process-id namespace: process ids mean the same only within both.
 std::string home_of_processes() {
   char host[256] = {};
   ::gethostname(host, sizeof host - 1);
@@ -39,7 +39,7 @@ std::string home_of_processes() {
   return text.data();
 }
 
-/// ".hapticut-HOME-PROCESS-NUMBER-NAME"; of a long name only its end, which has the extension.
+/// ".hapticut-HOME-PROCESS-NUMBER-NAME"; a long name is shortened to its end, which has the extension.
 std::string temporary_name(const std::string& name) {
   static std::atomic<unsigned> counter{0};
   static const std::string home = home_of_processes();
@@ -48,7 +48,7 @@ std::string temporary_name(const std::string& name) {
   return start + name.substr(name.size() - std::min(name.size(), kMaxName - start.size()));
 }
 
-/// The process that made a temporary file here and is gone, or 0.
+/// Id of the process that made a temporary file here and has ended, or 0.
 pid_t gone_maker_of(const std::string& name) {
   static const std::string start = std::string(kTemporaryPrefix) + home_of_processes() + "-";
   pid_t maker = 0;
@@ -59,7 +59,7 @@ pid_t gone_maker_of(const std::string& name) {
   return ::kill(maker, 0) != 0 && errno == ESRCH ? maker : 0;
 }
 
-/// Removes what programs that were killed have left in a folder.
+/// Removes temporary files that killed programs left in a folder.
 void remove_leftovers(const fs::path& folder) {
   std::error_code code;
   for (fs::directory_iterator entry(folder.empty() ? "." : folder, code), end; !code && entry != end;
@@ -87,7 +87,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(place_behind_links(path)) {
   if (path_.filename().string().size() > kMaxName) cannot_write(path, text_of_errno(ENAMETOOLONG));
   remove_leftovers(path_.parent_path());
   temporary_path_ = path_.parent_path() / temporary_name(path_.filename().string());
-  // O_EXCL: no other file is ever overwritten under the temporary name.
+  // O_EXCL: the temporary name never overwrites another file.
   const int file = ::open(temporary_path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
   if (file < 0) cannot_write(path, text_of_errno(errno));
   ::close(file);

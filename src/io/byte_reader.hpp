@@ -13,8 +13,8 @@
 namespace hapticut {
 
 /// The first bytes as a number.
-/// @pre there are as many
-/// @param reversed  they are in the other order than the machine's
+/// @pre there are enough bytes
+/// @param reversed  the bytes are in the opposite order to the machine's
 template <class Number>
 [[nodiscard]] Number number_in(std::string_view bytes, bool reversed = false) {
   std::array<char, sizeof(Number)> raw;
@@ -23,13 +23,13 @@ template <class Number>
   return std::bit_cast<Number>(raw);
 }
 
-/// Puts the bytes of a number behind others, in the machine's order.
+/// Appends the bytes of a number, in the machine's order.
 template <class Number>
 void append_bytes_of(std::string& bytes, const Number& number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// Goes through the bytes of a file and never beyond their end.
+/// Reads the bytes of a file in order, never beyond their end.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -39,23 +39,28 @@ class ByteReader {
 
   /// The next `count` bytes.
   /// @throws Error when the file has fewer
-  std::string_view take(std::uint64_t count) {
-    if (count > bytes_.size() - at_) throw Error("it ends too early; it was cut off or damaged. Get a complete copy.");
+  std::string_view read(std::uint64_t count) {
+    if (count > bytes_.size() - at_) throw Error("it ends too early; it is truncated or damaged. Get a complete copy.");
     const std::string_view part = bytes_.substr(at_, std::size_t(count));
     at_ += std::size_t(count);
     return part;
   }
 
-  /// The next bytes as a number, little-endian like the machine unless they are reversed.
+  /// The next bytes as a number, little-endian unless `reversed`.
   template <class T>
-  T take(bool reversed = false) {
-    return number_in<T>(take(sizeof(T)), reversed);
+  T read(bool reversed = false) {
+    return number_in<T>(read(sizeof(T)), reversed);
   }
 
-  /// @throws Error when that is behind or outside the file
+  /// Skips the next `count` bytes.
+  /// @throws Error when the file has fewer
+  void skip(std::uint64_t count) { (void)read(count); }
+
+  /// Skips to a position.
+  /// @throws Error when the position was passed already or is outside the file
   void advance_to(std::uint64_t position) {
     if (position < at_) throw Error("its table of offsets is damaged. Get a complete copy.");
-    take(position - at_);
+    skip(position - at_);
   }
 
  private:

@@ -24,14 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a program is: what its variable names, beside the file that holds this code, where a package puts it from
-/// there, where it was installed, or where it was built.
+/// Path of a program. Searched in this order: the environment variable, the folder of this code, the package folder
+/// relative to it, the install path, the build path.
 fs::path place_of(const ChildProgram& program) {
   if (const char* given = std::getenv(program.variable)) return given;
   std::error_code code;
   Dl_info here{};
   std::vector<fs::path> candidates;
-  // A program that was found by PATH is named without a folder.
+  // The dynamic linker knows a program started by PATH without its folder.
   const bool known = ::dladdr(reinterpret_cast<void*>(&place_of), &here) != 0 && here.dli_fname != nullptr &&
                      std::strchr(here.dli_fname, '/') != nullptr;
   const fs::path folder = fs::weakly_canonical(known ? here.dli_fname : "/proc/self/exe", code).parent_path();
@@ -42,10 +42,9 @@ fs::path place_of(const ChildProgram& program) {
   for (const fs::path& candidate : candidates)
     if (fs::is_regular_file(candidate, code)) return candidate;
   if (*program.built == '\0') throw Error(std::string(program.need) + program.unbuilt + program.otherwise + ".");
-  throw Error(std::string(program.need) + ", and the program '" + program.name +
-              "' that does it, which comes with the library, is not where it belongs; name it by the environment "
-              "variable " +
-              program.variable + program.otherwise + ".");
+  throw Error(std::string(program.need) + ", but the program '" + program.name +
+              "', which comes with the library, was not found; set the environment variable " + program.variable +
+              program.otherwise + ".");
 }
 
 }  // namespace
@@ -57,8 +56,8 @@ void ChildProcess::start() {
   const std::string program = place_of(program_).string();
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw Error(std::string(program_.need) + ", and the program '" + program +
-                "' that does it cannot be talked to: " + std::strerror(errno) + ".");
+    throw Error(std::string(program_.need) + ", but a connection to the program '" + program +
+                "' failed: " + std::strerror(errno) + ".");
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
@@ -79,8 +78,8 @@ void ChildProcess::start() {
   if (failure == 0) return;
   process_ = -1;
   stop();
-  throw Error(std::string(program_.need) + ", and the program '" + program +
-              "' that does it cannot be started: " + std::strerror(failure) + ".");
+  throw Error(std::string(program_.need) + ", but the program '" + program +
+              "' cannot be started: " + std::strerror(failure) + ".");
 }
 
 void ChildProcess::stop() noexcept {
@@ -102,15 +101,15 @@ bool ChildProcess::send(std::string_view bytes) const {
   return true;
 }
 
-bool ChildProcess::receive(char* bytes, std::size_t count, std::chrono::nanoseconds& patience) const {
+bool ChildProcess::receive(char* bytes, std::size_t count, std::chrono::nanoseconds& time_left) const {
   using Clock = std::chrono::steady_clock;
   while (count > 0) {
     const Clock::time_point before = Clock::now();
-    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(patience);
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(time_left);
     pollfd waiting{socket_, POLLIN, 0};
     const int ready = ::poll(&waiting, 1, int(wait.count()));
     const int reason = errno;
-    patience = std::max(patience - (Clock::now() - before), std::chrono::nanoseconds(0));
+    time_left = std::max(time_left - (Clock::now() - before), std::chrono::nanoseconds(0));
     if (ready < 0 && reason == EINTR) continue;
     if (ready <= 0) return false;
     const ssize_t got = ::recv(socket_, bytes, count, 0);

@@ -12,22 +12,22 @@
 
 namespace hapticut {
 
-/// A program that comes with the library, and where it may be.
+/// A program that comes with the library, and its possible places.
 struct ChildProgram {
-  const char* name;       ///< of its file
-  const char* variable;   ///< environment variable that names it, before all other places
+  const char* name;       ///< file name
+  const char* variable;   ///< environment variable with its path; overrides all other places
   const char* installed;  ///< path after `cmake --install`
-  const char* built;      ///< path in the build tree; empty: it was not built
-  const char* need;       ///< begins the sentence that says it is missing: "its values are compressed"
-  const char* unbuilt;    ///< goes on where it was not built: ", which needs ITK"
-  const char* otherwise;  ///< ends either sentence: ", or save the file uncompressed"; may be empty
+  const char* built;      ///< path in the build tree; empty: not built
+  const char* need;       ///< begins the message that the program is missing: "its values are compressed"
+  const char* unbuilt;    ///< continues it when the program was not built: ", which needs ITK"
+  const char* otherwise;  ///< ends the message: ", or save the file uncompressed"; may be empty
 };
 extern const ChildProgram kDecoder;          ///< unpacks compressed DICOM pictures
 extern const ChildProgram kRecordingReader;  ///< reads recordings
 
-/// A program of its own for what may end a process when a file is damaged: it dies, and this one says so. It is started
-/// by `start`, is talked to over a socket that is its input, and ends with this object; docs/decisions/0011-readers.md
-/// says why it is no fork.
+/// A child process for reading code that a damaged file can crash: the child dies, and this process reports an error.
+/// `start` starts the child; its standard input is the socket of the connection. The child ends with this object.
+/// docs/decisions/0011-readers.md explains why it is not a fork.
 class ChildProcess {
  public:
   explicit ChildProcess(const ChildProgram& program) : program_(program) {}
@@ -35,18 +35,18 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Starts it, unless it runs.
-  /// @throws Error a sentence, when it is missing or cannot be started
+  /// Starts the child unless it runs already.
+  /// @throws Error when the program is missing or cannot be started
   void start();
   void stop() noexcept;
   [[nodiscard]] bool runs() const noexcept { return process_ > 0; }
 
-  /// @return whether all was sent; not: it has ended
+  /// @return false when the child has ended
   [[nodiscard]] bool send(std::string_view bytes) const;
 
-  /// @param patience  how long may be waited; becomes shorter by what was
-  /// @return whether all came; not: it has ended, or the patience has, which is then 0
-  [[nodiscard]] bool receive(char* bytes, std::size_t count, std::chrono::nanoseconds& patience) const;
+  /// @param[in,out] time_left  maximum waiting time; reduced by the time waited
+  /// @return false when the child has ended, or when `time_left` is over (then 0)
+  [[nodiscard]] bool receive(char* bytes, std::size_t count, std::chrono::nanoseconds& time_left) const;
 
  private:
   ChildProgram program_;

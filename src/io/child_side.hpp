@@ -9,12 +9,11 @@
 #include <cstdint>
 
 /// @file
-/// The other side of a ChildProcess: what the programs that read for the library do with the socket that is their
-/// input, and what they limit themselves to.
+/// The child's side of a ChildProcess: input and output over the socket at standard input, and resource limits.
 namespace hapticut::child {
 
-/// @return false when the library has ended
-inline bool take(char* bytes, std::size_t count) {
+/// @return false when the library's process has ended
+inline bool read_all(char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t got = ::read(STDIN_FILENO, bytes, count);
     if (got <= 0) return false;
@@ -24,8 +23,8 @@ inline bool take(char* bytes, std::size_t count) {
   return true;
 }
 
-/// @return false when the library has ended
-inline bool give(const char* bytes, std::size_t count) {
+/// @return false when the library's process has ended
+inline bool write_all(const char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t sent = ::write(STDIN_FILENO, bytes, count);
     if (sent <= 0) return false;
@@ -35,11 +34,11 @@ inline bool give(const char* bytes, std::size_t count) {
   return true;
 }
 
-/// @param what  RLIMIT_AS, RLIMIT_CPU ...; it may be raised again
-inline void limit(int what, std::uint64_t most) {
+/// @param what  RLIMIT_AS, RLIMIT_CPU ...; sets only the soft limit, so it can be raised again
+inline void limit(int what, std::uint64_t max) {
   rlimit value{};
   ::getrlimit(what, &value);
-  value.rlim_cur = std::min<rlim_t>(most, value.rlim_max);
+  value.rlim_cur = std::min<rlim_t>(max, value.rlim_max);
   ::setrlimit(what, &value);
 }
 

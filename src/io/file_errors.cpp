@@ -10,7 +10,7 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
-  if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder; give a file.");
+  if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder; name a file.");
   if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
   if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
   const auto size = std::filesystem::file_size(path, code);
@@ -29,7 +29,7 @@ std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
 std::string bytes_of_file(const std::filesystem::path& path) {
   const auto size = std::size_t(readable_size(path));
   std::string bytes = first_bytes(path, size);
-  if (bytes.size() != size) cannot_read(path, "it could not be read to its end; check the disk.");
+  if (bytes.size() != size) cannot_read(path, "reading failed before its end; check the disk.");
   return bytes;
 }
 

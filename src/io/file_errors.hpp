@@ -16,15 +16,15 @@ namespace hapticut {
   throw Error("cannot read '" + path.string() + "': " + reason);
 }
 
-/// Runs a part of the reading that says "it" of the file.
-/// @throws Error with the name of the file in front of whatever went wrong
+/// Runs a part of the reading whose messages call the file "it".
+/// @throws Error with the name of the file before the message
 template <class Work>
 auto naming(const std::filesystem::path& path, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
     const std::string reason = error.what();
-    if (reason.starts_with("cannot read ")) throw;  // it names a file already
+    if (reason.starts_with("cannot read ")) throw;  // the message names a file already
     cannot_read(path, reason);
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
@@ -33,15 +33,15 @@ auto naming(const std::filesystem::path& path, const Work& work) {
   }
 }
 
-/// Size of a regular file that can be opened for reading: a pipe or a device could be read for ever.
-/// @throws Error otherwise
+/// Size of a regular file that can be opened for reading.
+/// @throws Error for anything else: a pipe or a device may have no end
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
-/// The first bytes of a file, at most `count`.
+/// The first bytes of a file, up to `count`.
 [[nodiscard]] std::string first_bytes(const std::filesystem::path& path, std::size_t count);
 
 /// All bytes of a regular file.
-/// @throws Error when it is none, or cannot be read to its end
+/// @throws Error when it is not a regular file, or cannot be read to its end
 [[nodiscard]] std::string bytes_of_file(const std::filesystem::path& path);
 
 }  // namespace hapticut

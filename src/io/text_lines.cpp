@@ -17,10 +17,10 @@ void skip_blanks(std::string_view& line) { line.remove_prefix(std::min(line.find
 }  // namespace
 
 std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t kMaxShown = 40;
   std::string text = "'";
-  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c < 127 ? c : '?';
-  return text + (word.size() > kLongest ? "...'" : "'");
+  for (const char c : word.substr(0, kMaxShown)) text += c >= ' ' && c < 127 ? c : '?';
+  return text + (word.size() > kMaxShown ? "...'" : "'");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -70,11 +70,11 @@ TextLines::TextLines(std::string_view text, TextRules rules, std::size_t first_l
 
 bool TextLines::next_line() {
   if (at_ >= text_.size()) return false;
-  take_line();
+  read_line();
   return true;
 }
 
-void TextLines::take_line() {
+void TextLines::read_line() {
   const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
   line_ = text_.substr(at_, end - at_);
   at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
@@ -92,7 +92,7 @@ std::string_view TextLines::word() {
     if (rules_.continuations && word.ends_with('\\') && line_.find_first_not_of(kBlanks) == std::string_view::npos) {
       word.remove_suffix(1);
       line_ = {};
-      if (at_ < text_.size()) take_line();
+      if (at_ < text_.size()) read_line();
     }
     if (!word.empty()) return word;
   }

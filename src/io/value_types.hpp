@@ -9,11 +9,11 @@
 #include "hapticut/io/volume/value_type.hpp"
 
 /// @file
-/// From the type that a file names to the type in C++, and back: for volumes, meshes and the columns of recordings.
+/// Converts between value types of files and C++ types, for volumes, meshes and the columns of recordings.
 namespace hapticut {
 
 /// Calls `use(Type{})` with the C++ type of the values.
-/// @return what it returns
+/// @return the result of `use`
 template <class Use>
 auto with_value_type(ValueType type, const Use& use) {
   switch (type) {
@@ -41,12 +41,12 @@ auto with_value_type(ValueType type, const Use& use) {
   return use(double{});
 }
 
-/// [bytes] of one value.
+/// [bytes] Size of one value.
 [[nodiscard]] inline std::size_t size_of(ValueType type) {
   return with_value_type(type, [](auto zero) { return sizeof zero; });
 }
 
-/// The type of values of a C++ type: ValueType has those of the same size side by side.
+/// The value type of a C++ type. ValueType lists types of the same size next to each other.
 template <class Value>
 [[nodiscard]] constexpr ValueType value_type_of() {
   const int size = std::countr_zero(sizeof(Value));

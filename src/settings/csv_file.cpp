@@ -21,9 +21,9 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(kBlanks) + 1 - first));
 }
 
-/// What stands most often between the names of the first line. Without any of them there are blanks, or one column.
+/// The most frequent separator of the first line; a blank when there is none of them.
 char separator_of(std::string_view line) {
-  std::size_t most = 0;
+  std::size_t max_count = 0;
   char separator = ' ';
   for (const char candidate : {';', '\t', ','}) {
     std::size_t count = 0;
@@ -32,12 +32,12 @@ char separator_of(std::string_view line) {
       quoted ^= c == '"';
       count += std::size_t(!quoted && c == candidate);
     }
-    if (count > most) most = count, separator = candidate;
+    if (count > max_count) max_count = count, separator = candidate;
   }
   return separator;
 }
 
-/// 1,234 or 1.234: as a program writes 1234 that marks thousands, too.
+/// Whether a number may be 1234 with a mark for thousands: 1,234 or 1.234.
 bool may_mark_thousands(std::string_view number, std::size_t mark) {
   const std::size_t sign = number[0] == '-' || number[0] == '+' ? 1 : 0;
   return mark > sign && mark <= sign + 3 && number[sign] != '0' && number.size() == mark + 4 &&
@@ -51,11 +51,11 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, con
     : name_(path.string()) {
   std::error_code error;
   auto file = std::make_unique<std::ifstream>();
-  // Not opened before: a pipe would be waited for, and a device read for ever.
+  // Check the type before opening: opening a pipe blocks, and a device has no end.
   if (std::filesystem::is_regular_file(path, error)) file->open(path, std::ios::binary);
   if (!file->is_open())
     throw Error(std::filesystem::absolute(path).string() + ": this " + what +
-                " is not there, or cannot be read. Check the name given to " + flag + ".");
+                " does not exist or cannot be read. Check the name given to " + flag + ".");
   stream_ = std::move(file);
 }
 
@@ -148,8 +148,9 @@ std::optional<double> CsvFile::number(std::string cell) {
   const bool is_comma = cell[mark] == ',';
   if (cell.find(is_comma ? '.' : ',') != std::string::npos) return std::nullopt;
   (is_comma ? has_commas_ : has_points_) = true;
-  if (has_commas_ && has_points_) fail("some numbers have a decimal point, others a comma; use the same in all.");
-  // Where columns are separated by semicolons, commas are decimal as a rule, and points mark thousands.
+  if (has_commas_ && has_points_)
+    fail("some numbers have a decimal point, others a comma; use the same in all numbers.");
+  // With semicolons between columns, a comma is usually decimal and a point marks thousands.
   if (!may_mark_thousands(cell, mark) || (!is_comma && separator_ != ';'))
     has_decimals_ = true;
   else if (doubtful_.empty())
@@ -163,7 +164,7 @@ void CsvFile::require_decimals() {
   line_ = doubtful_line_;
   const std::size_t mark = doubtful_.find_first_of(",.");
   fail("\"" + doubtful_ + "\" may have a decimal " + (doubtful_[mark] == ',' ? "comma" : "point") +
-       ", or one that marks thousands; write " + doubtful_ + "0, or " + doubtful_.substr(0, mark) +
+       " or a mark for thousands; write " + doubtful_ + "0, or " + doubtful_.substr(0, mark) +
        doubtful_.substr(mark + 1) + ".");
 }
 

@@ -9,43 +9,47 @@
 
 namespace hapticut::settings {
 
-/// The lines of a CSV file that a user wrote: a line of column names, then lines of as many cells. Spreadsheets of
-/// every country write them: columns are separated by commas, semicolons, tabs or blanks, which the first line tells
-/// (or Excel's `sep=;` before it), and a comma is a decimal point, unless all numbers that have one may mark thousands
-/// by it. Cells may be in quotes. Empty lines and those that begin with # are skipped, as are blanks around a cell and
-/// the mark that some programs put before a text in UTF-8.
+/// Reads the lines of a CSV file: a line of column names, then lines with as many cells. It accepts what spreadsheets
+/// of any country write:
+/// - Commas, semicolons, tabs or blanks separate the columns. The first line (or Excel's `sep=;` before it) decides.
+/// - A comma may be the decimal point. Numbers that could also have a mark for thousands are refused when no other
+///   number settles it.
+/// - Cells may be in quotes.
+///
+/// Empty lines, lines that begin with #, blanks around a cell and a UTF-8 byte order mark are skipped.
 class CsvFile {
  public:
-  /// @param what  what the file is, and where its name was given: "file of poses", "--poses"
-  /// @throws Error when it cannot be read
+  /// @param what  the kind of file, and the flag that names it: "file of poses", "--poses"
+  /// @throws Error when the file cannot be read
   CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag);
 
-  /// The same of a text.
-  /// @param name  in messages, where that of a file would be
+  /// Reads a text in memory.
+  /// @param name  stands for the file name in messages
   CsvFile(std::string text, std::string name);
 
-  /// The cells of the next line; false: there is none.
-  /// @throws Error when they are not as many as in the first line; at the end also when it is not clear whether the
-  ///         numbers have decimals or mark thousands
+  /// Reads the cells of the next line.
+  /// @return false at the end of the file
+  /// @throws Error when a line has another number of cells than the first; at the end, when it is unclear whether the
+  ///         numbers have decimals or marks for thousands
   bool next(std::vector<std::string>& cells);
 
-  /// The number in a cell; nothing where there is none.
-  /// @throws Error when some numbers have commas, others points
+  /// The number in a cell; nullopt when the cell is no number.
+  /// @throws Error when some numbers have commas and others points
   std::optional<double> number(std::string cell);
 
   /// The names of the columns, from the first line.
-  /// @param must  what is said of that line where the file is empty: "name the columns t_s, x_mm ..."
+  /// @param must  requirement in the message about an empty file: "name the columns t_s, x_mm ..."
   /// @throws Error also when two columns have the same name
   const std::vector<std::string>& read_names(const std::string& must);
 
-  /// Where a column is; nothing where the file has none of that name.
+  /// Index of a column; nullopt when the file has no column of that name.
   [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
 
-  /// The finite number in a cell of a line.
-  /// @throws Error naming the column and what is there
+  /// The finite number in one cell of a line.
+  /// @throws Error that names the column and its content
   double number_at(const std::vector<std::string>& cells, std::size_t column);
 
-  /// @throws Error that begins with file and line
+  /// @throws Error whose message begins with file and line
   [[noreturn]] void fail(const std::string& message) const;
 
  private:

@@ -11,10 +11,10 @@ namespace hapticut::settings {
 namespace {
 
 constexpr double kAngleStep = 0.5 * units::deg;
-constexpr double kMaxPoints = 1e7;  // of a curve; a drill of more steps is refused as well
+constexpr double kMaxPoints = 1e7;  // of a curve; `drill` refuses as many steps
 
-/// @param turns  [1] of the curve
-/// @param cause  the settings that make it so long
+/// @param turns  [1] number of turns of the curve
+/// @param cause  the settings that cause the length
 void require_points(double turns, const char* cause) {
   const double points = turns * 2 * units::kPi / kAngleStep;
   if (!(points <= kMaxPoints))
@@ -22,14 +22,14 @@ void require_points(double turns, const char* cause) {
                 " are possible. Change " + cause + ".");
 }
 
-/// A point on the way round an axis.
+/// A point of a curve around an axis.
 struct Station {
   double angle;   // [rad]
   double radius;  // [m]
   double depth;   // [m]
 };
 
-/// Adds the way from one station to another, without the first.
+/// Adds the points from one station to the next, without the first.
 void wind(const Pose& frame, const Station& from, const Station& to, std::vector<Vec3>& points) {
   const int steps = std::max(1, int(std::ceil(std::abs(to.angle - from.angle) / kAngleStep - 1e-9)));
   for (int i = 1; i <= steps; ++i) {

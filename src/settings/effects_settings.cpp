@@ -7,7 +7,7 @@
 namespace hapticut::settings {
 namespace {
 
-/// Three switches.
+/// Three switches, one for each axis.
 Setting axes(std::string key, std::string flag, std::vector<double>& target, std::string meaning) {
   Setting setting = numbers(std::move(key), std::move(flag), target, 3, Range::between(0, 1), std::move(meaning));
   setting.allowed = "3 numbers, each 0 or 1";
@@ -57,8 +57,8 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
     throw Error("effects.vibration_Hz = " + format_number(vibration.frequency) + "; must be a number > 0 and below " +
                 format_number(kMaxVibration * update_rate) +
                 ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
-                ": sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower it, "
-                "or raise simulation.rate_Hz.");
+                ": a sine that is sampled more coarsely beats, and at half the rate every sample may be 0. Lower the "
+                "frequency, or raise simulation.rate_Hz.");
   require_at_most(vibration.amplitude, "effects.vibration_N", vibration.max_amplitude, "effects.vibration_max_N");
   return vibration;
 }
@@ -82,33 +82,34 @@ std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
 std::vector<Setting> settings_of(EffectsSettings& s) {
   std::vector<Setting> settings = {
       number("effects.mass_kg", "--mass_kg", s.mass_kg, range_of(&Gravity::mass),
-             "weight of the tool, less that of the device's stylus [no weight]"),
+             "mass of the tool minus mass of the device's stylus; its weight acts on the hand [no weight]"),
       vector("effects.center_of_mass_mm", "--center_of_mass_mm", s.center_of_mass_mm, Range::any(),
-             "where it acts, from the hand in the axes of the handle [0,0,0]"),
+             "centre of this mass, from the hand, in the axes of the handle [0,0,0]"),
       vector("effects.gravity_m_per_s2", "--gravity_m_per_s2", s.gravity_m_per_s2, Range::any(),
-             "which way is down, and how much [0,0,-9.80665]"),
+             "gravitational acceleration [0,0,-9.80665]"),
       number("effects.vibration_Hz", "--vibration_Hz", s.vibration_Hz, range_of(&Vibration::frequency),
-             "frequency of a vibration along the spindle while it cuts; below 0.45 of the rate [none]"),
+             "frequency of a vibration along the spindle axis during cutting; below 0.45 of simulation.rate_Hz [no "
+             "vibration]"),
       number("effects.vibration_N", "--vibration_N", s.vibration_N, range_of(&Vibration::amplitude),
-             "its amplitude [0.3]"),
+             "amplitude of the vibration [0.3]"),
       number("effects.vibration_N_per_W", "--vibration_N_per_W", s.vibration_N_per_W,
-             range_of(&Vibration::amplitude_per_watt), "what its amplitude grows by with the power of the spindle [0]"),
+             range_of(&Vibration::amplitude_per_watt), "growth of this amplitude with the power of the spindle [0]"),
       number("effects.vibration_max_N", "--vibration_max_N", s.vibration_max_N, range_of(&Vibration::max_amplitude),
-             "its largest amplitude [0.5, or vibration_N where that is more]"),
+             "upper limit of this amplitude [0.5, or vibration_N if larger]"),
       boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
-              "the force filter of the thesis, Table 6.1 [false]"),
+              "turns on the force filter of the thesis, Table 6.1 [false]"),
       number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, range_of(&DeltaFilter::delta),
-             "thesis_filter: largest change of a step that passes [0.5]"),
+             "thesis_filter: a force change per step up to this size passes unchanged [0.5]"),
       number("effects.filter_epsilon_N", "--filter_epsilon_N", s.filter_epsilon_N, range_of(&DeltaFilter::epsilon),
-             "thesis_filter: change of a step otherwise [0.005]"),
+             "thesis_filter: force change per step when the calculated one is larger [0.005]"),
       axes("effects.force_axes", "--force_axes", s.force_axes,
-           "force along x, y, z of the workpiece on or off [1,1,1]"),
+           "turns the force along x, y, z of the workpiece on (1) or off (0) [1,1,1]"),
       axes("effects.torque_axes", "--torque_axes", s.torque_axes,
-           "torque about x, y, z of the workpiece on or off [1,1,1]"),
+           "turns the torque about x, y, z of the workpiece on (1) or off (0) [1,1,1]"),
   };
   add_fields("effects", s.limits, &OutputLimits::ramp_time, settings);
   settings.push_back(number("effects.ramp_s", "--ramp_s", s.limits.ramp_time, range_of(&OutputLimits::ramp_time),
-                            "in which the output grows to its full size after the start [0]"));
+                            "time after the start in which the output grows to its full size [0]"));
   return settings;
 }
 

@@ -9,8 +9,7 @@
 
 namespace hapticut::settings {
 
-/// What is added to the force of the model, and what the output is limited to, as the user writes it: `[effects]` in a
-/// settings file.
+/// `[effects]` of a settings file: forces added to the model's force, and limits of the output.
 struct EffectsSettings {
   std::optional<double> mass_kg;  ///< turns gravity on
   std::optional<Vec3> center_of_mass_mm, gravity_m_per_s2;
@@ -25,7 +24,7 @@ struct EffectsSettings {
 [[nodiscard]] std::vector<Setting> settings_of(EffectsSettings& effects);
 
 /// @param update_rate  [Hz] of the step
-/// @throws Error when something was set for an effect that is off, or does not fit the rate or another setting
+/// @throws Error when a setting belongs to an effect that is off, or contradicts the rate or another setting
 [[nodiscard]] Effects make_effects(const EffectsSettings& settings, double update_rate);
 
 }  // namespace hapticut::settings

@@ -18,7 +18,7 @@ namespace {
 using Law = ForceSettings::Law;
 using S = ForceSettings;
 
-/// A constant of one law.
+/// A constant of one force law.
 struct Constant {
   const char* name;  // of the key and of the flag
   std::optional<double> S::*value;
@@ -27,10 +27,10 @@ struct Constant {
   bool needed = false;
 };
 
-/// " [0.3]": what a constant is where none is given.
+/// " [0.3]": the default value of a constant, in brackets.
 std::string or_else(double usual) { return " [" + format_number(usual) + "]"; }
 
-/// Which constants a law has, and how it is made.
+/// The constants of a law, and how the law is made.
 struct LawKind {
   Law law;
   const char* owner;  // in messages
@@ -51,16 +51,16 @@ const std::vector<LawKind>& law_kinds() {
       {Law::thesis,
        "the law of the thesis",
        {{"thesis_voxel_mm", &S::thesis_voxel_mm, Range::positive(),
-         "voxel size at which its force is that of the foundation law" +
+         "voxel size at which its force equals that of the foundation law" +
              or_else(thesis.reference_voxel_size / units::mm)},
         {"thesis_damping_Ns_per_m", &S::thesis_damping_Ns_per_m, Range::not_negative(),
-         "damper of one voxel" + or_else(thesis.damping)},
+         "damping coefficient of one voxel" + or_else(thesis.damping)},
         {"thesis_spin_torque", &S::thesis_spin_torque, Range::not_negative(),
-         "lambda, torque of the spin over normal forces times radius" + or_else(thesis.spin_torque)},
+         "lambda, ratio of the spin torque to normal force times radius" + or_else(thesis.spin_torque)},
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
-         "power of the spindle speed in that torque" + or_else(thesis.spin_exponent)},
+         "exponent of the spindle speed in the spin torque" + or_else(thesis.spin_exponent)},
         {"thesis_required_power", &S::thesis_required_power, Range::not_negative(),
-         "power that takes a voxel away over its stiffness, W/(N/m^2) [where a ball would press with 2 N]"}},
+         "power that removes a voxel divided by its stiffness, W/(N/m^2) [power at which a ball presses with 2 N]"}},
        [](const S& s) -> Pointer {
          ThesisLaw::Constants c;
          if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
@@ -72,19 +72,20 @@ const std::vector<LawKind>& law_kinds() {
        }},
       {Law::contact_mechanics,
        "the law of contact mechanics",
-       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(), "E/(1 - nu^2) of the material", true}},
+       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(),
+         "effective modulus E/(1 - nu^2) of the material", true}},
        [](const S& s) -> Pointer { return std::make_shared<ContactMechanicsLaw>(*s.effective_modulus_Pa); }},
       {Law::hertzian_burr,
        "the law of the Hertzian burr",
-       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(), "C1 of the elastic force C1 R^2 (h/R)^1.5",
-         true}},
+       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(),
+         "constant C1 of the elastic force C1 R^2 (h/R)^1.5", true}},
        [](const S& s) -> Pointer { return std::make_shared<HertzianBurrLaw>(*s.burr_stiffness_Pa); }},
       {Law::damping_matrix,
        "the law of the damping matrix",
        {{"resistance_Ns_per_m3", &S::resistance_Ns_per_m3, Range::positive(),
-         "product of its factors, over the contact area" + or_else(matrix.resistance)},
+         "viscous resistance of the motion, per contact area" + or_else(matrix.resistance)},
         {"matrix_friction", &S::matrix_friction, Range::not_negative(),
-         "part of the force that the spin turns across" + or_else(matrix.friction)}},
+         "ratio of the sideways force, caused by the spin, to the resistance" + or_else(matrix.friction)}},
        [](const S& s) -> Pointer {
          DampingMatrixLaw::Constants c;
          c.resistance = s.resistance_Ns_per_m3.value_or(c.resistance);
@@ -94,9 +95,9 @@ const std::vector<LawKind>& law_kinds() {
       {Law::twist_drill,
        "the law of the twist drill",
        {{"chip_energy_J_per_m3", &S::chip_energy_J_per_m3, Range::positive(),
-         "K_s, energy of the chips" + or_else(drill.specific_energy)},
+         "K_s, specific energy of the chips" + or_else(drill.specific_energy)},
         {"max_feed_per_revolution_mm", &S::max_feed_per_revolution_mm, Range::positive(),
-         "feed per turn beyond which thrust and torque grow no more" +
+         "feed per revolution above which thrust and torque stay constant" +
              or_else(drill.max_feed_per_revolution / units::mm)}},
        [](const S& s) -> Pointer {
          TwistDrillLaw::Constants c;
@@ -109,7 +110,7 @@ const std::vector<LawKind>& law_kinds() {
 
 std::string key_of(const Constant& constant) { return std::string("force.") + constant.name; }
 
-/// Friction that is the same for all materials, if any of its constants is given.
+/// Friction for all materials; nullopt when none of its constants is set.
 std::optional<DryFriction> make_friction(const S& s) {
   if (!s.static_friction && !s.dynamic_friction && !s.tangential_stiffness_N_per_m) return std::nullopt;
   DryFriction friction;
@@ -138,7 +139,7 @@ std::shared_ptr<const ForceLaw> make_law(const S& s) {
 
 std::vector<Setting> law_settings_of(ForceSettings& s) {
   std::vector<Setting> all = {
-      choice("force.law", "--law", s.law, "force law; docs/forces.md has their formulas [foundation]")};
+      choice("force.law", "--law", s.law, "force law; docs/forces.md gives the formulas [foundation]")};
   for (const LawKind& kind : law_kinds())
     for (const Constant& c : kind.constants)
       all.push_back(number(key_of(c), std::string("--") + c.name, s.*c.value, c.range,
@@ -152,21 +153,21 @@ std::vector<Setting> settings_of(ForceSettings& s) {
        {
            number("force.static_friction", "--static_friction", s.static_friction,
                   range_of(&DryFriction::static_friction),
-                  "of the standing spindle, for all materials [each material's own]"),
+                  "static friction when the spindle stands still, for all materials [value of each material]"),
            number("force.dynamic_friction", "--dynamic_friction", s.dynamic_friction,
                   range_of(&DryFriction::dynamic_friction),
-                  "of the standing spindle, for all materials, not above the static one [the static one]"),
+                  "dynamic friction when the spindle stands still, for all materials; not above the static one [static "
+                  "friction]"),
            number("force.tangential_stiffness_N_per_m", "--tangential_stiffness_N_per_m",
                   s.tangential_stiffness_N_per_m, range_of(&DryFriction::tangential_stiffness),
-                  "of the sticking anchor, for all materials; 0: as the contact has along its normals [0 where "
-                  "friction is given "
-                  "here]"),
+                  "stiffness of the sticking anchor, for all materials; 0: equal to the normal stiffness of the "
+                  "contact [0 when a friction coefficient is set here]"),
            boolean("force.deep_contact", "--deep_contact", s.deep_contact,
-                   "a ball pushed beyond its radius keeps pushing back [true]"),
+                   "a ball pressed deeper than its radius keeps pushing back [true]"),
            choice("force.handle_torque", "--handle_torque", s.handle_torque,
-                  "torque at the hand: exact, or by the formulas of the thesis [full_wrench]"),
+                  "torque at the hand: exact (full_wrench) or by the formulas of the thesis [full_wrench]"),
            number("force.handle_torque_scale", "--handle_torque_scale", s.handle_torque_scale, Range::any(),
-                  "handle_torque thesis: its constant zeta [1]"),
+                  "handle_torque thesis: constant zeta [1]"),
        }});
 }
 

@@ -11,18 +11,18 @@
 
 namespace hapticut::settings {
 
-/// Which force is computed, as the user writes it: `[force]` in a settings file.
+/// `[force]` of a settings file: the force law, its constants, and friction.
 struct ForceSettings {
   enum class Law { foundation, thesis, contact_mechanics, hertzian_burr, damping_matrix, twist_drill };
 
   std::optional<Law> law;
-  // Constants of single laws.
+  // Constants of individual laws.
   std::optional<double> thesis_voxel_mm, thesis_damping_Ns_per_m, thesis_spin_torque, thesis_spin_exponent,
       thesis_required_power;
   std::optional<double> effective_modulus_Pa, burr_stiffness_Pa;
   std::optional<double> resistance_Ns_per_m3, matrix_friction;
   std::optional<double> chip_energy_J_per_m3, max_feed_per_revolution_mm;
-  // Terms beside the law.
+  // Terms added to the law.
   std::optional<double> static_friction, dynamic_friction, tangential_stiffness_N_per_m;
   bool deep_contact = true;
   std::optional<HandleTorque> handle_torque;
@@ -41,14 +41,14 @@ constexpr auto names_of(Of<ForceSettings::Law>) {
 
 [[nodiscard]] std::vector<Setting> settings_of(ForceSettings& force);
 
-/// Only those of the law and its constants.
+/// Only the settings of the law and its constants.
 [[nodiscard]] std::vector<Setting> law_settings_of(ForceSettings& force);
 
-/// @throws Error when a constant is missing for this law, or was set but does not belong to it
+/// @throws Error when this law lacks a constant, or a constant of another law is set
 [[nodiscard]] std::shared_ptr<const ForceLaw> make_law(const ForceSettings& settings);
 
 /// Sets the law, friction, deep contact and the torque at the handle.
-/// @throws Error when a constant is missing for this law, or was set but does not belong to it, or is out of range
+/// @throws Error when this law lacks a constant, a constant of another law is set, or a value is out of range
 void apply(const ForceSettings& settings, SimulationConfig& config);
 
 }  // namespace hapticut::settings

@@ -18,7 +18,8 @@ void visit_numbers(Change& change, const Visit& visit) {
 }
 
 std::vector<Setting> settings_of(MaterialChange& change) {
-  std::vector<Setting> settings = {text("based_on", "", change.based_on, "the preset that it starts from")};
+  std::vector<Setting> settings = {
+      text("based_on", "", change.based_on, "preset that supplies the values not set here")};
   visit_numbers(change, [&](const auto& field, std::optional<double>& value) {
     const std::string unit = unit_in_names(field.unit);
     settings.push_back(number(field.name + (unit.empty() ? "" : "_" + unit), "", value, field.range, field.text));
@@ -37,7 +38,7 @@ void require_preset(const std::string& name) {
   const std::vector<std::string> presets = known_presets();
   if (std::find(presets.begin(), presets.end(), name) != presets.end()) return;
   throw Error("there is no material " + name + "; the presets are " + joined(presets) + "." +
-              suggestion(name, presets) + " For one of your own write [material." + name +
+              suggestion(name, presets) + " For a custom material write [material." + name +
               "] with based_on = \"a preset\".");
 }
 
@@ -46,7 +47,7 @@ void require_preset(const std::string& name) {
 Setting MaterialChanges::setting() {
   Setting setting;
   setting.key = "material";
-  setting.meaning = "constants of materials, by name";
+  setting.meaning = "constants of materials, one table for each name";
   setting.kind = Setting::Kind::named_tables;
   setting.open_table = [this](const std::string& name) { return settings_of(changes_[name]); };
   return setting;

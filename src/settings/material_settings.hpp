@@ -13,28 +13,29 @@
 
 namespace hapticut::settings {
 
-/// What the user changes of a material: `[material.NAME]` in a settings file, in SI units like Material itself.
+/// Changes to one material: `[material.NAME]` in a settings file, in SI units like Material.
 struct MaterialChange {
-  std::string based_on;                                             ///< a preset; empty: the preset of the same name
-  std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< in their order
+  std::string based_on;  ///< name of a preset; empty: the preset of the same name
+  std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< in the order of Material's fields
 };
 
-/// The materials of a run: the presets, changed by the user, and the user's own.
+/// The materials of a run: presets with the user's changes, and custom materials.
 class MaterialChanges {
  public:
-  CutterKind cutter = CutterKind::carbide_bur;  ///< that presets are to be cut with
+  CutterKind cutter = CutterKind::carbide_bur;  ///< cutter that selects the constants of the presets
 
-  /// The one setting that reads all tables of `[material]`.
+  /// The setting that reads all tables of `[material]`.
   [[nodiscard]] Setting setting();
 
-  /// A preset or a material of the user's, with its changes.
-  /// @throws Error when there is no such material, or its numbers are not allowed
+  /// A preset or a custom material, with the user's changes.
+  /// @throws Error when there is no such material, or a number is out of range
   [[nodiscard]] Material find(const std::string& name) const;
 
-  /// The material with the changes that were made to its name, if any.
+  /// The material with the changes set for its name.
   [[nodiscard]] Material changed(Material material) const;
 
-  /// @throws Error naming a table whose material is no preset, is made of none and is not one of the workpiece's
+  /// @throws Error that names a table whose material is not a preset, not based on a preset and not part of the
+  ///         workpiece
   void require_known(const MaterialTable& of_workpiece) const;
 
   [[nodiscard]] bool empty() const { return changes_.empty(); }

@@ -20,8 +20,8 @@ std::string names_of(const std::vector<NamedMesh>& objects) {
   return joined(objects, ", ", [](const NamedMesh& o) { return o.name.empty() ? "one without a name" : o.name; });
 }
 
-/// All objects of a name as one surface, with one vertex where they touch, as a reader makes it of one object.
-/// @throws Error when there is none
+/// All objects of one name as one surface. Vertices at the same place are merged, as a reader does within one object.
+/// @throws Error when there is no such object
 TriangleMesh surface_of(const std::vector<NamedMesh>& objects, const std::string& name) {
   if (std::ranges::count(objects, name, &NamedMesh::name) == 1)
     return std::ranges::find(objects, name, &NamedMesh::name)->mesh;
@@ -44,8 +44,8 @@ TriangleMesh surface_of(const std::vector<NamedMesh>& objects, const std::string
               ". Set --shell MATERIAL=OBJECT.");
 }
 
-/// @throws Error when the whole is shorter than a few voxels, or so long that no computer has room for its voxels, and
-///         another unit would make sense of it
+/// @throws Error when the mesh is shorter than a few voxels or has too many voxels for any memory, and another unit
+///         gives a plausible length
 void require_plausible_size(const WorkpieceSettings& s, const std::vector<NamedMesh>& objects, double unit_mm) {
   constexpr double kFew = 4, kMany = 1e4;  // [voxels]
   Box box{objects.front().mesh.vertices.front(), objects.front().mesh.vertices.front()};
@@ -77,8 +77,9 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
                 ". Set --material, or --shell MATERIAL=OBJECT for each.");
   if (!s.material.empty()) {
     if (objects.size() > 1)
-      throw Error("the mesh has several objects (" + names_of(objects) +
-                  "), so workpiece.material is not clear. Set --shell MATERIAL=OBJECT for each that counts.");
+      throw Error(
+          "the mesh has several objects (" + names_of(objects) +
+          "), so one workpiece.material is not enough. Set --shell MATERIAL=OBJECT for each object of the workpiece.");
     return build_from_mesh(objects.front().mesh, s.materials.find(s.material), options);
   }
   MaterialTable table;

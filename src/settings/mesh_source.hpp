@@ -5,8 +5,8 @@
 
 namespace hapticut::settings {
 
-/// Reads a mesh and fills it: one object with `material`, several with `shells`.
-/// @throws Error when the file cannot be read, or it is not clear what its objects are made of
+/// Reads a mesh and fills it: one object with `material`, several objects with `shells`.
+/// @throws Error when the file cannot be read, or an object has no material
 [[nodiscard]] Workpiece make_workpiece_from_mesh(const WorkpieceSettings& settings);
 
 }  // namespace hapticut::settings

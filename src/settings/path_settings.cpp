@@ -30,7 +30,7 @@ const std::string& name_of(PathKind kind) {
 using NumberMember = std::optional<double> P::*;
 using VectorMember = std::optional<Vec3> P::*;
 
-/// What some kinds of path have.
+/// A setting that belongs to some kinds of path.
 struct PathField {
   std::string name;  // of the key and of the flag
   std::variant<NumberMember, VectorMember> member;
@@ -44,31 +44,31 @@ const std::vector<PathField>& path_fields() {
   const std::vector<PathKind> all = {K::line, K::circle, K::spiral, K::cavity},
                               round = {K::circle, K::spiral, K::cavity};
   static const std::vector<PathField> fields = {
-      {"from_mm", &P::from_mm, {K::line}, any, "start"},
-      {"to_mm", &P::to_mm, {K::line}, any, "end"},
-      {"center_mm", &P::center_mm, round, any, "centre"},
-      {"axis", &P::axis, round, any, "normal of the curve, out of the material [the tool axis]"},
+      {"from_mm", &P::from_mm, {K::line}, any, "start of the line"},
+      {"to_mm", &P::to_mm, {K::line}, any, "end of the line"},
+      {"center_mm", &P::center_mm, round, any, "centre of the curve"},
+      {"axis", &P::axis, round, any, "normal of the curve; points out of the material [the tool axis]"},
       {"feed_mm_per_s", &P::feed_mm_per_s, all, positive, "speed along the path"},
       {"approach_mm", &P::approach_mm, all, not_negative,
-       "distance along the tool axis from which the path is entered [0]"},
+       "distance along the tool axis between the start of the motion and the path [0]"},
       {"approach_feed_mm_per_s", &P::approach_feed_mm_per_s, all, positive, "speed of approach and retract [the feed]"},
       {"retract_mm", &P::retract_mm, all, not_negative,
-       "distance along the tool axis to which the tool is pulled out at the end [0]"},
-      {"circle_radius_mm", &P::radius_mm, {K::circle}, positive, "radius"},
+       "distance along the tool axis that the tool retracts at the end [0]"},
+      {"circle_radius_mm", &P::radius_mm, {K::circle}, positive, "radius of the circle"},
       {"turns", &P::turns, {K::circle}, positive, "number of turns"},
-      {"start_angle_deg", &P::start_angle_deg, {K::circle}, any, "where it starts [0]"},
+      {"start_angle_deg", &P::start_angle_deg, {K::circle}, any, "angle where the circle starts [0]"},
       {"start_radius_mm", &P::start_radius_mm, {K::spiral}, not_negative, "first radius"},
       {"end_radius_mm", &P::end_radius_mm, {K::spiral}, not_negative, "last radius"},
-      {"pitch_mm", &P::pitch_mm, {K::spiral, K::cavity}, positive, "distance of neighbouring turns"},
+      {"pitch_mm", &P::pitch_mm, {K::spiral, K::cavity}, positive, "distance between turns"},
       {"depth_mm", &P::depth_mm, {K::spiral, K::cavity}, not_negative, "depth below the centre"},
       {"top_radius_mm", &P::top_radius_mm, {K::cavity}, not_negative, "radius of the first layer"},
       {"bottom_radius_mm", &P::bottom_radius_mm, {K::cavity}, not_negative, "radius of the last layer"},
-      {"layer_mm", &P::layer_mm, {K::cavity}, positive, "distance of neighbouring layers"},
+      {"layer_mm", &P::layer_mm, {K::cavity}, positive, "distance between layers"},
   };
   return fields;
 }
 
-/// "circle, spiral: radius", or without the kinds when only poses are left out.
+/// "circle, spiral: radius"; without the kinds when only `poses` lacks the setting.
 std::string meaning_of(const PathField& field) {
   if (field.kinds.size() + 1 == kinds().size()) return field.meaning;
   return joined(field.kinds, ", ", name_of) + ": " + field.meaning;
@@ -81,7 +81,7 @@ Setting setting_of(const PathField& f, PathSettings& p) {
   return number(key, flag, p.*std::get<NumberMember>(f.member), f.range, meaning_of(f));
 }
 
-/// What was given of a field.
+/// The value of a setting.
 /// @throws Error when it is missing
 template <class Value>
 const Value& need(const PathSettings& s, std::optional<Value> P::*member) {
@@ -127,7 +127,7 @@ Mat3 orientation_of(const PathSettings& s) {
   return CurvePlane{Vec3::Zero(), axis}.frame().rotation * rotation_from_vector(Vec3(0, 0, roll));
 }
 
-/// Moves on along a straight line.
+/// Adds a straight line to the motion.
 void append(std::vector<TimedPose>& motion, const Vec3& target, const Mat3& rotation, double feed) {
   const double length = (target - motion.back().pose.translation).norm();
   if (length > 1e-12) motion.push_back({motion.back().t + length / feed, {rotation, target}});
@@ -157,18 +157,18 @@ Vec3 tip_in_head(const ToolHead& head) {
 
 std::vector<Setting> settings_of(PathSettings& p) {
   std::vector<Setting> settings = {
-      choice("path.kind", "--path", p.kind, kinds(), "how the tool moves"),
+      choice("path.kind", "--path", p.kind, kinds(), "shape of the path of the tool"),
       choice("path.point", "--point", p.point, {{"tip", Point::tip}, {"head", Point::head}, {"handle", Point::handle}},
-             "what the positions are of: the tip of the tool, the origin of the head (centre of a sphere), or, with "
-             "poses only, the hand [tip]"),
+             "point of the tool that follows the path: its tip, the origin of the head (centre of a sphere), or the "
+             "hand (poses only) [tip]"),
       vector("path.tool_axis", "--tool_axis", p.tool_axis, Range::any(), "direction from the tip to the shank [0,0,1]"),
       number("path.tool_roll_deg", "--tool_roll_deg", p.tool_roll_deg, Range::any(),
-             "turn of the tool about its axis [0]"),
+             "rotation of the tool about its axis [0]"),
   };
   for (const PathField& field : path_fields()) settings.push_back(setting_of(field, p));
-  settings.push_back(path("path.file", "--poses", p.file,
-                          "poses: a CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the rotation, qw, qx, "
-                          "qy, qz or r00 ... r22"));
+  settings.push_back(path(
+      "path.file", "--poses", p.file,
+      "poses: CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the rotation, qw, qx, qy, qz or r00 ... r22"));
   return settings;
 }
 
@@ -185,11 +185,11 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
     motion = read_poses(s.file, orientation_of(s));
   } else {
     if (point == Point::handle)
-      throw Error("path.point = handle goes with a path of poses only. Set path.point to tip or head.");
+      throw Error("path.point = handle is possible only for a path of poses. Set path.point to tip or head.");
     motion = follow(s);
   }
 
-  // From the named point to the frame of the head.
+  // Pose of the head relative to the chosen point.
   Pose X_PT = Pose::from_translation(Vec3::Zero());
   if (point == Point::tip) X_PT.translation = -tip_in_head(tool.head());
   if (point == Point::handle) X_PT = tool.X_HT();

@@ -12,10 +12,10 @@
 namespace hapticut::settings {
 namespace {
 
-constexpr std::size_t kMaxPoses = 10'000'000;  // as of a path; each takes ten times the room of its line
-constexpr double kRotationTolerance = 1e-3;    // [1] what six printed digits are off by is well below this
+constexpr std::size_t kMaxPoses = 10'000'000;  // limit of a path too; each pose takes ten times the memory of its line
+constexpr double kRotationTolerance = 1e-3;    // [1] well above the error of six printed digits
 
-/// The places of some columns, or nothing when none of them is there.
+/// Indices of some columns; nullopt when the file has none of them.
 template <std::size_t kCount>
 using Columns = std::optional<std::array<std::size_t, kCount>>;
 
@@ -30,7 +30,7 @@ class PoseFile {
     find_columns();
     while (lines_.next(cells)) {
       if (poses.size() == kMaxPoses)
-        fail("there are more than " + format_number(double(kMaxPoses)) + " poses; leave some out, or cut the path.");
+        fail("there are more than " + format_number(double(kMaxPoses)) + " poses; leave some out, or divide the path.");
       poses.push_back(read_pose(cells));
       if (poses.size() > 1 && !(poses.back().t > poses[poses.size() - 2].t))
         fail("t_s = " + format_number(poses.back().t) + "; times must increase from line to line.");
@@ -67,7 +67,7 @@ class PoseFile {
     place_ = *place;
     quaternion_ = find<4>({"qw", "qx", "qy", "qz"});
     matrix_ = find<9>({"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"});
-    if (quaternion_ && matrix_) fail("there is a quaternion and a matrix; leave one of them out.");
+    if (quaternion_ && matrix_) fail("the file has a quaternion and a matrix; leave one of them out.");
   }
 
   TimedPose read_pose(const std::vector<std::string>& cells) {

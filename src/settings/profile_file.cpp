@@ -33,7 +33,7 @@ class ProfileFile {
         continue;
       }
       if (edge.rho != 0)
-        fail("rho_mm = " + format_number(edge.rho / units::mm) + "; the first point is the tip, at 0.");
+        fail("rho_mm = " + format_number(edge.rho / units::mm) + "; must be 0, because the first point is the tip.");
       profile.tip = edge.z;
     }
     return profile;
@@ -44,10 +44,10 @@ class ProfileFile {
 
   void require_known(const std::vector<std::string>& names) const {
     const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
-    for (const std::string& name : names)  // one without a name a spreadsheet has added
+    for (const std::string& name : names)  // spreadsheets add columns without a name
       if (!name.empty() && std::ranges::find(known, name) == known.end())
         fail("there is no column " + name + "; must be one of " + joined(known) + "." + suggestion(name, known));
-    if (!lines_.column("rho_mm") || !lines_.column("z_mm")) fail("the columns rho_mm and z_mm must be there.");
+    if (!lines_.column("rho_mm") || !lines_.column("z_mm")) fail("the file needs the columns rho_mm and z_mm.");
   }
 
   ProfileEdge read_edge(const std::vector<std::string>& cells) {
@@ -73,7 +73,7 @@ Profile profile_in(const std::filesystem::path& path) {
   const std::vector<NamedMesh> objects = read_mesh(path);
   if (objects.size() != 1)
     throw Error(path.string() + ": there are " + std::to_string(objects.size()) +
-                " objects; a head is one. Keep the one that cuts.");
+                "  objects; a head is one object. Keep the one that cuts.");
   return profile_from_mesh(objects.front().mesh).profile;
 #else
   throw Error(

@@ -9,11 +9,11 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// Settings that one kind of thing needs and another does not have.
+/// Errors for missing settings and for settings that do not apply.
 namespace hapticut::settings {
 
-/// @param key    of the setting: "tool.radius_mm"; its flag is what follows the point
-/// @param owner  what needs it: "a sphere"
+/// @param key    key of the setting, "tool.radius_mm"; its flag is the part after the point
+/// @param owner  what needs the setting: "a sphere"
 [[noreturn]] inline void fail_missing(const std::string& key, const std::string& owner) {
   const std::size_t point = key.find('.');
   const std::string name = key.substr(point + 1);
@@ -27,7 +27,7 @@ inline double required(const std::optional<double>& value, const std::string& ke
   return *value;
 }
 
-/// What messages print of a setting: " = 3", " = 1 2 3", or nothing of a choice.
+/// Value of a setting in a message: " = 3", " = 1 2 3", or " is set" for a choice.
 template <class Value>
 std::string equals(const Value& value) {
   if constexpr (std::is_convertible_v<Value, double> && !std::is_enum_v<Value>)
@@ -40,7 +40,7 @@ std::string equals(const Value& value) {
     return " is set";
 }
 
-/// @param owner   what has no such setting: "a sphere"
+/// @param owner   what does not have the setting: "a sphere"
 /// @param instead  completes "Leave it out, or ...": "choose a cone"
 /// @throws Error when there is a value
 template <class Value>
@@ -51,7 +51,7 @@ void refuse(const std::optional<Value>& value, const std::string& key, const std
                 instead + ".");
 }
 
-/// @throws Error when a setting exceeds another one; both are named
+/// @throws Error that names both settings, when one exceeds the other
 inline void require_at_most(double value, const std::string& key, double limit, const std::string& limit_key) {
   if (value > limit)
     throw Error(key + " = " + format_number(value) + "; must be at most " + limit_key + " = " + format_number(limit) +

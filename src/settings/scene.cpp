@@ -11,7 +11,7 @@
 namespace hapticut::settings {
 namespace {
 
-const std::set<std::string> kOfTheProgram = {"output", "loop"};
+const std::set<std::string> kProgramTables = {"output", "loop"};
 
 }  // namespace
 
@@ -33,13 +33,13 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
 
 Scene from_toml(std::string_view text, const std::filesystem::path& folder) {
   SceneSettings settings;
-  const std::set<std::string> tables = read_settings(text, "scene", settings_of(settings), kOfTheProgram, folder);
+  const std::set<std::string> tables = read_settings(text, "scene", settings_of(settings), kProgramTables, folder);
   return make_scene(settings, tables.contains("path"));
 }
 
 Scene from_file(const std::filesystem::path& path) {
   SceneSettings settings;
-  const std::set<std::string> tables = read_settings_file(path, settings_of(settings), kOfTheProgram);
+  const std::set<std::string> tables = read_settings_file(path, settings_of(settings), kProgramTables);
   return make_scene(settings, tables.contains("path"));
 }
 

@@ -11,7 +11,7 @@
 
 namespace hapticut::settings {
 
-/// A scene as the user writes it.
+/// The settings of a scene, one member per table of the settings file.
 struct SceneSettings {
   WorkpieceSettings workpiece;
   ToolSettings tool;
@@ -21,8 +21,8 @@ struct SceneSettings {
 
 [[nodiscard]] std::vector<Setting> settings_of(SceneSettings& scene);
 
-/// @param with_motion  false: the path is not asked for
-/// @throws Error when something is missing, cannot be read or does not fit together
+/// @param with_motion  false: ignores the path
+/// @throws Error when a setting is missing or contradicts another one, or a file cannot be read
 [[nodiscard]] Scene make_scene(const SceneSettings& settings, bool with_motion = true);
 
 }  // namespace hapticut::settings

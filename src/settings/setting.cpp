@@ -25,7 +25,7 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   return values;
 }
 
-/// The value that a flag's text stands for, or nothing when it is not of the setting's kind.
+/// The value in the text of a flag; nullopt when the text does not fit the kind of the setting.
 std::optional<Value> parse_value(Kind kind, const std::string& text) {
   if (kind == Kind::text) return text;
   if (kind == Kind::boolean && text == "true") return true;
@@ -182,18 +182,18 @@ std::optional<std::string> nearest_name(std::string_view misspelled, const std::
   const auto ends_with_it = [&](const std::string& name) {
     return name.ends_with(word) && name.size() > word.size() && name[name.size() - word.size() - 1] == '_';
   };
-  // What was cut short, "--feed", "--to" or "--rpm", is no other name that is as short.
+  // An abbreviation ("--feed", "--to", "--rpm") is matched to a longer name, not to another short one.
   const std::string begun = std::string(misspelled) + (word.size() > 2 ? "" : "_");
   const auto begins_with_it = [&](const std::string& name) { return name.starts_with(begun); };
   const bool is_begun = !word.empty() && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
   const bool is_end = word.size() > 2 && std::count_if(candidates.begin(), candidates.end(), ends_with_it) == 1;
   std::optional<std::string> nearest;
-  std::size_t smallest = is_begun || is_end ? SIZE_MAX : std::max<std::size_t>(3, misspelled.size() / 3) + 1;
+  std::size_t min_distance = is_begun || is_end ? SIZE_MAX : std::max<std::size_t>(3, misspelled.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     if (is_begun ? !begins_with_it(candidate) : is_end && !ends_with_it(candidate)) continue;
     const std::size_t distance = edit_distance(misspelled, candidate);
-    if (distance < smallest) {
-      smallest = distance;
+    if (distance < min_distance) {
+      min_distance = distance;
       nearest = candidate;
     }
   }

@@ -16,10 +16,10 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// What a user can set: one list of settings serves the flags, the settings file, their help and their error messages.
+/// Settings of the user. One list of settings serves the flags, the settings file, the help and the error messages.
 namespace hapticut::settings {
 
-/// The command line itself is wrong: exit code 2.
+/// The command line is wrong: exit code 2.
 class UsageError : public Error {
  public:
   using Error::Error;
@@ -28,36 +28,38 @@ class UsageError : public Error {
 /// A value before it is checked.
 using Value = std::variant<bool, double, std::string, std::vector<double>>;
 
-/// One thing that can be set, by a flag or by a key of a settings file.
+/// One setting, given by a flag or by a key of a settings file.
 struct Setting {
   enum class Kind { number, integer, numbers, text, boolean, tables, named_tables };
 
   std::string key;      ///< in a settings file, with its table: "tool.radius_mm"
   std::string flag;     ///< on the command line: "--radius_mm"; empty: settings file only
-  std::string meaning;  ///< what it is, for the help
+  std::string meaning;  ///< text of the help
   std::string allowed;  ///< completes "must be ..."
   Kind kind = Kind::text;
 
-  /// Takes a value of this setting's kind; says whether it is allowed.
+  /// Stores a value of this setting's kind.
+  /// @return false when the value is not allowed
   std::function<bool(const Value&)> assign = {};
 
-  /// Of kind tables: makes an element and returns its settings, with keys relative to it. Of kind named_tables: the
-  /// same for the table of that name.
+  /// For kind `tables`: appends an element and returns its settings, with relative keys. For kind `named_tables`: opens
+  /// the table of that name and returns its settings.
   std::function<std::vector<Setting>(const std::string& name)> open_table = {};
-  /// Of kind tables: forgets all elements, before a list that replaces them.
+  /// For kind `tables`: removes all elements, before a list replaces them.
   std::function<void()> clear = {};
-  /// Of kind tables: takes the flag's short form of one element; says whether it is allowed.
+  /// For kind `tables`: appends one element from the short form of the flag.
+  /// @return false when the text is not allowed
   std::function<bool(const std::string& text)> assign_short_form = {};
-  /// Of a text that names a file: the same from a settings file in `folder`, where names are relative to it.
+  /// For a text that names a file: the name relative to `folder`, the folder of the settings file.
   std::function<std::string(const std::string& text, const std::filesystem::path& folder)> in_folder = {};
-  const std::string* file = nullptr;  ///< the same: where its name is kept
+  const std::string* file = nullptr;  ///< for a text that names a file: the stored name
 };
 
-/// Lists of settings as one.
+/// Joins lists of settings.
 [[nodiscard]] std::vector<Setting> together(std::vector<std::vector<Setting>> lists);
 
 /// Words in a sentence: "block, slab, molar".
-/// @param word_of  what stands for an element of the list
+/// @param word_of  the text of an element
 template <class List, class WordOf = std::identity>
 [[nodiscard]] std::string joined(const List& list, const std::string& separator = ", ", const WordOf& word_of = {}) {
   std::string text;
@@ -74,7 +76,7 @@ inline double& stored(std::optional<double>& target) { return target.emplace(); 
 
 /// A number.
 /// @tparam Target  double or std::optional<double>
-/// @param factor   what is stored, and must be within the range, over what is given
+/// @param factor   stored value divided by given value; the range limits the stored value
 template <class Target>
 [[nodiscard]] Setting number(std::string key, std::string flag, Target& target, Range range, std::string meaning,
                              double factor = 1) {
@@ -91,16 +93,17 @@ template <class Target>
           }};
 }
 
-/// What users write in place of a unit of SI: mm for m, and the end of the key that says so.
+/// The unit that users write instead of an SI unit, e.g. mm instead of m. Its name is the end of the key.
 struct ShownUnit {
   std::string name;
-  double factor;  ///< SI over shown
+  double factor;  ///< value in SI units divided by shown value
 };
 [[nodiscard]] ShownUnit shown_unit(std::string_view unit);
 
-/// All fields of a struct of numbers: key, flag, unit, range, meaning and default as the struct describes them.
-/// @param table   of the settings file: "effects"
-/// @param except  a member with a key of its own
+/// Adds a setting for every field of a struct of numbers. Key, flag, unit, range, meaning and default come from the
+/// description of the struct.
+/// @param table  table of the settings file: "effects"
+/// @param except  a member that is left out
 template <Described S>
 void add_fields(const std::string& table, S& target, double S::*except, std::vector<Setting>& settings) {
   for_each_field<S>([&](const auto& field) {
@@ -130,12 +133,12 @@ void add_fields(const std::string& table, S& target, double S::*except, std::vec
 /// Any text that is not empty.
 [[nodiscard]] Setting text(std::string key, std::string flag, std::string& target, std::string meaning);
 
-/// The name of a file; in a settings file it is relative to the folder of that.
-/// @param words  that stand for something else than a file: "molar"
+/// The name of a file. In a settings file it is relative to the folder of the settings file.
+/// @param words  words that are not file names: "molar"
 [[nodiscard]] Setting path(std::string key, std::string flag, std::string& target, std::string meaning,
                            std::vector<std::string> words = {});
 
-/// One of a few words, each with what it stands for.
+/// One of a few words, each with its value.
 template <class Meaning>
 [[nodiscard]] Setting choice(std::string key, std::string flag, std::optional<Meaning>& target,
                              std::vector<std::pair<std::string, Meaning>> words, std::string meaning) {
@@ -162,27 +165,27 @@ template <NamedEnum E>
   return choice(std::move(key), std::move(flag), target, std::move(words), std::move(meaning));
 }
 
-/// Yes or no.
+/// True or false.
 [[nodiscard]] Setting boolean(std::string key, std::string flag, bool& target, std::string meaning);
 
-/// Applies the texts that followed a flag on the command line; a repeated flag of kind tables adds elements.
-/// @throws UsageError naming the flag, what was given and what is allowed
+/// Applies the texts after a flag of the command line. A repeated flag of kind `tables` adds elements.
+/// @throws UsageError that names the flag, the given text and what is allowed
 void apply_flag(const Setting& setting, const std::vector<std::string>& texts);
 
-/// What messages print of a value: `-1`, `"fast"`, `true`.
+/// A value in a message: `-1`, `"fast"`, `true`.
 [[nodiscard]] std::string describe(const Value& value);
 
-/// The name among `candidates` that is nearest to a misspelled one, or nothing when none is near.
+/// The candidate most similar to a misspelled name; nullopt when no candidate is similar.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view misspelled,
                                                       const std::vector<std::string>& candidates);
 
-/// " Did you mean X?" or nothing.
+/// " Did you mean X?", or an empty text.
 [[nodiscard]] std::string suggestion(std::string_view misspelled, const std::vector<std::string>& candidates);
 
-/// The whole of a text as a number, or nothing.
+/// The whole text as a number; nullopt when it is not a number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-/// The parts of a text between separators; "a,b" -> {"a", "b"}.
+/// The parts of a text between separators: "a,b" -> {"a", "b"}.
 [[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
 
 }  // namespace hapticut::settings

@@ -14,7 +14,7 @@ using Kind = Setting::Kind;
 
 constexpr const char* kWritePaths = "write paths with / or in single quotes.";
 constexpr const char* kWriteLists =
-    "a list is written [1.5, 2, 3] or [\"a\", \"b\"], and a table {name = 3}; write it so, and close it.";
+    "a list is written [1.5, 2, 3] or [\"a\", \"b\"], and a table {name = 3}; write it like this, and close it.";
 
 bool has_control_characters(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; });
@@ -31,55 +31,54 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// What is wrong with a value that is no TOML, and the cure.
+/// Why a value is not valid TOML, and the cure.
 std::string cause_of_value(std::string_view value) {
   const auto starts_with = [&](std::string_view text) { return value.starts_with(text); };
   const std::string_view word = value.substr(0, value.find_first_of(" \t#,"));
-  if (value.empty() || starts_with("#")) return "there is no value behind the =; write it in the same line.";
+  if (value.empty() || starts_with("#")) return "there is no value after the =; write it in the same line.";
   if (starts_with("\"") && value.find('\\') != std::string_view::npos)
-    return std::string("a backslash in double quotes begins a sign such as \\n; ") + kWritePaths;
+    return std::string("a backslash in double quotes begins an escape such as \\n;  ") + kWritePaths;
   if (starts_with("\"") || starts_with("'"))
-    return "a text ends at its next quotation mark, in the same line, and nothing but a comment may follow; close it, "
-           "or put a text that holds the mark into quotation marks of the other kind.";
+    return "a text ends at the next quotation mark in the same line, and only a comment may follow; close the text, or "
+           "use the other kind of quotation marks when the text contains one.";
   for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u201a", "\u00ab", "\u00bb", "`"})
-    if (starts_with(quote))
-      return "these are not the quotation marks of a program; put texts in straight ones, \"so\".";
-  if (is_one_of(word, {"True", "TRUE", "False", "FALSE"})) return "true and false are written in lower case; write so.";
+    if (starts_with(quote)) return "these quotation marks are not allowed; put texts in straight ones, \"like this\".";
+  if (is_one_of(word, {"True", "TRUE", "False", "FALSE"})) return "true and false must be in lower case.";
   if (starts_with("[") || starts_with("{") || starts_with("(")) return kWriteLists;
   const std::size_t sign = starts_with("-") || starts_with("+") ? 1 : 0;
   if (value.find_first_of("0123456789.,") == sign)
-    return "a number is written 0.2 or 2, with a decimal point between digits and nothing behind it, and a list "
-           "[1, 2, 3]; write it so.";
-  return "it is no number, nor true or false; put texts in quotation marks, \"so\".";
+    return "a number is written 0.2 or 2, with a decimal point between digits and nothing after it; a list is written "
+           "[1, 2, 3].";
+  return "it is not a number, true or false; put texts in quotation marks, \"like this\".";
 }
 
-/// What is wrong with a line that is no TOML, and the cure.
-/// @param said  by toml++, in words about its own code
+/// Why a line is not valid TOML, and the cure.
+/// @param said  the message of toml++
 std::string cause_of(std::string_view line, std::string_view said) {
   if (said.find("utf-8") != std::string_view::npos || line.find('\0') != std::string_view::npos)
     return "the text is not in UTF-8; save it in UTF-8.";
   if (said.find("redefine") != std::string_view::npos)
-    return "what this line sets or opens is there already; leave one of them out.";
+    return "this line repeats a key or a table; leave one of them out.";
   const std::size_t first = line.find_first_not_of(" \t"), equals = line.find('=');
   if (first != std::string_view::npos && line[first] == '[' && said.find("table header") != std::string_view::npos)
-    return "a table is opened by its name in brackets in a line of its own; write [tool].";
+    return "a table begins with its name in brackets, alone in a line; write [tool].";
   if (first != std::string_view::npos && line[first] == '#')
     return "there is a control character in a comment; delete it.";
   if (said.find("array") != std::string_view::npos || said.find("inline table") != std::string_view::npos)
-    return kWriteLists;  // maybe one that was begun in a line before
+    return kWriteLists;  // the list may begin in an earlier line
   if (equals == std::string_view::npos || equals == first || said.find("expected '='") != std::string_view::npos)
     return "this is neither [table] nor name = value; write one of them.";
   const std::string_view value = line.substr(equals + 1);
   return cause_of_value(value.substr(std::min(value.find_first_not_of(" \t"), value.size())));
 }
 
-/// Applies one TOML file to settings, and knows how to say where something is wrong.
+/// Applies one TOML file to settings; its errors name file and line.
 class Reader {
  public:
   Reader(std::string file, const std::filesystem::path& folder)
       : file_(std::move(file)), folder_(folder.empty() ? folder : std::filesystem::absolute(folder)) {}
 
-  /// @param prefix  of the keys in messages, "" or "tool."
+  /// @param prefix  prefix of the keys in messages, "" or "tool."
   void read_table(const toml::table& table, const std::string& prefix, const std::vector<Setting>& settings) const {
     read_entries(table, "", prefix, settings);
   }
@@ -120,8 +119,8 @@ class Reader {
                               (node.is_string() ? "the text " + describe(given) : std::get<std::string>(given)) + ".");
     }
     if (setting.in_folder && has_control_characters(std::get<std::string>(*value)))
-      fail(node.source(), name + ": the name of the file has a tab, a line end or the like in it, as a backslash in " +
-                              "double quotes makes them; " + kWritePaths);
+      fail(node.source(), name + ": the file name contains a control character, which a backslash in double quotes " +
+                              "makes; " + kWritePaths);
     if (setting.in_folder && !folder_.empty()) value = setting.in_folder(std::get<std::string>(*value), folder_);
     if (!setting.assign(*value))
       fail(node.source(), name + ": must be " + setting.allowed + ", not " + describe(*value) + ".");
@@ -194,10 +193,10 @@ class Reader {
 std::string text_of_file(const std::filesystem::path& path, const std::string& advice) {
   std::error_code error;
   std::ifstream file;
-  // Not opened before: a pipe would be waited for, and a device read for ever.
+  // Check the type before opening: opening a pipe blocks, and a device has no end.
   if (std::filesystem::is_regular_file(path, error)) file.open(path, std::ios::binary);
   if (std::filesystem::is_directory(path, error))
-    throw Error(path.string() + ": it is a folder; give the settings file in it.");
+    throw Error(path.string() + ": it is a folder; name the settings file in it.");
   if (!file.is_open()) throw Error(path.string() + ": there is no such settings file." + advice);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
@@ -205,7 +204,7 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& a
 }  // namespace
 
 std::set<std::string> read_settings(std::string_view text, const std::string& name,
-                                    const std::vector<Setting>& settings, const std::set<std::string>& left,
+                                    const std::vector<Setting>& settings, const std::set<std::string>& ignored,
                                     const std::filesystem::path& folder) {
   toml::table table;
   try {
@@ -215,7 +214,7 @@ std::set<std::string> read_settings(std::string_view text, const std::string& na
     throw Error(name + ":" + std::to_string(line) +
                 ": not valid TOML: " + cause_of(line_of(text, line), problem.description()));
   }
-  for (const std::string& key : left) table.erase(key);
+  for (const std::string& key : ignored) table.erase(key);
   Reader(name, folder).read_table(table, "", settings);
   std::set<std::string> keys;
   for (const auto& [key, node] : table) keys.emplace(key.str());
@@ -223,8 +222,8 @@ std::set<std::string> read_settings(std::string_view text, const std::string& na
 }
 
 std::set<std::string> read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings,
-                                         const std::set<std::string>& left, const std::string& advice) {
-  return read_settings(text_of_file(path, advice), path.string(), settings, left,
+                                         const std::set<std::string>& ignored, const std::string& advice) {
+  return read_settings(text_of_file(path, advice), path.string(), settings, ignored,
                        std::filesystem::absolute(path).parent_path());
 }
 

@@ -11,21 +11,21 @@
 
 namespace hapticut::settings {
 
-/// Reads a settings file in TOML. Whole numbers stand for numbers; nothing else is converted. The files that it names
-/// are relative to its folder.
-/// @throws Error `file:line: key: what is allowed`, for a key that is not a setting (with the nearest one), a value of
-///         another type and a value that is not allowed
-/// @param left    keys at the top that are somebody else's: whatever they hold is left alone
-/// @param advice  completes the message that there is no such file
-/// @return the other keys at the top
+/// Reads a settings file in TOML. A whole number is accepted for a number; nothing else is converted. Relative file
+/// names start at the folder of the settings file.
+/// @throws Error `file:line: key: what is allowed`, for an unknown key (with the most similar one), a value of another
+///         type, and a value that is not allowed
+/// @param ignored  top-level keys that are skipped
+/// @param advice  end of the message that there is no such file
+/// @return the other top-level keys
 std::set<std::string> read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings,
-                                         const std::set<std::string>& left = {}, const std::string& advice = "");
+                                         const std::set<std::string>& ignored = {}, const std::string& advice = "");
 
-/// The same of a text.
-/// @param name    in messages, where that of a file would be
-/// @param folder  that the files it names are relative to; empty: the working folder
+/// Reads the text of a settings file.
+/// @param name    stands for the file name in messages
+/// @param folder  base of relative file names; empty: the working folder
 std::set<std::string> read_settings(std::string_view text, const std::string& name,
-                                    const std::vector<Setting>& settings, const std::set<std::string>& left = {},
+                                    const std::vector<Setting>& settings, const std::set<std::string>& ignored = {},
                                     const std::filesystem::path& folder = {});
 
 }  // namespace hapticut::settings

@@ -6,7 +6,7 @@
 namespace hapticut::settings {
 namespace {
 
-/// The model of the thesis, where nothing else was set.
+/// Sets the model of the thesis for all settings that have no value.
 void fill_in_thesis_mode(SimulationSettings& s) {
   ThesisMode mode;
   mode.update_rate = s.rate_Hz;
@@ -34,22 +34,24 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.max_dt, 1 / limits.min_dt),
              "steps per second [1000]"),
       boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
-              "the whole model of the thesis: its law, friction, handle torque and filter, and from 1112 Hz on its "
-              "vibration; what is set on its own counts [false]"),
+              "the whole model of the thesis: law, friction, handle torque and filter; vibration at 1112 Hz and above; "
+              "other settings override it [false]"),
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
              range_of(&SimulationConfig::reference_stiffness),
-             "foundation stiffness, N/m^4, of a material of relative stiffness 1; 0: what suits the head's radius [0]"),
+             "foundation stiffness, N/m^4, of a material with relative stiffness 1; 0: chosen from the radius of the "
+             "head [0]"),
       number("simulation.contact_damping_s_per_m", "--contact_damping", s.config.contact_damping,
              range_of(&SimulationConfig::contact_damping),
-             "damping of the contact, s/m, on top of each material's own [300 behind a coupling, 0 without]"),
-      choice("simulation.removal", "--removal", s.removal, "how material is taken away [constant_energy]"),
+             "damping of the contact, s/m, added to the damping of each material [300 with a coupling, 0 without]"),
+      choice("simulation.removal", "--removal", s.removal, "removal law [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
-             "where in a partly filled voxel its force is taken [automatic: sub_voxel, or centroid under a law of "
-             "points]"),
+             "point in a partly filled voxel where the force is evaluated [automatic: sub_voxel, or centroid for laws "
+             "evaluated at points]"),
       integer("simulation.reserved_blocks", "--reserved_blocks", s.config.reserved_blocks, 1, 1e6,
-              "blocks kept ready for cutting; they are refilled between steps [2048]"),
+              "memory blocks kept free for cutting; refilled between steps [2048]"),
       integer("simulation.voxel_budget", "--voxel_budget", s.config.voxel_budget, 0, 1e9,
-              "most voxels that a step evaluates, at least 4096, the others take turns; 0: all [0]"),
+              "maximum number of voxels evaluated per sub-step, at least 4096; if the head touches more, every n-th "
+              "strip of 16 voxels is evaluated and weighted by n; 0: no limit [0]"),
   };
   return together({std::move(all), settings_of(s.force), settings_of(s.effects)});
 }

@@ -11,7 +11,7 @@
 
 namespace hapticut::settings {
 
-/// How it is computed, as the user writes it: `[simulation]`, `[force]` and `[effects]` in a settings file.
+/// `[simulation]`, `[force]` and `[effects]` of a settings file.
 struct SimulationSettings {
   double rate_Hz = 1000;
   bool thesis_mode = false;
@@ -24,7 +24,7 @@ struct SimulationSettings {
 
 [[nodiscard]] std::vector<Setting> settings_of(SimulationSettings& simulation);
 
-/// @throws Error when settings do not fit together
+/// @throws Error when settings contradict each other
 [[nodiscard]] SimulationConfig make_config(const SimulationSettings& settings);
 
 }  // namespace hapticut::settings

@@ -17,7 +17,7 @@ namespace {
 
 using HandleKind = ToolSettings::HandleKind;
 
-/// @throws Error that names the file, whether it cannot be read or its profile is no head
+/// @throws Error that names the file, when it cannot be read or its profile is not valid
 ToolHead head_of_profile(const std::string& file) {
   try {
     return ProfileHead(read_profile(file));
@@ -28,13 +28,13 @@ ToolHead head_of_profile(const std::string& file) {
   }
 }
 
-/// Of a dimension of heads: "tool.tip_diameter_mm".
+/// The key of a dimension: "tool.tip_diameter_mm".
 std::string key_of(HeadDimension dimension) {
   const std::string unit = shown_unit(unit_of(dimension)).name;
   return "tool." + std::string(name_or_null(dimension)) + (unit.empty() ? "" : "_" + unit);
 }
 
-/// The heads that have a dimension: "choose --head cone or flat".
+/// Names the heads that have a dimension: "choose --head cone or flat".
 std::string heads_with(HeadDimension dimension) {
   std::vector<std::string> names;
   for (const HeadShape& shape : head_shapes())
@@ -49,7 +49,7 @@ ToolHead make_head(const ToolSettings& s) {
         "head under "
         "[tool] in the settings file.");
   const HeadShape* shape = *s.head;
-  const char* owner = shape != nullptr ? shape->in_sentences : "a head of a profile";
+  const char* owner = shape != nullptr ? shape->in_sentences : "a profile head";
   const bool is_flat = shape != nullptr && shape->name == std::string_view("flat");
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
     if (shape == nullptr || shape->find(one.value) == nullptr)
@@ -71,7 +71,7 @@ ToolHead make_head(const ToolSettings& s) {
   return shape->make(dimensions);
 }
 
-/// Of settings; a profile is no shape of the catalogue.
+/// The heads that settings can name. A profile is not a shape of the catalogue, so it has no HeadShape.
 std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
   std::vector<std::pair<std::string, const HeadShape*>> names;
   for (const HeadShape& shape : head_shapes()) names.emplace_back(shape.name, &shape);
@@ -79,7 +79,7 @@ std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
   return names;
 }
 
-/// What a dimension is, with its usual value where it may be left out: "full angle of its point [118]".
+/// Text of a dimension, with its default if it has one: "full angle of its point [118]".
 std::string meaning_of(const Named<HeadDimension>& dimension) {
   std::string meaning = dimension.words;
   for (const HeadShape& shape : head_shapes())
@@ -123,43 +123,45 @@ void ToolSettings::set_sphere(double radius_mm) {
 }
 
 std::vector<Setting> settings_of(ToolSettings& t) {
-  std::vector<Setting> settings = {
-      choice("tool.head", "--head", t.head, names_of_heads(), "shape of the cutting head; docs/heads.md draws them")};
+  std::vector<Setting> settings = {choice("tool.head", "--head", t.head, names_of_heads(),
+                                          "shape of the cutting head; docs/heads.md shows the shapes")};
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{})) settings.push_back(setting_of(one, t));
   std::vector<Setting> others = {
-      choice("tool.flat_rule", "--flat_rule", t.flat_rule, "which surface of a flat head carries the spring [nearest]"),
+      choice("tool.flat_rule", "--flat_rule", t.flat_rule,
+             "surface of a flat head that determines depth and direction [nearest]"),
       path("tool.profile", "--profile", t.profile,
-           "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm (glTF in m), shank "
-           "towards +z"),
-      choice("tool.shank", "--shank", t.shank, "what holds the head and may lean on the workpiece [nothing]"),
+           "head profile: CSV file of the meridian, or a mesh of revolution in mm (glTF in m) with its shank towards "
+           "+z"),
+      choice("tool.shank", "--shank", t.shank, "shank that holds the head and can touch the workpiece [no shank]"),
       number("tool.shank_neck_mm", "--shank_neck_mm", t.shank_neck_mm, Range::positive(),
              "diameter of the neck between head and shank"),
-      choice(
-          "tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
-          "straight (ray) or angled (L) handpiece [ray where it has a length; else none, and the hand is at the head]"),
+      choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
+             "straight (ray) or angled (L) handpiece [ray with handle_length_mm; without it the hand is at the head]"),
       number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
-             "from the hand to the head, or to the elbow of an L"),
+             "distance from the hand to the head, or to the elbow of an L handle"),
       number("tool.handle_neck_mm", "--handle_neck_mm", t.handle_neck_mm, Range::not_negative(),
-             "L handle: from the elbow to the head"),
+             "L handle: distance from the elbow to the head"),
       number("tool.handle_bend_deg", "--handle_bend_deg", t.handle_bend_deg, Range::between(-180, 180),
-             "L handle: between stylus and spindle axis [90]"),
+             "L handle: angle between stylus and spindle axis [90]"),
       number("tool.spindle_rpm", "--spindle_rpm", t.spindle_rpm, Range::between(-1e6, 1e6),
-             "spindle speed, positive counter-clockwise seen from the shank; 0: stands, nothing is cut"),
+             "spindle speed, positive counter-clockwise seen from the shank; 0: the spindle stands still and does not "
+             "cut"),
       choice("tool.motor", "--motor", t.motor,
-             "what turns the spindle and how it yields to a load [air_turbine above 200000 rpm, electric below]"),
+             "motor of the spindle, which determines how load slows it down [air_turbine above 200000 rpm, else "
+             "electric]"),
       number("tool.power_limit_W", "--power_limit_W", t.power_limit_W, Range::positive(),
-             "power of the spindle, above which it slows down [of the motor]"),
+             "power above which the spindle slows down [value of the motor]"),
       number("tool.torque_limit_Nmm", "--torque_limit_Nmm", t.torque_limit_Nmm, Range::positive(),
-             "torque of the spindle, above which it stalls [of the motor]"),
+             "torque above which the spindle stalls [value of the motor]"),
       number("tool.rotor_inertia_gmm2", "--rotor_inertia_gmm2", t.rotor_inertia_gmm2, Range::not_negative(),
-             "moment of inertia of all that turns, as the head turns [of the motor]"),
+             "moment of inertia of all rotating parts, referred to the head [value of the motor]"),
       number("tool.acceleration_rpm_per_s", "--acceleration_rpm_per_s", t.acceleration_rpm_per_s, Range::positive(),
-             "how fast the spindle recovers its speed after a load [at once]"),
+             "acceleration of the spindle after a load [immediate recovery]"),
       number("tool.droop_rpm_per_Nmm", "--droop_rpm_per_Nmm", t.droop_rpm_per_Nmm, Range::not_negative(),
-             "speed that the spindle loses per load torque, as an air turbine does [of the motor]"),
-      choice("tool.cutter", "--cutter", t.cutter,
-             "what the head cuts with [twist_drill of a twist drill, carbide_bur of others]"),
-      integer("tool.lips", "--lips", t.lips, 1, 1000, "cutting edges that pass a place in a turn [as common cutters]"),
+             "speed drop per load torque, as in an air turbine [value of the motor]"),
+      choice("tool.cutter", "--cutter", t.cutter, "kind of cutter [twist_drill for a twist drill, else carbide_bur]"),
+      integer("tool.lips", "--lips", t.lips, 1, 1000,
+              "number of cutting edges that pass a point per revolution [value of common cutters]"),
   };
   return together({std::move(settings), std::move(others)});
 }
@@ -169,13 +171,12 @@ namespace {
 Spindle make_spindle(const ToolSettings& s) {
   const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
   const MotorKind motor = s.motor.value_or(common_motor(rpm * units::rpm));
-  const double fastest = max_speed(motor);
-  if (std::abs(rpm) * units::rpm > fastest)
-    throw Error("tool.spindle_rpm = " + format_number(rpm) + "; must be at most " +
-                format_number(fastest / units::rpm) + " with the motor " + std::string(name_or_null(motor)) +
-                ". Lower it, or choose another --motor.");
-  if (rpm == 0 && motor != MotorKind::ideal)
-    refuse(s.motor, "tool.motor", "a spindle that stands", "give --spindle_rpm");
+  const double limit = max_speed(motor);
+  if (std::abs(rpm) * units::rpm > limit)
+    throw Error("tool.spindle_rpm = " + format_number(rpm) + "; must be at most " + format_number(limit / units::rpm) +
+                " with the motor " + std::string(name_or_null(motor)) +
+                ". Lower the speed, or choose another --motor.");
+  if (rpm == 0 && motor != MotorKind::ideal) refuse(s.motor, "tool.motor", "a spindle at rest", "give --spindle_rpm");
   return common_spindle(motor, rpm * units::rpm);
 }
 

@@ -15,14 +15,14 @@
 
 namespace hapticut::settings {
 
-/// The tool as the user writes it: `[tool]` in a settings file.
+/// `[tool]` of a settings file.
 struct ToolSettings {
   enum class HandleKind { ray, angled };
 
-  std::optional<const HeadShape*> head;  ///< null: of a profile
-  /// [mm, deg] by HeadDimension, but for the tiers
+  std::optional<const HeadShape*> head;  ///< null: a profile head
+  /// [mm, deg] by HeadDimension, without the tiers
   std::array<std::optional<double>, kHeadDimensions> lengths_and_angles;
-  std::size_t tiers = 0;  ///< 0: not given
+  std::size_t tiers = 0;  ///< 0: not set
   std::optional<FlatRule> flat_rule;
   std::string profile;  ///< file
   std::optional<ShankKind> shank;
@@ -31,7 +31,7 @@ struct ToolSettings {
   std::optional<double> handle_length_mm, handle_neck_mm, handle_bend_deg;
   std::optional<double> spindle_rpm;
   std::optional<CutterKind> cutter;
-  std::size_t lips = 0;  ///< 0: not given
+  std::size_t lips = 0;  ///< 0: not set
   std::optional<MotorKind> motor;
   std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm, torque_limit_Nmm, rotor_inertia_gmm2;
 
@@ -42,7 +42,7 @@ struct ToolSettings {
 
 [[nodiscard]] std::vector<Setting> settings_of(ToolSettings& tool);
 
-/// @throws Error when something is missing for this kind of head or handle, or was set but does not belong to it
+/// @throws Error when this kind of head or handle lacks a setting, or a setting of another kind is set
 [[nodiscard]] Tool make_tool(const ToolSettings& settings);
 
 }  // namespace hapticut::settings

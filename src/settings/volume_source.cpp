@@ -32,7 +32,7 @@ bool is_raw(const Source& s) {
 
 RawLayout raw_layout(const Source& s) {
   if (!s.dicom_series.empty())
-    throw Error("a file without a header has no series to choose; leave workpiece.dicom_series (--dicom_series) out.");
+    throw Error("a file without a header has no series; leave workpiece.dicom_series (--dicom_series) out.");
   if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
     throw Error(
         "a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set --raw_dims, --raw_type "
@@ -56,12 +56,12 @@ LabelVolume read_labels(const Source& s) {
   return is_raw(s) ? read_raw_label_volume(s.source, raw_layout(s)) : read_label_volume(s.source, read_options(s));
 }
 
-/// A volume of which padding is told.
+/// Warns when the volume has padding.
 template <class Value>
-Volume<Value> told(const Source& s, Volume<Value> volume) {
+Volume<Value> warned_of_padding(const Source& s, Volume<Value> volume) {
   if (s.warn && volume.padding > 0)
     s.warn(std::to_string(volume.padding) + " of the " + std::to_string(volume.size()) + " samples of " + s.source +
-           " are padding outside the field of view, and are taken for air.");
+           " are padding outside the field of view and are treated as air.");
   return volume;
 }
 
@@ -91,15 +91,16 @@ Volume<Value> cropped(Volume<Value> volume, const std::optional<Box>& box) {
   return box ? crop_to_box(volume, *box) : volume;
 }
 
-/// Gives what the labels enclose a label of its own, and that label the material of `fill_cavities`.
+/// Gives enclosed cavities a new label, and that label the material of `fill_cavities`.
 LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMaterial>& materials) {
   const std::uint16_t label = unused_label(volume);
   if (s.close_gaps_mm) volume = close_gaps(std::move(volume), *s.close_gaps_mm * units::mm, label);
   volume = fill_cavities(std::move(volume), label);
   if (std::find(volume.values.begin(), volume.values.end(), label) == volume.values.end())
-    throw Error("the labels enclose nothing that workpiece.fill_cavities could fill. " +
-                std::string(s.close_gaps_mm ? "Raise close_gaps_mm, or leave both out."
-                                            : "Set close_gaps_mm where a canal leads outside, or leave it out."));
+    throw Error("the labels enclose no cavity that workpiece.fill_cavities could fill. " +
+                std::string(s.close_gaps_mm
+                                ? "Raise close_gaps_mm, or leave both out."
+                                : "Set close_gaps_mm if a canal leads outside, or leave fill_cavities out."));
   const auto same = std::find_if(materials.begin(), materials.end(),
                                  [&](const LabelMaterial& known) { return known.material.name == s.fill_cavities; });
   if (same != materials.end())
@@ -110,7 +111,7 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
 }
 
 Workpiece from_labels(const Source& s) {
-  LabelVolume volume = cropped(told(s, read_labels(s)), crop_box(s));
+  LabelVolume volume = cropped(warned_of_padding(s, read_labels(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume));
   std::vector<LabelMaterial> materials;
   for (const Source::Labels& labels : s.labels)
@@ -120,7 +121,7 @@ Workpiece from_labels(const Source& s) {
 }
 
 GreyVolume read_body(const Source& s, double lowest) {
-  GreyVolume volume = cropped(told(s, read_grey(s)), crop_box(s));
+  GreyVolume volume = cropped(warned_of_padding(s, read_grey(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume), lowest);
   return volume;
 }
@@ -152,20 +153,19 @@ Workpiece from_grade(const Source& s) {
 
 Workpiece make_workpiece_from_volume(const Source& s) {
   const bool graded = s.grade_low || s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
-  const int ways = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
-  if (ways != 1)
+  const int methods = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
+  if (methods != 1)
     throw Error(
-        "a volume becomes a workpiece by exactly one of workpiece.labels, workpiece.grey and "
+        "a volume needs exactly one of workpiece.labels, workpiece.grey and "
         "workpiece.grade_low ...; " +
-        std::to_string(ways) + " are set. Set --label, --grey or --grade_low.");
+        std::to_string(methods) + " are set. Set --label, --grey or --grade_low.");
   if (s.close_gaps_mm && s.fill_cavities.empty())
-    throw Error("workpiece.close_gaps_mm needs fill_cavities, which names what the gaps are filled with.");
+    throw Error("workpiece.close_gaps_mm needs fill_cavities, the material that fills the gaps.");
   if (!s.labels.empty()) return from_labels(s);
   if (s.unclaimed_labels)
-    throw Error(
-        "workpiece.unclaimed_labels goes with labels; grey values that no range covers are empty. Leave it out.");
+    throw Error("workpiece.unclaimed_labels needs labels; grey values outside all ranges are empty. Leave it out.");
   if (!s.fill_cavities.empty())
-    throw Error("workpiece.fill_cavities goes with labels; between grey values it is not clear what is enclosed.");
+    throw Error("workpiece.fill_cavities needs labels; in grey values it is not clear what is enclosed. Leave it out.");
   return graded ? from_grade(s) : from_ranges(s);
 }
 

@@ -16,7 +16,7 @@
 
 namespace hapticut::settings {
 
-/// Where a workpiece comes from, as the user writes it: `[workpiece]` in a settings file.
+/// `[workpiece]` of a settings file: the source of the workpiece.
 struct WorkpieceSettings {
   struct Layer {
     std::string material;
@@ -32,12 +32,12 @@ struct WorkpieceSettings {
   };
 
   std::string source;              ///< block, slab, molar, or a file or folder
-  std::optional<double> voxel_mm;  ///< default: 0.1 for what is built, the smallest spacing for volumes
+  std::optional<double> voxel_mm;  ///< default: 0.1; for volumes their smallest spacing
   std::optional<Vec3> size_mm;     ///< block, slab
   std::string material;            ///< block, mesh, .vdb of another program
   struct Shell {
-    std::string material;  ///< of what the object encloses; "empty" makes a cavity of it
-    std::string object;    ///< its name in the file
+    std::string material;  ///< material inside the object; "empty" makes it a cavity
+    std::string object;    ///< name of the object in the file
   };
   std::deque<Shell> shells;   ///< mesh with several objects
   std::deque<Layer> layers;   ///< slab, from the top down
@@ -46,13 +46,13 @@ struct WorkpieceSettings {
   std::deque<GreyRange> grey;  ///< volume of grey values
   std::optional<double> grade_low, grade_high;
   std::string grade_at_low, grade_at_high;
-  std::optional<Vec3> spacing_mm;       ///< volume: replaces what the file says
+  std::optional<Vec3> spacing_mm;       ///< volume: replaces the spacing of the file
   std::vector<double> crop_mm;          ///< x, y, z of the lower corner, then of the upper one
-  bool largest_component = false;       ///< volume: leave loose pieces out
-  std::string fill_cavities;            ///< labels: material of what they enclose
-  std::optional<double> close_gaps_mm;  ///< labels: holes that a ball of this radius does not enter count as enclosed
-  bool partial_volume = true;           ///< grey values: what lies at the border is the material behind it
-  std::string dicom_series;             ///< which series of a folder
+  bool largest_component = false;       ///< volume: keep only the largest connected piece
+  std::string fill_cavities;            ///< labels: material that fills enclosed cavities
+  std::optional<double> close_gaps_mm;  ///< labels: also fill holes that a ball of this radius cannot enter
+  bool partial_volume = true;           ///< grey values: border voxels get the material behind the border
+  std::string dicom_series;             ///< Series Instance UID, for a folder
   struct Raw {
     std::vector<double> dims;
     std::string type;
@@ -61,24 +61,24 @@ struct WorkpieceSettings {
   } raw;                                              ///< file of samples without a header
   std::optional<double> unit_mm;                      ///< mesh, .vdb of another program: length of one unit of the file
   std::string grid;                                   ///< .vdb of another program
-  std::optional<VdbImport::Kind> grid_kind;           ///< the same
-  bool large = false;                                 ///< lifts the limits of how much work is begun
-  WorkObserver tell = {};                             ///< is told of the work; no setting
-  std::function<void(const std::string&)> warn = {};  ///< is told what a user must know of the file; no setting
+  std::optional<VdbImport::Kind> grid_kind;           ///< .vdb of another program
+  bool large = false;                                 ///< lifts the limits on memory and time
+  WorkObserver tell = {};                             ///< receives the progress; not a setting
+  std::function<void(const std::string&)> warn = {};  ///< receives remarks about the file; not a setting
   MaterialChanges materials;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(WorkpieceSettings& workpiece);
 
-/// What a source may be beside a file.
+/// Sources that are not files.
 [[nodiscard]] std::vector<std::string> built_in_workpieces();
 
-/// Whether the source is a file or folder of samples, rather than something built in, a .vdb file or a mesh.
+/// Whether the source is a file or folder of samples, i.e. not built in, not a .vdb file and not a mesh.
 [[nodiscard]] bool is_volume(const WorkpieceSettings& settings);
 
 /// Builds or reads the workpiece.
-/// @param cutter  that its presets are to be cut with; materials of a .vdb file stay what they are
-/// @throws Error when it cannot be read, something is missing, or something was set that this source does not use
+/// @param cutter  cutter that selects the constants of presets; materials of a .vdb file keep their constants
+/// @throws Error when a file cannot be read, a setting is missing, or a setting does not apply to this source
 [[nodiscard]] Workpiece make_workpiece(WorkpieceSettings settings, CutterKind cutter = CutterKind::carbide_bur);
 
 }  // namespace hapticut::settings

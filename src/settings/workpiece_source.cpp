@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Where workpieces come from: what is built in, and files.
+// SPDX-License-Identifier: Apache-2.0 Workpieces from built-in shapes and from files.
 #include <filesystem>
 #include <set>
 
@@ -20,7 +19,7 @@ namespace {
 
 using Source = WorkpieceSettings;
 
-/// Which settings were given, by name.
+/// Names of the settings that are set.
 std::set<std::string> given_settings(const Source& s) {
   std::set<std::string> given;
   const auto note = [&](const char* name, bool is_set) {
@@ -60,7 +59,8 @@ void refuse_all_but(const Source& s, const std::set<std::string>& used) {
   for (const std::string& name : given_settings(s))
     if (!used.contains(name))
       throw Error("workpiece." + name + " is set; must be left out, because " + s.source +
-                  " does not use it. Leave it out, or choose a workpiece that does: docs/command-line.md lists them.");
+                  " does not use it. Leave it out, or choose another workpiece: docs/command-line.md lists the "
+                  "settings of each.");
 }
 
 double voxel_size(const Source& s) { return s.voxel_mm.value_or(0.1) * units::mm; }
@@ -83,13 +83,13 @@ Workpiece make_slab(const Source& s) {
   std::vector<hapticut::Layer> layers;
   for (const Source::Layer& layer : s.layers) {
     if (layer.material.empty() || !layer.thickness_mm)
-      throw Error("a layer of the slab has no material or no thickness_mm; it needs both.");
+      throw Error("a layer of the slab has no material or no thickness_mm; each layer needs both.");
     layers.push_back({s.materials.find(layer.material), *layer.thickness_mm * units::mm});
   }
   return build_layered_slab(box_of(s), voxel_size(s), layers);
 }
 
-/// Materials that the workpiece brought along, with the user's changes.
+/// The materials of the workpiece with the user's changes.
 Workpiece with_changed_materials(Workpiece workpiece, const MaterialChanges& changes) {
   if (changes.empty()) return workpiece;
   MaterialTable table;
@@ -103,8 +103,8 @@ Workpiece read_vdb(const Source& s) {
   if (s.material.empty()) {
     if (s.unit_mm || !s.grid.empty() || s.grid_kind)
       throw Error(
-          "workpiece.material is missing; a .vdb of another program needs it beside unit_mm, grid and grid_kind, "
-          "and one of hapticut needs none of them. Set --material, or leave the others out.");
+          "workpiece.material is missing; a .vdb of another program needs material in addition to unit_mm, grid or "
+          "grid_kind. A .vdb of hapticut needs none of the four. Set --material, or leave the others out.");
     return with_changed_materials(load_vdb(s.source), s.materials);
   }
   VdbImport import;
@@ -115,8 +115,7 @@ Workpiece read_vdb(const Source& s) {
   return load_vdb(s.source, import);
 }
 
-/// Runs what turns a file into a workpiece.
-/// @throws Error that names the file, which what is wrong with its content does not
+/// Runs a function that makes a workpiece from a file. @throws Error that names the file
 template <class Make>
 Workpiece naming_source(const Source& s, const Make& make) {
   try {
@@ -124,7 +123,7 @@ Workpiece naming_source(const Source& s, const Make& make) {
   } catch (const Error& error) {
     const std::string reason = error.what();
     if (reason.find(s.source) != std::string::npos) throw;
-    throw Error("cannot make a workpiece of '" + s.source + "': " + reason);
+    throw Error("cannot make a workpiece from '" + s.source + "': " + reason);
   }
 }
 
@@ -162,7 +161,7 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
     throw Error("there is no file '" + std::filesystem::absolute(s.source).string() +
                 "', and no built-in workpiece of that name." +
                 suggestion(std::filesystem::path(s.source).filename().string(), built_in_workpieces()) +
-                " Check the name: it is relative to the settings file in which it stands, or to the working folder.");
+                " Check the name: in a settings file it is relative to that file, in a flag to the working folder.");
   if (extension_in_lower_case(s.source) == ".vdb") return read_vdb(s);
 #ifdef HAPTICUT_HAS_IO
   if (is_mesh_file(s.source)) {
@@ -176,8 +175,8 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
   return naming_source(s, [&] { return make_workpiece_from_volume(s); });
 #else
   throw Error("'" + s.source +
-              "' cannot be read, because this program was built without its io component; only .vdb "
-              "files can. Build it with HAPTICUT_WITH_IO=ON.");
+              "' cannot be read, because this program was built without its io component and reads only .vdb files. "
+              "Build it with HAPTICUT_WITH_IO=ON.");
 #endif
 }
 

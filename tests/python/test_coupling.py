@@ -35,7 +35,8 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
     assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
     contact = there.contact
-    assert np.allclose(contact.normal_W, [0, 0, 1], atol=0.02) and np.allclose(contact.point_W[:2], place[:2], atol=0.05 * mm)
+    assert np.allclose(contact.normal_W, [0, 0, 1], atol=0.02)
+    assert np.allclose(contact.point_W[:2], place[:2], atol=0.05 * mm)
     assert contact.pressure == pytest.approx(there.wrench.force[2] / contact.area, rel=0.3)  # the normals spread
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
@@ -85,7 +86,7 @@ def test_a_tool_that_was_left_waits_for_its_hand(coupled, plunge):
 def test_a_run_that_only_waits_says_so(coupled):
     coupling = h.VirtualCoupling(coupled, h.coupling_gains(h.device.capabilities(h.device.device_model("touch"))))
     inside = h.Pose.from_translation(np.tile([0, 0, 20 * mm], (20, 1)))  # the head is at the end of its handle
-    with pytest.warns(UserWarning, match="none of the 20 steps was taken: tool_waits"):
+    with pytest.warns(UserWarning, match="none of the 20 steps was made: tool_waits"):
         coupling.run(inside, np.zeros((20, 6)), 1e-3)
 
 

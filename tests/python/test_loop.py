@@ -260,7 +260,7 @@ def test_a_coupled_tool_is_recorded_step_by_step(coupled, plunge, tmp_path):
     recorder.close()
     fresh = h.Simulation(coupled.workpiece, coupled.tool, coupled.config)
     first = h.io.Recorder(tmp_path / "first.h5", fresh)
-    with pytest.raises(h.Error, match="observed already"):
+    with pytest.raises(h.Error, match="already observes"):
         h.io.Recorder(tmp_path / "second.h5", fresh)
     first.close()
     recording = h.io.read_recording(tmp_path / "coupled.h5")

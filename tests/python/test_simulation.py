@@ -138,7 +138,7 @@ def test_a_look_at_the_workpiece_follows_a_reset_and_outlives_the_simulation(sim
 
 
 def test_a_workpiece_of_a_simulation_cannot_be_changed_from_outside(simulation):
-    with pytest.raises(hapticut.Error, match="belongs to a Simulation"):
+    with pytest.raises(hapticut.Error, match="only its Simulation"):
         simulation.workpiece.set_materials(hapticut.MaterialTable([hapticut.presets.clay()]))
     copy = simulation.workpiece.clone()
     copy.set_materials(hapticut.MaterialTable([hapticut.presets.clay()]))

@@ -123,7 +123,7 @@ def test_a_pool_of_mpi_gives_the_same_bits(reference, serial, tmp_path):
 
 def test_a_sweep_whose_process_was_killed_goes_on_where_it_was(serial, tmp_path):
     space = [{"x": x, "folder": str(tmp_path)} for x in range(50)]
-    with pytest.raises(hapticut.Error, match="the executor gave up.*BrokenProcessPool.*kept"):
+    with pytest.raises(hapticut.Error, match="the executor failed.*BrokenProcessPool.*kept"):
         hapticut.sweep(space, runs.kills_its_process_once, out=tmp_path / "out", workers=2)
     finished = (tmp_path / "out" / "runs.jsonl").read_bytes()
     assert finished.count(b"\n") > 10
@@ -137,8 +137,8 @@ def test_a_sweep_whose_process_was_killed_goes_on_where_it_was(serial, tmp_path)
 
 def test_a_run_that_took_none_of_its_steps_is_a_row_with_its_error(serial, tmp_path):
     table = hapticut.sweep({"dt": [1e-3, 10.0]}, runs.takes_no_step, serial, tmp_path)
-    assert pd.isna(table["error"][0]) and "none of the 3 steps was taken: dt_rejected" in table["error"][1]
-    with pytest.warns(UserWarning, match="none of the 3 steps was taken: dt_rejected"):
+    assert pd.isna(table["error"][0]) and "none of the 3 steps was made: dt_rejected" in table["error"][1]
+    with pytest.warns(UserWarning, match="none of the 3 steps was made: dt_rejected"):
         runs.takes_no_step({"dt": 10.0}, None)
 
 
@@ -246,7 +246,7 @@ def test_a_disk_that_becomes_full_is_an_error_and_what_was_finished_is_kept(seri
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (37_000, hard))  # stands for the disk
     try:
-        with pytest.raises(hapticut.Error, match="cannot write.*What was finished is kept"):
+        with pytest.raises(hapticut.Error, match="cannot write.*Finished runs are kept"):
             hapticut.sweep(space, runs.returns_more_and_more, serial, tmp_path)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
@@ -262,5 +262,5 @@ def test_an_executor_that_takes_no_more_work_is_an_error(tmp_path):
         def submit(self, function, /, *args, **kwargs):
             raise LookupError("the client is closed")  # as dask's own, which is no RuntimeError
 
-    with pytest.raises(hapticut.Error, match="the executor gave up.*LookupError.*kept"):
+    with pytest.raises(hapticut.Error, match="the executor failed.*LookupError.*kept"):
         hapticut.sweep({"x": [1, 2]}, runs.squares, Closed(), tmp_path)

@@ -1,29 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cutting-force model for haptic rendering: step it, sweep it.
+"""The cutting force model for haptic rendering: single steps, runs and sweeps.
 
-The names are those of the C++ library. Everything is in SI units and in the world frame W, which is the workpiece's,
-unless a name says otherwise. Arrays are float64: points ``(n, 3)``, poses ``(4, 4)`` homogeneous matrices, twists
-``(6,)`` linear then angular. What cannot be done raises ``hapticut.Error`` with what was given, what is allowed and
+The names are those of the C++ library. All quantities are in SI units and in the world frame W, the frame of the
+workpiece, unless a name says otherwise. Arrays are float64: points ``(n, 3)``, poses ``(4, 4)`` homogeneous matrices,
+twists ``(6,)`` linear then angular. Errors raise ``hapticut.Error``, which says what was given, what is allowed and
 what to do.
 
-Here is what builds a workpiece and a tool and moves the one through the other. Beside it:
+This module builds a workpiece and a tool and moves the tool through the workpiece. The submodules:
 
 ``catalogue``, ``presets``, ``units``
     ready-made heads, ready-made materials, factors to SI
 ``analysis``
     closed loops, stability and faults, without a device
 ``calibration``, ``effects``
-    materials from measurements; what is added to the force of the model before a hand feels it
+    materials from measurements; effects added to the model's force before a hand feels it
 ``volume``, ``io``
-    scans and what is done with them; files of volumes, meshes, voxels, recordings and pictures
+    scans and their processing; files of volumes, meshes, voxels, recordings and pictures
 ``device``, ``loop``, ``safety``
-    what a hand holds, the 1 kHz thread, the guard between the two
+    haptic devices, the 1 kHz thread, the guard that protects the hand
 ``heat``, ``islands``
-    temperatures beside the steps; pieces that were cut loose
+    temperatures; loose pieces
 ``surface``, ``sound``
-    what is seen and heard beside the steps
+    the surface for drawing, the sound of the drill
 ``sweep``
-    many runs on many processors; imported when it is first used
+    many runs on many processors; imported at first use
 """
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ from . import (
 )
 from ._export import export, where_is
 from ._hapticut import (
-    # Words that all share
+    # Basic types
     BuildInfo as BuildInfo,
     Color as Color,
     ColoredMesh as ColoredMesh,

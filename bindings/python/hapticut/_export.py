@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the modules of the package share out what the compiled one holds.
+"""Distributes the names of the compiled module to the modules of the package.
 
-Each imports its names as themselves (``Box as Box``), which is how type checkers tell what a module offers from what it
-uses; `export` does the same for those who look at a module that runs.
+Each module imports its names as themselves (``Box as Box``): type checkers then treat them as exported. `export` does
+the same at run time.
 """
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _hapticut._shorten_signatures()
 
 
 def export(module: str, *more: str) -> None:
-    """Makes ``__all__`` of a module that has none: what it imported from the compiled one, whose ``__module__`` it
-    becomes, and some names more. ``dir`` shows that list, and a name that is missing is looked for in the others."""
+    """Makes ``__all__`` of a module that has none: its names from the compiled module, and some more names. Sets their
+    ``__module__`` to the module. ``dir`` shows that list; the error for a missing name tells which module has it."""
     namespace = vars(sys.modules[module])
     if "__all__" not in namespace:
         compiled = [name for name in namespace if name in _hapticut.__all__]
@@ -35,7 +35,7 @@ def export(module: str, *more: str) -> None:
 
 
 def move(thing: Any, module: str) -> None:
-    """Says of a function, or of a class and those inside of it, where it is imported from."""
+    """Sets the module of a function, or of a class and its inner classes."""
     if isinstance(thing, type):
         for inner in vars(thing).values():
             if isinstance(inner, type) and inner.__module__ == _hapticut.__name__:
@@ -45,7 +45,7 @@ def move(thing: Any, module: str) -> None:
 
 
 def where_is(name: str) -> str:
-    """The end of the sentence that a name is not in a module."""
+    """The end of the message that a module lacks a name."""
     for place, module in sorted(sys.modules.items()):
         if f"{place}.".startswith(f"{__package__}.") and "._" not in place and name in getattr(module, "__all__", ()):
             return f"; it is {place}.{name}"

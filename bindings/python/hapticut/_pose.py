@@ -6,11 +6,11 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Pose:
-    """What C++ offers for poses, which are (4, 4) arrays here: ``X_AC = X_AB @ X_BC``."""
+    """The pose functions of C++ for (4, 4) arrays: ``X_AC = X_AB @ X_BC``."""
 
     @staticmethod
     def from_translation(translation: ArrayLike) -> NDArray[np.float64]:
-        """A pose that only moves.
+        """A pose with a translation only.
 
         Parameters
         ----------
@@ -24,7 +24,7 @@ class Pose:
         """
         p = np.asarray(translation, dtype=np.float64)
         if p.shape[-1:] != (3,):
-            raise ValueError(f"translation has shape {p.shape}; needed is (3,) or (n, 3).")
+            raise ValueError(f"translation has shape {p.shape}; it must be (3,) or (n, 3).")
         X = np.zeros((*p.shape[:-1], 4, 4))
         X[..., range(4), range(4)] = 1
         X[..., :3, 3] = p
@@ -32,7 +32,7 @@ class Pose:
 
     @staticmethod
     def inverse(X_AB: ArrayLike) -> NDArray[np.float64]:
-        """The same pose, or poses (..., 4, 4), seen the other way round: ``X_BA``."""
+        """The inverse ``X_BA`` of a pose or of poses (..., 4, 4)."""
         X = np.asarray(X_AB, dtype=np.float64)
         inverse = np.zeros_like(X)
         R = np.swapaxes(X[..., :3, :3], -1, -2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is said of a run of which no step was taken."""
+"""The warning about a run without a step."""
 from __future__ import annotations
 
 import contextlib
@@ -12,16 +12,16 @@ from ._hapticut import Error
 _here = threading.local()
 
 
-def none_taken(text: str) -> None:
-    """A warning, or an error within `none_taken_is_an_error`."""
+def warn_no_steps(text: str) -> None:
+    """Warns; raises Error within `no_steps_are_an_error`."""
     if getattr(_here, "raises", False):
         raise Error(text)
     warnings.warn(text, UserWarning, stacklevel=2)
 
 
 @contextlib.contextmanager
-def none_taken_is_an_error() -> Iterator[None]:
-    """In this thread: a sweep has no other place to say it."""
+def no_steps_are_an_error() -> Iterator[None]:
+    """Makes `warn_no_steps` raise in this thread, because a sweep reports only errors."""
     _here.raises = True
     try:
         yield

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Closed loops of a model with a simulated device, their stability, and faults of the device."""
+"""Closed loops of a model and a simulated device: stability, and faults of the device."""
 from ._export import export
 from ._hapticut import (
     # Closed loop: a force model, a plant and the guard

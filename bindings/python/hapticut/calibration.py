@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers of a material from tests with a drill, and the other way round."""
+"""Constants of a material from drilling tests, and drilling forces from constants."""
 from ._export import export
 from ._hapticut import (
     AxialCutForce as AxialCutForce,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Heads of dental burs by their names and sizes, their shanks, common cutters, and motors."""
+"""Heads of dental burs by name and size, shanks, common cutters, and motors."""
 from ._export import export
 from ._hapticut import (
     Shank as Shank,

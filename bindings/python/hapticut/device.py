@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a hand holds: haptic devices, their stand-ins, and models of devices and hands."""
+"""Haptic devices, simulated devices, and models of devices and hands."""
 from ._export import export
 from ._hapticut import (
     # Devices and runs
@@ -10,7 +10,7 @@ from ._hapticut import (
     device_drivers as device_drivers,
     open_device as open_device,
 
-    # What a device says and is told
+    # Data from and to a device
     DeviceCapabilities as DeviceCapabilities,
     DeviceCommand as DeviceCommand,
     DeviceFault as DeviceFault,
@@ -19,7 +19,7 @@ from ._hapticut import (
     ModelContact as ModelContact,
     OutputChange as OutputChange,
 
-    # Stand-ins
+    # Simulated devices
     MockDevice as MockDevice,
     MockOptions as MockOptions,
     MouseDevice as MouseDevice,

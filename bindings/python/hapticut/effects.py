@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is added to the model's force before a hand feels it, in the order of the step."""
+"""Effects added to the model's force before a hand feels it, in the order of the step."""
 from ._export import export
 from ._hapticut import (
     Effects as Effects,

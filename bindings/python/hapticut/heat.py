@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Temperatures beside the steps: what cutting and rubbing bring in, how it spreads, what it does to the material."""
+"""Temperatures: heat from cutting and rubbing, its conduction, and its effect on the material."""
 from ._export import export
 from ._hapticut import (
     HeatBalance as HeatBalance,
@@ -9,7 +9,7 @@ from ._hapticut import (
     ThermalProperties as ThermalProperties,
     cem43 as cem43,
 
-    # Out of the steps
+    # Heat from the steps
     HeatCollector as HeatCollector,
     HeatCollectorOptions as HeatCollectorOptions,
     HeatPulse as HeatPulse,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pieces that were cut loose: found, and let go; in a loop by ``SimulationModel(islands=...)``."""
+"""Finds and removes loose pieces; in a loop by ``SimulationModel(islands=...)``."""
 from ._export import export
 from ._hapticut import (
     Island as Island,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The 1 kHz thread: a device, a simulation, and what they exchange with other threads."""
+"""The 1 kHz thread: a device, a simulation, and their exchange with other threads."""
 from typing import TYPE_CHECKING
 
 from ._export import export
@@ -12,26 +12,26 @@ from ._hapticut import (
     SpindleInterlock as SpindleInterlock,
     commands as commands,
 
-    # What it shows
+    # Data from the loop
     ChangeFeedOptions as ChangeFeedOptions,
     ChangedBlock as ChangedBlock,
     LoopSnapshot as LoopSnapshot,
     TickEffort as TickEffort,
     ToolSnapshot as ToolSnapshot,
 
-    # From the workspace of the device to that of the scene
+    # Map from the workspace of the device to the scene
     WorkspaceMap as WorkspaceMap,
     WorkspaceMapOptions as WorkspaceMapOptions,
     gains_in_world as gains_in_world,
 
-    # Its clock
+    # Timing
     LatencyHistogram as LatencyHistogram,
     RealtimeOptions as RealtimeOptions,
 )
 
 if TYPE_CHECKING or _with_io:
     from ._hapticut import (
-        # What recordings keep of a tick
+        # Device data of a tick in recordings
         DeviceTick as DeviceTick,
     )
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ready-made materials. ``docs/materials.md`` names the source of every number.
 
-Each is as a kind of cutter meets it, by default a carbide bur: ``presets.dentin(CutterKind.twist_drill)``.
+The constants depend on the kind of cutter, by default a carbide bur: ``presets.dentin(CutterKind.twist_drill)``.
 """
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What protects the hand: the guard, the options of its stages, and its log."""
+"""Protection of the hand: the guard, the options of its stages, and its log."""
 from ._export import export
 from ._hapticut import (
     GuardOptions as GuardOptions,
@@ -15,13 +15,13 @@ from ._hapticut import (
     ThermalOptions as ThermalOptions,
     WatchdogOptions as WatchdogOptions,
 
-    # What it notes
+    # Log
     SafetyEvent as SafetyEvent,
     SafetyLog as SafetyLog,
     SafetyLogEntry as SafetyLogEntry,
     sentence_of as sentence_of,
 
-    # What a step says, in sentences with their cures
+    # Status of a step in sentences, with cures
     sentences_of as sentences_of,
 )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a drill sounds like, sample by sample, from what steps or a loop show."""
+"""The sound of a drill, sample by sample, from steps or a loop."""
 from ._export import export
 from ._hapticut import (
     DrillSound as DrillSound,

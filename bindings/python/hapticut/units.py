@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Factors from the units of the dental chair to SI: ``0.6 * units.mm`` is a length in metres."""
+"""Factors from common units to SI: ``0.6 * units.mm`` is a length in metres."""
 import math
 
 from ._export import export

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Volumes of grey values and labels, as scanners make them, and what is done with them before they are built."""
+"""Volumes of grey values and labels, and their processing before a workpiece is built."""
 from typing import TYPE_CHECKING
 
 from ._export import export
@@ -8,7 +8,7 @@ from ._hapticut import (
     GreyVolume as GreyVolume,
     LabelVolume as LabelVolume,
 
-    # Look at
+    # Inspect
     box_around as box_around,
     box_of_volume as box_of_volume,
     count_from as count_from,
@@ -27,7 +27,7 @@ from ._hapticut import (
 
 if TYPE_CHECKING or _with_io:
     from ._hapticut import (
-        # Change, with what the file formats bring
+        # Change, with ITK
         LabelInterpolation as LabelInterpolation,
         close_gaps as close_gaps,
         resample as resample,

@@ -8,24 +8,24 @@
 
 namespace hapticut::settings {
 
-/// Where something is at a time.
+/// A pose at one time.
 struct TimedPose {
   double t;  ///< [s]
   Pose pose;
 };
 
-/// A pose at every time between the first and the last of a list: positions in between are interpolated linearly,
-/// rotations along the shortest turn (slerp).
+/// A motion through a list of timed poses. Between two poses, the position is interpolated linearly and the rotation by
+/// slerp.
 class Motion {
  public:
-  /// @param poses  at least two, times increasing
+  /// @param poses  at least two, with increasing times
   /// @throws Error otherwise
   explicit Motion(std::vector<TimedPose> poses);
 
   [[nodiscard]] double duration() const { return poses_.back().t - poses_.front().t; }  ///< [s]
   [[nodiscard]] const std::vector<TimedPose>& poses() const { return poses_; }
 
-  /// @param t  [s] since the first pose; before it and after the last the motion stands still
+  /// @param t  [s] since the first pose; clamped to 0 ... duration
   [[nodiscard]] Pose pose_at(double t) const;
 
  private:

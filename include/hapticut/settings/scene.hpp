@@ -21,25 +21,26 @@
 /// docs/command-line.md lists every key, what it means and which values it takes.
 namespace hapticut::settings {
 
-/// What a simulation is made of.
+/// Everything that a simulation needs.
 struct Scene {
-  Workpiece workpiece;                     ///< [workpiece] and [material]: built or read
+  Workpiece workpiece;                     ///< [workpiece] and [material]
   Tool tool;                               ///< [tool]
-  SimulationConfig config;                 ///< [simulation], [force], [effects]; its update_rate is simulation.rate_Hz
-  std::optional<Motion> motion;            ///< [path]: X_WT of the head over time; none where the text has no [path]
-  std::vector<std::string> warnings = {};  ///< what a user must know of the files: samples that are padding
+  SimulationConfig config;                 ///< [simulation], [force], [effects]; update_rate is simulation.rate_Hz
+  std::optional<Motion> motion;            ///< [path]: X_WT of the head over time; nullopt when the text has no [path]
+  std::vector<std::string> warnings = {};  ///< remarks about the files that a user must know, e.g. padded samples
 };
 
-/// Makes what a text in TOML describes. Its tables [output] and [loop] are the program's own and left alone. Files that
-/// are no .vdb are read where hapticut was built with HAPTICUT_WITH_IO.
-/// @param folder  that the files it names are relative to; empty: the working folder
+/// Builds the scene that a TOML text describes. The tables [output] and [loop] belong to the program and are ignored.
+/// Files other than .vdb need a library built with HAPTICUT_WITH_IO.
+/// @param folder  base of relative file names in the text; empty: the working folder
 /// @throws Error that names line, key, value and what is allowed: `scene:7: tool.radius_mm: must be a number > 0, not
-///         -1.`; for a key that does not exist the nearest one; and when something is missing, does not fit together or
-///         cannot be read
+///         -1.` For an unknown key the message names the most similar key. Also thrown when a setting is missing or
+///         contradicts another one, or a file cannot be read
 /// @realtime set-up only
 [[nodiscard]] Scene from_toml(std::string_view text, const std::filesystem::path& folder = {});
 
-/// The same from a file, whose name stands in the messages. The files that it names are relative to its folder.
+/// Builds the scene that a TOML file describes. Relative file names in it start at its folder.
+/// @throws Error that names the file; otherwise like from_toml
 [[nodiscard]] Scene from_file(const std::filesystem::path& path);
 
 }  // namespace hapticut::settings

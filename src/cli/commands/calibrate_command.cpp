@@ -28,20 +28,20 @@ struct CalibrateSettings {
 };
 
 constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm", "lips"};
-constexpr std::size_t kNeeded = 5;  // a file may leave `lips` out: two, as a twist drill has
+constexpr std::size_t kNeeded = 5;  // `lips` is optional: default 2, as for a twist drill
 
 std::string joined_columns() {
   std::string all;
   for (std::size_t n = 0; n < kNeeded; ++n) all += (all.empty() ? "" : ", ") + std::string(kColumns[n]);
-  return all + " and, if you like, " + kColumns[kNeeded];
+  return all + " and optionally " + kColumns[kNeeded];
 }
 
-/// The number of a column; 0 of a thrust or torque that was not measured, whose cell is empty.
-/// @throws Error naming file, line, column and value
+/// The number in a column; 0 for an empty cell of a thrust or torque that was not measured.
+/// @throws Error that names file, line, column and value
 double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
   if (cells[column].empty() && (column == 3 || column == 4)) return 0;
   const std::optional<double> value = file.number(cells[column]);
-  // A spindle may turn either way.
+  // The speed of a spindle may be negative.
   const bool may_be_negative = column == 1;
   if (!value || !std::isfinite(*value) || *value == 0 || (*value < 0 && !may_be_negative))
     file.fail(std::string(kColumns[column]) + " = \"" + cells[column] + "\"; must be a number " +
@@ -49,7 +49,7 @@ double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size
   return *value;
 }
 
-/// @throws Error naming the file, the line and the column
+/// @throws Error that names file, line and column
 std::vector<DrillingTest> read_tests(const std::string& path) {
   CsvFile file(path, "file of drilling tests", "hapticut calibrate");
   const std::vector<std::string>& names = file.read_names("be " + joined_columns());
@@ -62,9 +62,9 @@ std::vector<DrillingTest> read_tests(const std::string& path) {
     tests.push_back({value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3),
                      value(4) * units::N_mm, columns > kNeeded ? value(5) : DrillingTest{}.lips});
     if (tests.back().thrust == 0 && tests.back().torque == 0)
-      file.fail("both thrust_N and torque_Nmm are empty; give what was measured, or leave the line out.");
+      file.fail("thrust_N and torque_Nmm are both empty; enter at least one, or leave the line out.");
   }
-  if (tests.empty()) file.fail("there is no drilling test; give one in a line, under the names of the columns.");
+  if (tests.empty()) file.fail("there is no drilling test; write one per line, below the names of the columns.");
   return tests;
 }
 
@@ -79,7 +79,7 @@ void run_calibrate(const CalibrateSettings& s) {
                                            (c.chip_identified ? "" : ": the tests do not identify it"));
   table.add("cutting_ratio", rounded(c.cutting_ratio, 4) + (c.ratio_identified ? "" : ": assumed, not measured"));
   const std::string not_known = c.edge_identified ? ""
-                                : c.edge_assumed  ? ", assumed as in bone: the tests do not identify it"
+                                : c.edge_assumed  ? ", value of bone, because the tests do not identify it"
                                                   : ": the tests do not identify it";
   for (const auto& [term, value, unit] :
        {std::tuple(ChipTerm::edge_length, c.edge_length, " m"), std::tuple(ChipTerm::size_length, c.size_length, " m"),
@@ -99,19 +99,22 @@ void run_calibrate(const CalibrateSettings& s) {
   }
   std::fputs(table.text().c_str(), stdout);
   std::fputs(
-      "These constants belong together: give a material all of them, the zeros too, and the tool the cutter and "
-      "lips of the tests.\n",
+      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
+      "the tests in the tool.\n",
       stdout);
   if (!c.edge_identified)
-    std::fputs("To tell edge from chip, add tests at other feeds per turn, or repeat these where they scatter.\n",
-               stdout);
+    std::fputs(
+        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n",
+        stdout);
   else if (!c.checked)
-    std::fputs("Any such tests would fit: to check the constants, add one at another feed per turn.\n", stdout);
-  if (!c.ratio_identified) std::fputs("To know the cutting ratio, add tests with the thrust and the torque.\n", stdout);
+    std::fputs(
+        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n",
+        stdout);
+  if (!c.ratio_identified) std::fputs("To identify the cutting ratio, add tests with thrust and torque.\n", stdout);
   if (!c.chip_identified)
     std::fputs(
-        "The edge carries nearly all of thrust and torque; to know the chip, add tests at a larger feed per "
-        "turn.\n",
+        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
+        "revolution.\n",
         stdout);
   write_json(s.json, {{"specific_cutting_energy", c.specific_cutting_energy},
                       {"cutting_ratio", c.cutting_ratio},
@@ -133,11 +136,11 @@ void run_calibrate(const CalibrateSettings& s) {
 Command calibrate_command() {
   auto settings = std::make_shared<CalibrateSettings>();
   return {"calibrate",
-          "Fit cutting energy, cutting ratio and what edges or thin chips add, to drilling tests",
+          "Fit cutting energy, cutting ratio and the effect of edges or thin chips to drilling tests",
           {path("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
            choice("calibrate.term", "--term", settings->term,
-                  "what is fitted beside u and kappa: how forces do not go to zero with the chip [edge_length]"),
-           path("output.json", "--json", settings->json, "report for machines")},
+                  "third fitted constant: why the force does not vanish with the chip thickness [edge_length]"),
+           path("output.json", "--json", settings->json, "report in JSON")},
           [settings] { run_calibrate(*settings); }};
 }
 

@@ -9,20 +9,20 @@
 
 namespace hapticut::cli {
 
-/// A subcommand of the program: a function in <name>_command.cpp, which is declared and listed below. What makes a
-/// workpiece calls `tell_on_stderr` for its settings and makes it in `with_bar`; what writes a file calls
-/// `require_writable` before the work begins, so that hours are not lost. A name of the library that may come in an
-/// error has its flag in the table of reports/flag_words.cpp. docs/command-line.md has the settings as they are here.
+/// A subcommand of the program: a function in <name>_command.cpp, declared and listed below. A command that makes a
+/// workpiece calls `tell_on_stderr` for its settings and makes the workpiece in `with_bar`. A command that writes a
+/// file calls `require_writable` before the work begins. If a name of the library can appear in an error, the table in
+/// reports/flag_words.cpp maps it to its flag. docs/command-line.md lists the settings defined here.
 struct Command {
   std::string name;
   std::string summary;  ///< one line for the help
-  /// What it can be told; a flag without dashes is given by its place.
+  /// The settings of the command; a flag without dashes is a positional argument.
   std::vector<hapticut::settings::Setting> settings;
-  std::function<void()> run;  ///< does the work, once the settings are set; @throws Error when it was not done
+  std::function<void()> run;  ///< runs the command, after the settings are applied; @throws Error when it fails
 };
 
-/// @param component  "io", that this program was built without
-/// @throws Error with how it comes in; begins with `what`, that cannot be done
+/// @param component  missing component: "io"
+/// @throws Error that begins with `what` and says how to build the component
 [[noreturn]] inline void fail_without(const std::string& component, const std::string& what) {
   std::string option = "HAPTICUT_WITH_";
   for (const char letter : component) option += char(letter - 'a' + 'A');
@@ -41,7 +41,7 @@ struct Command {
 [[nodiscard]] Command stability_command();
 [[nodiscard]] Command view_command();
 
-/// All of them, in the order of the help.
+/// All subcommands, in the order of the help.
 [[nodiscard]] inline std::vector<Command> all_commands() {
   return {drill_command(), inspect_command(), convert_command(), validate_command(),  calibrate_command(),
           loop_command(),  replay_command(),  export_command(),  stability_command(), view_command()};

@@ -10,7 +10,7 @@
 namespace hapticut::cli {
 
 void use_all_devices() {
-  // What this build lacks, to somebody who builds no program.
+  // Says what this build lacks, for users who do not build programs.
   for (DeviceDriver& driver : device_drivers())
     if (const std::size_t calls = driver.missing.find(", link hapticut::"); calls != std::string::npos) {
       driver.missing.erase(calls);

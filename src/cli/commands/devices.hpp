@@ -3,7 +3,7 @@
 
 namespace hapticut::cli {
 
-/// Makes `open_device` know every kind of device that this build can drive.
+/// Registers every device driver of this build for `open_device`.
 void use_all_devices();
 
 }  // namespace hapticut::cli

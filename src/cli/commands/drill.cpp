@@ -18,14 +18,14 @@ namespace {
 constexpr double kMaxSteps = 1e7;
 constexpr float kDeadline = 1000;  // [us]
 
-/// [us] processor time of this thread.
+/// [us] Processor time of this thread.
 double thread_time() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return double(now.tv_sec) * 1e6 + double(now.tv_nsec) * 1e-3;
 }
 
-/// The smallest value that a share `p` of them does not exceed.
+/// The quantile `p` of the values.
 float percentile(const std::vector<float>& sorted, double p) {
   const auto rank = std::size_t(std::ceil(p * double(sorted.size())));
   return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
@@ -65,7 +65,7 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
   if (count > kMaxSteps)
     throw Error("the path takes " + format_number(motion.duration()) + " s, which is " + format_number(count) +
-                " steps; at most 1e+07 are possible. Feed faster, or lower the rate.");
+                " steps; at most 1e+07 are possible. Raise the feed, or lower the rate.");
   const auto steps = std::size_t(count);
   const Pose X_TH = simulation.tool().X_HT().inverse();
 

@@ -12,13 +12,13 @@
 
 namespace hapticut::cli {
 
-/// One line of the per-step file.
+/// One row of the per-step file.
 struct StepRow {
   double t;        ///< [s] at the end of the step
-  Pose X_WT;       ///< of the head
+  Pose X_WT;       ///< pose of the head
   Vec3 force;      ///< [N] on the tool, in W
   Vec3 torque;     ///< [N·m] about Ho, in W
-  double removed;  ///< [m^3]
+  double removed;  ///< [m^3] removed volume
   int contact_voxels;
   StepStatus status;
 };
@@ -26,10 +26,10 @@ struct StepRow {
 /// Processor time of the steps, in microseconds.
 struct StepTimes {
   double p50 = 0, p99 = 0, p999 = 0, max = 0;
-  std::size_t deadline_misses = 0;  ///< longer than a millisecond
+  std::size_t deadline_misses = 0;  ///< steps longer than a millisecond
 };
 
-/// What came of moving a tool through a workpiece.
+/// Result of moving a tool through a workpiece.
 struct DrillResult {
   std::size_t steps = 0;
   std::size_t steps_in_contact = 0;
@@ -42,16 +42,16 @@ struct DrillResult {
   bool blocks_refilled = false;
   EnergyLedger energy;
   StepTimes times;
-  std::array<std::size_t, 32> status_counts = {};  ///< steps, by bit of StepStatus
-  std::vector<StepRow> rows;                       ///< empty unless asked for
+  std::array<std::size_t, 32> status_counts = {};  ///< number of steps, by bit of StepStatus
+  std::vector<StepRow> rows;                       ///< empty unless requested
 
   [[nodiscard]] std::size_t count(StepStatus bit) const;
 };
 
-/// Moves the head of the simulation's tool along `motion`, one step every 1/rate seconds.
+/// Moves the head of the simulation's tool along `motion`, with one step every 1/rate seconds.
 /// @param rate       [Hz]
-/// @param keep_rows  whether to keep every step for the per-step file
-/// @throws Error when there would be more than ten million steps
+/// @param keep_rows  true: keeps every step for the per-step file
+/// @throws Error when the motion needs more than ten million steps
 [[nodiscard]] DrillResult drill(Simulation& simulation, const settings::Motion& motion, double rate, bool keep_rows);
 
 }  // namespace hapticut::cli

@@ -52,7 +52,7 @@ void run_drill(const DrillSettings& s) {
   });
   if (rejected > 0)
     throw Error(std::to_string(rejected) + " of " + std::to_string(result.steps) +
-                " steps were rejected, so the path was not drilled as asked; see the status bits in the report.");
+                " steps were rejected, so the path was not drilled completely; see the status bits in the report.");
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void run_drill(const DrillSettings& s) {
 Command drill_command() {
   auto settings = std::make_shared<DrillSettings>();
   tell_on_stderr(settings->scene.workpiece);
-  return {"drill", "Move a tool along a path through a workpiece at a fixed rate and report forces and removal",
+  return {"drill", "Move a tool along a path through a workpiece at a fixed rate; report forces and removal",
           together({settings_of(settings->scene), settings_of(settings->output)}),
           [settings] { run_drill(*settings); }};
 }

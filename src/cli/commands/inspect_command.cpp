@@ -32,7 +32,7 @@ bool has_materials(const WorkpieceSettings& s) {
 }
 
 #ifdef HAPTICUT_HAS_IO
-/// The directions of the grid's axes, in those of the patient: to the left, to the back, to the head.
+/// The directions of the grid's axes in patient axes: left, back, head.
 std::string axes_text(const Mat3& rotation) {
   std::string text;
   for (int axis = 0; axis < 3; ++axis) {
@@ -64,13 +64,13 @@ void inspect_volume(const InspectSettings& s) {
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("samples", dims_text(v.dims));
   table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
-  table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
+  table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes rotated"));
   table.add("axes", axes_text(v.X_WG.rotation));
   table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6) +
                           (v.not_a_number > 0 ? ", " + std::to_string(v.not_a_number) + " are not a number" : ""));
   if (v.padding > 0)
     table.add("padding",
-              std::to_string(v.padding) + " samples of the file lie outside the field of view; taken for air");
+              std::to_string(v.padding) + " samples of the file lie outside the field of view; treated as air");
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
     const std::string name = "label " + std::to_string(label);
@@ -100,7 +100,7 @@ void inspect_workpiece(const InspectSettings& s) {
 
   Table table("hapticut inspect: " + summary.source);
   table.add("voxels", dims_text(summary.dims) + " of " + rounded(size) + " mm");
-  table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
+  table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes rotated"));
   for (const MaterialAmount& amount : summary.amounts)
     if (amount.voxels > 0)
       table.add(workpiece.materials()[amount.material].name, std::to_string(amount.voxels) + " voxels, " +
@@ -115,7 +115,7 @@ void run_inspect(const InspectSettings& s) {
   const bool as_volume = is_volume(s.workpiece) && !has_materials(s.workpiece);
   require_writable(s.json);
   if (s.threshold && !as_volume)
-    throw Error("--threshold counts the grey values of a volume, and " + s.workpiece.source +
+    throw Error("--threshold applies to grey values of a volume, but " + s.workpiece.source +
                 " is inspected as a workpiece. Leave it out.");
 #ifdef HAPTICUT_HAS_IO
   if (as_volume) return inspect_volume(s);
@@ -130,10 +130,10 @@ Command inspect_command() {
   tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
-  all.push_back(path("output.json", "--json", settings->json, "report for machines"));
+  all.push_back(path("output.json", "--json", settings->json, "report in JSON"));
   all.push_back(number("inspect.threshold", "--threshold", settings->threshold, Range::any(),
-                       "volume: count the voxels at or above this grey value"));
-  return {"inspect", "Say what a file or a built-in workpiece contains", std::move(all),
+                       "volume: counts the voxels at or above this grey value"));
+  return {"inspect", "Show the content of a file or a built-in workpiece", std::move(all),
           [settings] { run_inspect(*settings); }};
 }
 

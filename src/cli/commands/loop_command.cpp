@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// hapticut loop: a device moves the tool, in real time.
+// SPDX-License-Identifier: Apache-2.0 hapticut loop: a device moves the tool in real time.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -28,7 +27,7 @@ namespace {
 
 enum class Coupling { virtual_tool, none };
 
-constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
+constexpr std::size_t kReservedBlocks = 16384;  // the loop has no time to refill them between steps
 
 struct LoopSettings {
   std::string device;
@@ -47,22 +46,20 @@ struct LoopSettings {
 std::vector<Setting> settings_of(LoopSettings& s) {
   std::vector<Setting> all = {
       text("loop.device", "DEVICE", s.device, "name of the device: mock:spiral, replay:FILE, openhaptics, ..."),
-      number("loop.seconds", "--seconds", s.seconds, Range::not_negative(), "how long; 0: until it is stopped [0]"),
+      number("loop.seconds", "--seconds", s.seconds, Range::not_negative(), "duration of the run; 0: until Ctrl-C [0]"),
       boolean("loop.simulated_time", "--simulated_time", s.simulated_time,
-              "devices that are simulated: as fast as possible, with exact periods"),
+              "simulated devices: run as fast as possible, with exact periods"),
       vector("loop.origin_mm", "--origin_mm", s.origin_mm, Range::any(),
-             "where the origin of the device's base lies in the world [where the tool stands on the middle of the "
-             "workpiece's top]"),
+             "position of the device's base in the world [the tool touches the centre of the workpiece's top]"),
       choice("loop.up", "--up", s.up, {{"y", Up::y}, {"z", Up::z}},
-             "axis of the device's base that points up, along z of the world [z of mock and replay, y of others]"),
+             "axis of the device's base that points up, along z of the world [z for mock and replay, else y]"),
       number("loop.scale", "--scale", s.scale, range_of(&WorkspaceMapOptions::scale),
-             "metres in the world per metre of the hand [1]"),
+             "motion in the world per motion of the hand [1]"),
       choice(
           "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
-          "between hand and tool: a spring that the device renders, or nothing [virtual, where the device promises a "
-          "stiffness]"),
+          "connection of hand and tool: a virtual coupling or none [virtual if the device has a specified stiffness]"),
       path("output.record", "--record", s.record, "recording of every step, for replay and export"),
-      path("output.json", "--json", s.json, "report for machines"),
+      path("output.json", "--json", s.json, "report in JSON"),
   };
   all.front().in_folder = [](const std::string& device, const std::filesystem::path& folder) {
     constexpr std::string_view kReplay = "replay:";
@@ -72,7 +69,7 @@ std::vector<Setting> settings_of(LoopSettings& s) {
   return together({std::move(all), settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)});
 }
 
-/// What is cut with what where nothing else is said: a block of bone with a ball.
+/// Default scene: a block of bone and a ball.
 void complete(LoopSettings& s) {
   if (s.workpiece.source.empty()) {
     s.workpiece.source = "block";
@@ -93,7 +90,7 @@ WorkspaceMapOptions map_of(const LoopSettings& s, const DeviceCapabilities& capa
   return map;
 }
 
-/// What a screen would do: looks sixty times a second, and takes what has changed.
+/// Acts like a screen: reads snapshots and changed blocks sixty times per second.
 LoopWatch watch(RealtimeLoop& loop, Device& device) {
   constexpr auto kFrame = std::chrono::microseconds(16667);
   LoopWatch seen;
@@ -128,7 +125,7 @@ void run_loop(LoopSettings s) {
   SimulationConfig config = make_config(s.simulation);
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
-  const StopSignals signals;  // what was done until they come is reported
+  const StopSignals signals;  // a signal ends the run, and the report covers the time until then
   RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
@@ -137,7 +134,7 @@ void run_loop(LoopSettings s) {
   RealtimeLoopOptions options;
   options.run.seconds = s.seconds;
   options.run.simulated_time = s.simulated_time;
-  options.run.stop_on_crash = true;  // the process is ours
+  options.run.stop_on_crash = true;  // this process may end on a crash
   options.run.guard.period = 1 / s.simulation.rate_Hz;
   options.region = model.region();
 
@@ -156,7 +153,7 @@ void run_loop(LoopSettings s) {
     throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
   if (s.seconds > 0 && StopSignals::came() != 0)
     throw Error("the run was ended by signal " + std::to_string(StopSignals::came()) + " before " +
-                format_number(s.seconds) + " s were over; the report tells what was done until then.");
+                format_number(s.seconds) + " s were over; the report covers the run until then.");
 }
 
 }  // namespace
@@ -165,7 +162,7 @@ Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
   tell_on_stderr(settings->workpiece);
   settings->simulation.config.reserved_blocks = kReservedBlocks;
-  return {"loop", "Cut with a device in real time, or with one that stands for a device", settings_of(*settings),
+  return {"loop", "Cut with a device, real or simulated, in real time", settings_of(*settings),
           [settings] { run_loop(*settings); }};
 }
 

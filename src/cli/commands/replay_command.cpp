@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// hapticut replay and hapticut export: what can be done with a recording.
+// SPDX-License-Identifier: Apache-2.0 hapticut replay and hapticut export.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -58,7 +57,7 @@ void run_replay(const ReplaySettings& s) {
   const Recording recording = read_recording(s.recording);
   ProgressBar progress("replaying", std::size_t(recording.size()));
   ReplayOptions options;
-  const std::shared_ptr<const ForceLaw> law = make_law(s.force);  // refuses constants of another law
+  const std::shared_ptr<const ForceLaw> law = make_law(s.force);  // throws for constants of another law
   if (s.force.law) options.law = law;
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   const ReplayReport report = replay(recording, options);
@@ -83,11 +82,11 @@ void run_replay(const ReplaySettings& s) {
                       {"recording", to_json(info)},
                       {"build", build_json()}});
   if (!report.identical)
-    throw Error("the replay of '" + s.recording + "' leaves the recording at " + text_of(*report.first_difference) +
-                ". docs/recording.md says when bits are promised.");
+    throw Error("the replay of '" + s.recording + "' differs from the recording at " +
+                text_of(*report.first_difference) + ". docs/recording.md says when a replay must be identical.");
   if (report.left_out > 0)
     throw Error(std::to_string(report.left_out) + " of " + std::to_string(recording.size()) + " steps of '" +
-                s.recording + "' follow a lost one, so they could not be made again.");
+                s.recording + "' follow a lost step, so they could not be replayed.");
 }
 
 void write_html(const Recording& recording, const ExportSettings& s) {
@@ -103,7 +102,7 @@ void run_export(const ExportSettings& s) {
   const Recording recording = read_recording(s.recording);
   const std::string extension = std::filesystem::path(s.target).extension().string();
   if (extension != ".csv" && extension != ".npz" && extension != ".wav" && extension != ".html")
-    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz, .wav, .html.");
+    throw Error("cannot write '" + s.target + "': its extension must be .csv, .npz, .wav or .html.");
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);
@@ -126,9 +125,9 @@ void run_export(const ExportSettings& s) { run_replay({s.recording, "", {}}); }
 Command replay_command() {
   auto settings = std::make_shared<ReplaySettings>();
   std::vector<Setting> all = {
-      path("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-      path("output.json", "--json", settings->json, "report for machines")};
-  return {"replay", "Run a recording again and compare bit by bit",
+      path("replay.recording", "RECORDING", settings->recording, "recording of drill --record or loop --record"),
+      path("output.json", "--json", settings->json, "report in JSON")};
+  return {"replay", "Repeat a recording and compare the results bit by bit",
           together({std::move(all), law_settings_of(settings->force)}), [settings] {
             if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");
             run_replay(*settings);
@@ -138,10 +137,10 @@ Command replay_command() {
 Command export_command() {
   auto settings = std::make_shared<ExportSettings>();
   return {"export",
-          "Write the steps of a recording as CSV, NumPy, sound or a page that replays it",
-          {path("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           path("output.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
-           path("export.page", "--page", settings->page, ".html: folder of the built page [beside the program]")},
+          "Export a recording as CSV, NumPy, sound or a page that replays it",
+          {path("export.recording", "RECORDING", settings->recording, "recording of drill --record or loop --record"),
+           path("output.target", "TARGET", settings->target, "file to write: .csv, .npz, .wav or .html"),
+           path("export.page", "--page", settings->page, ".html: folder of the built page [next to the program]")},
           [settings] {
             if (settings->recording.empty() || settings->target.empty())
               throw UsageError("a file is missing. Use: hapticut export RECORDING TARGET.");

@@ -25,8 +25,8 @@ namespace hapticut::cli {
 using namespace settings;
 namespace {
 
-constexpr double kWallTolerance = 0.05;     // [1] the table is rounded, and comes from another program
-constexpr double kMinGain = 10;             // [1] that a coupling must win over a device driven directly
+constexpr double kWallTolerance = 0.05;  // [1] the table is rounded and comes from another program
+constexpr double kMinGain = 10;          // [1] required gain in stiffness of a coupling over a directly driven device
 constexpr double kPressedStiffness = 1e16;  // [N/m^4] k_v of bounces, presses and faults with a coupling
 
 struct StabilitySettings {
@@ -51,14 +51,14 @@ ModelFactory linear_walls() {
   };
 }
 
-/// What was found, for people, for machines and for the exit code.
+/// The findings, for the text, the JSON report and the exit code.
 struct Findings {
   Json wall = Json::array(), contact = Json::array(), faults = Json::array();
   std::vector<std::string> complaints;
-  ProgressBar* progress = nullptr;  // lines are printed between its drawings
+  ProgressBar* progress = nullptr;  // paused while lines are printed
 };
 
-/// The textbook's wall, against the table and against K = 2 b/T.
+/// Compares the linear wall with the table and with K = 2 b/T.
 void measure_wall(const DeviceModel& device, Findings& findings) {
   for (const WallRow& row : kWallTable) {
     if (row.device != device.name) continue;
@@ -87,7 +87,7 @@ CouplingGains gains_of(const DeviceModel& device) {
   return gains;
 }
 
-/// The real model, felt directly and through the coupling.
+/// Measures the real model, driven directly and through the coupling.
 void measure_contact(const DeviceModel& device, std::string_view hand, Findings& findings) {
   for (int delay = 0; delay < kWallDelays; ++delay) {
     ClosedLoopConfig config = loop_of(device, hand, delay);
@@ -130,21 +130,21 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
                                 {"buzz_N", buzz.force_peak_to_peak}});
     if (!(k_coupled >= kMinGain * k_direct))
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
-                                    " wins less than ten times");
+                                    "  raises the stiffness less than tenfold");
     if (bounce_coupled.restitution > 1)
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
-                                    " throws the hand back faster than it came");
+                                    "  pushes the hand back faster than it arrived");
   }
 }
 
-/// Every fault that can be injected, with the real model behind guard and coupling.
+/// Measures every injected fault, with the real model behind guard and coupling.
 void measure_faults(const DeviceModel& device, std::string_view hand, Findings& findings) {
   const PressedBall ball{.coupling = gains_of(device)};
   GuardOptions options;
   options.stiffness = ball.coupling->stiffness;
   const SafetyGuard guard(capabilities(device), options);
   for (int delay = 0; delay < kWallDelays; ++delay) {
-    double slowest = 0;
+    double max_time_to_zero = 0;
     int broken = 0;
     for (const InjectedFault fault : injected_faults()) {
       ClosedLoopConfig config = loop_of(device, hand, delay);
@@ -164,7 +164,7 @@ void measure_faults(const DeviceModel& device, std::string_view hand, Findings& 
            {"oldest_force_ms", 1e3 * response.oldest_force},
            {"end", name_of(response.end)},
            {"rules_obeyed", obeyed}});
-      slowest = std::max(slowest, response.time_to_zero);
+      max_time_to_zero = std::max(max_time_to_zero, response.time_to_zero);
       broken += obeyed ? 0 : 1;
       if (!obeyed)
         findings.complaints.push_back("the fault " + std::string(name_of(fault)) + " on " + std::string(device.name) +
@@ -173,7 +173,7 @@ void measure_faults(const DeviceModel& device, std::string_view hand, Findings& 
     const auto paused = findings.progress->pause();
     std::printf(
         "%-12s %-11s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
-        device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * slowest);
+        device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * max_time_to_zero);
     std::fflush(stdout);
   }
 }
@@ -198,10 +198,10 @@ void run_stability(const StabilitySettings& s) {
                       {"build", {{"version", build.version}, {"commit", build.commit}}}});
   if (findings.complaints.empty()) return;
   throw Error(std::to_string(findings.complaints.size()) +
-              " rules are broken; the first: " + findings.complaints.front() + ". Look at the report for the rest.");
+              " rules are broken; the first:  " + findings.complaints.front() + ".  The report lists all.");
 }
 
-/// The names of the presets, each meaning itself.
+/// The names of the presets, each mapped to itself.
 template <typename Models>
 std::vector<std::pair<std::string, std::string>> names_of(const Models& models) {
   std::vector<std::pair<std::string, std::string>> names;
@@ -216,11 +216,11 @@ Command stability_command() {
   auto devices = names_of(device_models());
   devices.insert(devices.begin(), {"all", "all"});
   return {"stability",
-          "The closed loop of device, hand and library in simulated time",
-          {choice("stability.device", "--device", settings->device, devices, "the simulated device [all]"),
+          "Test the closed loop of device, hand and library in simulated time",
+          {choice("stability.device", "--device", settings->device, devices, "simulated device [all]"),
            choice("stability.hand", "--hand", settings->hand, names_of(hand_models()),
-                  "the hand that presses the real model [nominal]"),
-           path("output.json", "--json", settings->json, "report for machines")},
+                  "hand that presses the real model [nominal]"),
+           path("output.json", "--json", settings->json, "report in JSON")},
           [settings] { run_stability(*settings); }};
 }
 

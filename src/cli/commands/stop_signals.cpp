@@ -7,7 +7,7 @@ namespace hapticut::cli {
 namespace {
 
 std::atomic<int> last_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free);  // or a signal handler may not touch it
+static_assert(std::atomic<int>::is_always_lock_free);  // required in a signal handler
 
 extern "C" void hapticut_remember_signal(int signal) { last_signal.store(signal); }
 
@@ -21,7 +21,7 @@ StopSignals::StopSignals() {
   action.sa_handler = hapticut_remember_signal;
   for (std::size_t n = 0; n < kSignals.size(); ++n) {
     sigaction(kSignals[n], nullptr, &before_[n]);
-    // What the shell has set to be ignored, as nohup does, stays ignored.
+    // Signals that the shell ignores, e.g. through nohup, stay ignored.
     if (before_[n].sa_handler != SIG_IGN) sigaction(kSignals[n], &action, nullptr);
   }
 }

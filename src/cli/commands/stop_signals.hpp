@@ -6,9 +6,9 @@
 
 namespace hapticut::cli {
 
-/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP do not end the program but are remembered, so that it can end a
-/// run and still write its report. A device that runs takes them first, and passes them on when it has no force any
-/// more. One at a time.
+/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are stored and do not end the program, so it can end a run and
+/// write its report. A running device handles them first and passes them on when its force is zero. Only one object may
+/// exist at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -16,7 +16,7 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// The last signal that came; 0: no signal yet.
+  /// The last signal; 0: no signal yet.
   [[nodiscard]] static int came() noexcept;
 
  private:

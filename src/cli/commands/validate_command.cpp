@@ -27,13 +27,13 @@ struct ValidateSettings {
   double tolerance_factor = 1;
 };
 
-std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
+std::string percent(double fraction) { return rounded(100 * fraction, 2) + " %"; }
 
 void write_text(const std::string& path, const std::string& text) {
   if (!path.empty()) write_atomically(path, text);
 }
 
-/// Two lines, so that none is wider than a terminal.
+/// Prints two lines, so each fits a terminal.
 void print(const Check& c) {
   std::printf("%-4s %-24s %s\n     expected %s, computed %s, off by %s of %s, %s\n", c.pass() ? "ok" : "FAIL",
               c.id.c_str(), c.what.c_str(), c.with_unit(rounded(c.expected, 5)).c_str(),
@@ -47,7 +47,7 @@ void run_validate(const ValidateSettings& s) {
   for (experiments::Experiment& experiment : experiments::all_experiments())
     if (experiment.name.find(s.only) != std::string::npos) experiments.push_back(std::move(experiment));
   if (experiments.empty())
-    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
+    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all experiments.");
 
   std::string rows;
   std::size_t count = 0;
@@ -88,7 +88,7 @@ void run_validate(const ValidateSettings& s) {
   write_text(s.measurements, experiments::measurements_report());
   if (failed > 0)
     throw Error(std::to_string(failed) + " of " + std::to_string(count) +
-                " cases are off by more than their tolerance: this build does not compute what it should.");
+                " cases exceed their tolerance: this build computes wrong results.");
 }
 
 }  // namespace
@@ -96,15 +96,15 @@ void run_validate(const ValidateSettings& s) {
 Command validate_command() {
   auto settings = std::make_shared<ValidateSettings>();
   return {"validate",
-          "Compare the library with its closed forms and report the errors",
-          {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
-           path("output.json", "--json", settings->json, "report for machines"),
+          "Compare the library with closed-form solutions and report the errors",
+          {text("validate.only", "--only", settings->only, "run only the experiments whose name contains this text"),
+           path("output.json", "--json", settings->json, "report in JSON"),
            number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
-                  "all tolerances times this, to see how near the cases are to them [1]"),
+                  "multiplies all tolerances; smaller values show the margin of each case [1]"),
            path("output.markdown", "--markdown", settings->markdown,
-                "table of the worst case of each closed form, as Markdown"),
+                "writes a table with the worst case of each form as Markdown"),
            path("output.measurements", "--measurements", settings->measurements,
-                "published measurements beside what the model predicts, as Markdown")},
+                "writes the comparison with published measurements as Markdown")},
           [settings] { run_validate(*settings); }};
 }
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// hapticut view: a scene to be drilled in a browser, beside the loop.
+// SPDX-License-Identifier: Apache-2.0 hapticut view: a scene to drill in a browser, next to the real-time loop.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -38,7 +37,7 @@ struct ViewSettings {
 #ifdef HAPTICUT_HAS_VIEW
 constexpr auto kViewFrame = std::chrono::microseconds(16'667);
 
-/// Opens a browser, where there is a screen. It is nobody's child, so that nobody waits for it.
+/// Opens a browser if there is a screen. The process is detached, so nothing waits for it.
 void open_browser(const std::string& address) {
   const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
   if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
@@ -58,7 +57,7 @@ void announce(const std::string& address, bool no_browser) {
 }
 
 #ifdef HAPTICUT_HAS_IO
-/// A recording is a page that needs no loop: it plays by itself.
+/// A recording needs no loop: its page plays without one.
 void show_recording(const ViewSettings& s, view::ViewServerOptions options) {
   const Recording recording = read_recording(s.scene);
   const std::filesystem::path folder =
@@ -68,7 +67,7 @@ void show_recording(const ViewSettings& s, view::ViewServerOptions options) {
   options.page = folder;
   const StopSignals signals;
   const view::ViewServer server({}, options);
-  std::filesystem::remove_all(folder);  // the server has read it
+  std::filesystem::remove_all(folder);  // the server has already read the folder
   announce(server.address(), s.no_browser);
   while (StopSignals::came() == 0) std::this_thread::sleep_for(kViewFrame);
 }
@@ -99,7 +98,7 @@ void run_view(const ViewSettings& s) {
   if (!viewer.is_loading()) return;
   viewer.end();
   device.reset();
-  std::_Exit(0);  // nobody waits for a scene that nobody will see
+  std::_Exit(0);  // does not wait for a scene that is still loading
 }
 #else
 void run_view(const ViewSettings&) { fail_without("view", "there is no page to show"); }
@@ -109,18 +108,19 @@ void run_view(const ViewSettings&) { fail_without("view", "there is no page to s
 
 Command view_command() {
   auto settings = std::make_shared<ViewSettings>();
-  return {"view",
-          "Drill a scene in a browser, beside the real-time loop",
-          {path("view.scene", "SCENE", settings->scene,
-                "clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to be replayed [molar]",
-                {"clay", "molar", "skull"}),
-           text("view.device", "--device", settings->device,
-                "name of the device that leads: openhaptics, ... [the pointer of the page]"),
-           number("view.port", "--port", settings->port, Range::between(0, 65535),
-                  "of this machine to listen at; 0: any that is free [0]"),
-           path("view.page", "--page", settings->page, "folder of the built page [beside the program]"),
-           boolean("view.no_browser", "--no_browser", settings->no_browser, "opens no browser")},
-          [settings] { run_view(*settings); }};
+  return {
+      "view",
+      "Drill a scene in a browser, with the real-time loop",
+      {path("view.scene", "SCENE", settings->scene,
+            "scene: clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to replay [molar]",
+            {"clay", "molar", "skull"}),
+       text("view.device", "--device", settings->device,
+            "device that moves the tool: openhaptics, ... [the pointer of the page]"),
+       number("view.port", "--port", settings->port, Range::between(0, 65535),
+              "TCP port of the server; 0: any free port [0]"),
+       path("view.page", "--page", settings->page, "folder of the built page [next to the program]"),
+       boolean("view.no_browser", "--no_browser", settings->no_browser, "does not open a browser")},
+      [settings] { run_view(*settings); }};
 }
 
 }  // namespace hapticut::cli

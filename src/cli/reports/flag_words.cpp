@@ -11,7 +11,7 @@ struct FlagWords {
   std::string_view library, program;
 };
 
-// Longer texts stand before those that they begin with.
+// A longer text must precede its own prefix.
 constexpr FlagWords kFlagWords[] = {
     {"Give ProfileHead a larger tolerance, or the profile fewer small edges", "Give the profile fewer small edges"},
     {"GuardOptions::period", "the period of --rate"},

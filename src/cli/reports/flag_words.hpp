@@ -5,8 +5,8 @@
 
 namespace hapticut::cli {
 
-/// A message of the library in the words of the program: flags in place of members of C++ (`--spacing_mm`, not
-/// `VolumeReadOptions::spacing`). What the library names and a flag sets belongs into the table of this function.
+/// Replaces C++ names in a message of the library by flags of the program (`VolumeReadOptions::spacing` ->
+/// `--spacing_mm`). The table of this function needs every name of the library that a flag sets.
 [[nodiscard]] std::string in_words_of_flags(std::string message);
 
 }  // namespace hapticut::cli

@@ -15,7 +15,7 @@ Json build_json() {
 
 void require_writable(const std::filesystem::path& path) {
   if (path.empty()) return;
-  std::error_code refused;  // then the file cannot be written either, and says why
+  std::error_code refused;  // if this fails, writing the file fails too and reports the reason
   std::filesystem::create_directories(path.parent_path(), refused);
   const AtomicFile unused(path);
 }

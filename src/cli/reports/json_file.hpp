@@ -7,19 +7,18 @@
 
 namespace hapticut::cli {
 
-/// A report; its fields keep the order in which they were added.
+/// A report; its fields keep their order.
 using Json = nlohmann::ordered_json;
 
-/// Which build of the program made a report.
+/// Build of the program that made a report.
 [[nodiscard]] Json build_json();
 
-/// Writes a report; the file appears when it is complete. Does nothing when there is no file name.
+/// Writes a report. The file appears when it is complete. Does nothing when the file name is empty.
 /// @throws Error when it cannot be written
 void write_json(const std::filesystem::path& path, const Json& report);
 
-/// Says before the work begins that a file cannot be written, rather than after it, and makes the folders that it lies
-/// in; an empty path means no file.
-/// @throws Error naming the file
+/// Checks before the work begins that a file can be written, and creates its folders. An empty path means no file.
+/// @throws Error that names the file
 void require_writable(const std::filesystem::path& path);
 
 }  // namespace hapticut::cli

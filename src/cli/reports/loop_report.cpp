@@ -13,7 +13,7 @@ namespace {
 constexpr double kMicrosecond = 1e-6;
 
 Json to_json(const LatencyHistogram& h) {
-  Json buckets = Json::array();  // [lower edge in us, how often], without those that were never seen
+  Json buckets = Json::array();  // [lower edge in us, count], without empty buckets
   for (std::size_t n = 0; n < LatencyHistogram::kBuckets; ++n)
     if (h.buckets()[n] > 0) buckets.push_back({n, h.buckets()[n]});
   const auto us = [](double seconds) { return seconds / kMicrosecond; };
@@ -37,15 +37,16 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
   if (r.device.name() == "mouse")
     warnings.emplace_back(
-        "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");
+        "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
   if (has_any(r.seen.last.tool.seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
-        "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "
+        "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
         "the feed.");
   if (has_any(r.seen.last.tool.seen, StepStatus::blocks_exhausted))
-    warnings.emplace_back("some material was not cut for want of blocks; raise simulation.reserved_blocks.");
+    warnings.emplace_back(
+        "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
-    warnings.push_back("the disk did not keep up: " + std::to_string(r.steps_lost) +
+    warnings.push_back("the disk was too slow:  " + std::to_string(r.steps_lost) +
                        " steps are missing in the recording.");
   return warnings;
 }
@@ -75,7 +76,7 @@ Json to_json(const LoopReport& r) {
       {"safety_events", events},
       {"safety_log", log},
       {"steps", r.seen.last.tool.steps},
-      {"most_in_a_tick",
+      {"max_per_tick",
        {{"parts", r.seen.last.tool.max_effort.parts},
         {"newton_steps", r.seen.last.tool.max_effort.newton_steps},
         {"level_of_detail", r.seen.last.tool.max_effort.level_of_detail}}},
@@ -107,16 +108,16 @@ std::string to_table(const LoopReport& r) {
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
   table.add("compute",
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
-  const TickEffort& most = r.seen.last.tool.max_effort;
-  table.add("most in a tick", std::to_string(most.parts) + (most.parts == 1 ? " part, " : " parts, ") +
-                                  std::to_string(most.newton_steps) + " Newton steps, level of detail " +
-                                  std::to_string(most.level_of_detail));
+  const TickEffort& effort = r.seen.last.tool.max_effort;
+  table.add("maximum per tick", std::to_string(effort.parts) + (effort.parts == 1 ? " part, " : " parts, ") +
+                                    std::to_string(effort.newton_steps) + " Newton steps, level of detail " +
+                                    std::to_string(effort.level_of_detail));
   table.add("removed", rounded(r.seen.last.tool.removed_volume / units::mm3) + " mm^3 in " +
                            std::to_string(r.seen.last.tool.steps) + " steps");
   const EnergyLedger& energy = r.simulation.last_result().energy;
-  table.add("energy", "unaccounted for " + rounded(std::abs(energy.closure()), 2) + " of the work, entered " +
+  table.add("energy", "unexplained fraction of the work " + rounded(std::abs(energy.closure()), 2) + ", entered " +
                           rounded(energy.entered, 2) + " J");
-  table.add("force", "largest: " + rounded(r.seen.last.max_commanded) + " N commanded, " +
+  table.add("force", "maximum: " + rounded(r.seen.last.max_commanded) + " N commanded, " +
                          rounded(r.seen.last.max_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +
                             " changed blocks, at most " + std::to_string(r.seen.max_blocks_waiting) + " waiting");

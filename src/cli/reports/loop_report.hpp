@@ -9,24 +9,24 @@
 
 namespace hapticut::cli {
 
-/// What a screen saw of a loop.
+/// Data of a loop that a screen received.
 struct LoopWatch {
-  std::uint64_t frames = 0, blocks = 0;  ///< looks, and changed blocks that were received
+  std::uint64_t frames = 0, blocks = 0;  ///< number of frames and of received changed blocks
   std::size_t max_blocks_waiting = 0;
-  LoopSnapshot last;  ///< of the last tick
+  LoopSnapshot last;  ///< snapshot of the last tick
 };
 
 struct LoopReport {
-  WorkpieceSummary workpiece;  ///< before cutting
+  WorkpieceSummary workpiece;  ///< workpiece before cutting
   const Device& device;
   const Simulation& simulation;
-  bool coupled;  ///< by a virtual coupling
+  bool coupled;  ///< true: by a virtual coupling
   LoopWatch seen;
   RunReport run;
-  std::uint64_t steps_lost;  ///< by the recorder
+  std::uint64_t steps_lost;  ///< steps that the recorder lost
 };
 
-/// What a user should know before trusting what was felt, as sentences.
+/// Warnings about the forces, as sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const LoopReport& report);
 
 [[nodiscard]] Json to_json(const LoopReport& report);

@@ -36,16 +36,16 @@ bool has_extension(const std::string& path, const std::vector<std::string>& exte
 
 void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
   if (path.empty() || has_extension(path, extensions)) return;
-  throw Error("cannot write '" + path + "': its name must end in one of " + joined(extensions) + ".");
+  throw Error("cannot write '" + path + "': its extension must be one of " + joined(extensions) + ".");
 }
 
-/// Whether this program has what it takes to write such a file.
+/// Checks that this program can write a file of this format.
 void require_writer([[maybe_unused]] const std::string& path) {
 #ifndef HAPTICUT_HAS_IO
   if (path.empty() || has_extension(path, {".vdb"})) return;
   throw Error("cannot write '" + path +
-              "', because this program was built without its io component; only .vdb files can be written. Build it "
-              "with HAPTICUT_WITH_IO=ON.");
+              "', because this program was built without its io component and writes only .vdb files. Build it with "
+              "HAPTICUT_WITH_IO=ON.");
 #endif
 }
 
@@ -53,14 +53,14 @@ void require_writer([[maybe_unused]] const std::string& path) {
 
 std::vector<Setting> settings_of(OutputSettings& o) {
   return {
-      path("output.json", "--json", o.json, "report for machines"),
-      path("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
+      path("output.json", "--json", o.json, "report in JSON"),
+      path("output.steps_csv", "--steps_csv", o.steps_csv, "CSV file with one line per step"),
       path("output.record", "--record", o.record, "recording of every step, for replay and export"),
-      path("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
-      path("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
-      path("output.picture", "--picture", o.picture, "picture of what is left, .png"),
+      path("output.save", "--save", o.workpiece, "remaining workpiece, .vdb or .nrrd"),
+      path("output.surface", "--surface", o.surface, "surface of the remaining workpiece, .stl or .ply"),
+      path("output.picture", "--picture", o.picture, "picture of the remaining workpiece, .png"),
       vector("output.picture_view", "--picture_view", o.picture_view, Range::any(),
-             "direction from the camera into the scene"),
+             "direction of the picture, from the camera into the scene [-0.6,0.9,-0.8]"),
   };
 }
 
@@ -99,7 +99,7 @@ void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece)
   write_picture({colored(extract_surface(workpiece), workpiece.materials())}, options, outputs.picture);
 }
 #else
-// `require_writer` has refused all that would need io.
+// `require_writer` has refused all formats that need io.
 void write_workpiece(const std::string& path, const Workpiece& workpiece) { save_vdb(workpiece, path); }
 void write_surface(const std::string&, const Workpiece&) {}
 void write_picture_of(const OutputSettings&, const Workpiece&) {}

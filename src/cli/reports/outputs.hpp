@@ -10,7 +10,7 @@
 
 namespace hapticut::cli {
 
-/// The files that a run leaves behind, as the user writes them: `[output]` in a settings file. Empty: not wanted.
+/// `[output]` of a settings file: the files that a run writes. Empty: no file.
 struct OutputSettings {
   std::string json, steps_csv, workpiece, surface, picture, record;
   std::optional<Vec3> picture_view;  ///< [1] direction from the camera into the scene
@@ -18,28 +18,27 @@ struct OutputSettings {
 
 [[nodiscard]] std::vector<settings::Setting> settings_of(OutputSettings& outputs);
 
-/// Says before the work begins that a file cannot be written, rather than after it.
-/// @throws Error naming the file
+/// Checks before the work begins that the files can be written.
+/// @throws Error that names the file
 void check_outputs(const OutputSettings& outputs);
 
-/// The same for a file that a workpiece is written to.
-/// @throws Error also when its extension names no format that this program writes
+/// Checks before the work begins that a workpiece can be written to a file.
+/// @throws Error that names the file, also when this program does not write its format
 void check_workpiece_file(const std::string& path);
 
-/// Writes what is left of the workpiece, in the format that the extension names: see `check_workpiece_file`.
+/// Writes the remaining workpiece in the format of the extension: see `check_workpiece_file`.
 /// @throws Error when the file cannot be written
 void write_workpiece(const std::string& path, const Workpiece& workpiece);
 
-/// Writes the surface of what is left: .stl, or .ply with colours.
-/// @throws Error as above
+/// Writes the surface of the remaining workpiece: .stl, or .ply with colours.
+/// @throws Error when the file cannot be written
 void write_surface(const std::string& path, const Workpiece& workpiece);
 
-/// Draws what is left, as PNG.
+/// Draws the remaining workpiece as PNG.
 /// @throws Error when the file cannot be written
 void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece);
 
-/// One line per step. Positions and rotations are those of the head, and can be read again as a path of poses with
-/// `point = "head"`.
+/// Writes one line per step. The poses are those of the head; a path of poses with `point = "head"` can read them.
 void write_steps(const std::string& path, const std::vector<StepRow>& rows);
 
 }  // namespace hapticut::cli

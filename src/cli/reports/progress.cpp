@@ -15,7 +15,7 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetween{100};
 constexpr std::size_t kWidth = 40;  // characters
 
-/// One line, in place of a bar that is drawn.
+/// Prints one line and erases the bar.
 void print_line(const std::string& line) {
   std::fprintf(stderr, "%shapticut: %s\n", ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "", line.c_str());
 }

@@ -13,19 +13,19 @@
 
 namespace hapticut::cli {
 
-/// A bar on stderr, drawn at once and wiped away when the work is done; nothing at all when stderr is not a terminal. A
-/// thread of its own keeps drawing it, so that it goes on while one long call works.
+/// A progress bar on stderr, drawn immediately and erased when the work is done. Without a terminal it draws nothing. A
+/// separate thread redraws it, so it continues during one long call.
 class ProgressBar {
  public:
-  /// @param total  of what is counted; 0: unknown, so the bar shows the seconds that have passed
+  /// @param total  number of units of work; 0: unknown, so the bar shows the elapsed seconds
   explicit ProgressBar(std::string what, std::size_t total = 0);
-  ~ProgressBar();  ///< wipes the bar away
+  ~ProgressBar();  ///< erases the bar
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void advance_to(std::size_t done) noexcept { done_.store(done, std::memory_order_relaxed); }
 
-  /// Wipes the bar away and draws none while the returned lock is held: for printing lines in between.
+  /// Erases the bar and stops drawing while the returned lock is held, for printing lines.
   [[nodiscard]] std::unique_lock<std::mutex> pause();
 
  private:
@@ -38,18 +38,18 @@ class ProgressBar {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<std::size_t> done_{0};
 
-  std::mutex mutex_;  // of what follows, and of stderr
+  std::mutex mutex_;  // guards the following members and stderr
   std::condition_variable wake_;
   bool finished_ = false;
   bool drawn_ = false;
-  std::thread drawer_;  // on a terminal only
+  std::thread drawer_;  // only on a terminal
 };
 
-/// Says on stderr what making a workpiece has to say: how much work begins, where it takes more than some seconds, and
-/// what of the file a user must know.
+/// Prints messages about making a workpiece to stderr: the amount of work if it takes more than some seconds, and
+/// remarks about the file.
 void tell_on_stderr(settings::WorkpieceSettings& workpiece);
 
-/// What `make` makes of a source, with a bar while it does.
+/// The result of `make`, with a progress bar meanwhile.
 template <class Make>
 auto with_bar(const std::string& source, const Make& make) {
   const ProgressBar bar("making the workpiece of " + source);

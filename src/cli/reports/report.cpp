@@ -8,7 +8,7 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr int kFewMaterials = 16;  // up to here materials that were not cut are listed too
+constexpr int kFewMaterials = 16;  // up to this number, uncut materials are listed too
 
 Json by_material(const MaterialTable& materials, const ByMaterial<double>& volumes) {
   Json json = Json::object();
@@ -106,13 +106,13 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
 
 std::string to_table(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
   const MaterialTable& materials = simulation.workpiece().materials();
-  const auto share = [&](std::size_t count) { return rounded(100.0 * double(count) / double(r.steps), 3) + " %"; };
+  const auto percent = [&](std::size_t count) { return rounded(100.0 * double(count) / double(r.steps), 3) + " %"; };
   Table table("hapticut drill: " + report.workpiece.source);
   table.add("workpiece", dims_text(report.workpiece.dims) + " voxels of " +
                              rounded(report.workpiece.voxel_size / units::mm) + " mm, " +
                              bytes(report.workpiece.memory_bytes));
-  table.add("steps", std::to_string(r.steps) + " at " + rounded(report.rate, 6) + " Hz, " + share(r.steps_in_contact) +
-                         " in contact, " + share(r.steps_cutting) + " cutting");
+  table.add("steps", std::to_string(r.steps) + " at " + rounded(report.rate, 6) + " Hz, " +
+                         percent(r.steps_in_contact) + " in contact, " + percent(r.steps_cutting) + " cutting");
   table.add("removed",
             rounded(r.removed_volume / units::mm3) + " mm^3, " + std::to_string(r.removed_voxels) + " voxels");
   const auto& volumes = simulation.removed_volume_by_material();
@@ -122,9 +122,9 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   table.add("torque", "max " + rounded(r.max_torque / units::N_mm) + " Nmm, mean " +
                           rounded(r.mean_torque / units::N_mm) + " Nmm about the hand");
   table.add("energy", "hand " + rounded(r.energy.hand_work) + " J, motor " + rounded(r.energy.motor_work) +
-                          " J, cutting " + rounded(r.energy.cutting) + " J, unaccounted for " +
-                          rounded(std::abs(r.energy.closure()), 2) + " of the work, entered " +
-                          rounded(r.energy.entered, 2) + " J");
+                          " J, cutting " + rounded(r.energy.cutting) + " J, unexplained fraction of the work " +
+                          rounded(std::abs(r.energy.closure()), 2) + ", entered " + rounded(r.energy.entered, 2) +
+                          " J");
   table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +
                              rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
                              std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");

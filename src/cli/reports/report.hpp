@@ -10,20 +10,20 @@
 
 namespace hapticut::cli {
 
-/// A workpiece before it was cut.
+/// A workpiece before cutting.
 struct WorkpieceSummary {
   std::string source;
-  std::array<int, 3> dims = {0, 0, 0};  ///< voxels along the grid's axes, of the smallest box around what is solid
+  std::array<int, 3> dims = {0, 0, 0};  ///< [voxels] size of the bounding box of the solid, along the grid's axes
   double voxel_size = 0;                ///< [m]
   Pose X_WV;                            ///< pose of the grid: position of the centre of voxel (0, 0, 0)
-  Box box;                              ///< [m] around what is solid, in W
+  Box box;                              ///< [m] bounding box of the solid, in W
   std::size_t memory_bytes = 0;
-  std::vector<MaterialAmount> amounts;  ///< by material
+  std::vector<MaterialAmount> amounts;  ///< amounts by material
 };
 
 [[nodiscard]] WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece);
 
-/// A pose as `position_mm` and `rotation` (rows), and the box around something as `min_mm` and `max_mm`.
+/// A pose as `position_mm` and `rotation` (rows); a box as `min_mm` and `max_mm`.
 [[nodiscard]] Json to_json(const Pose& pose);
 [[nodiscard]] Json to_json(const Box& box);
 
@@ -36,7 +36,7 @@ struct WorkpieceSummary {
 /// `dims`, `voxel_size_mm`, `pose`, `box`, `memory_bytes`, and `voxels` and `volume_mm3` by material.
 [[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
 
-/// What a user should know before trusting the numbers, as sentences; empty when there is nothing to say.
+/// Warnings about the numbers, as sentences; may be empty.
 [[nodiscard]] std::vector<std::string> warnings_of(const DrillResult& result, const Simulation& simulation);
 
 struct DrillReport {

@@ -7,7 +7,7 @@
 
 namespace hapticut::cli {
 
-/// A table of two columns for people.
+/// A text table with two columns.
 class Table {
  public:
   explicit Table(std::string title) : title_(std::move(title)) {}
@@ -20,7 +20,7 @@ class Table {
   std::vector<std::pair<std::string, std::string>> rows_;
 };
 
-/// A number with `digits` significant digits, e.g. `12.3`; without an exponent where that is readable.
+/// A number with `digits` significant digits, e.g. `12.3`; without an exponent if that is readable.
 [[nodiscard]] std::string rounded(double value, int digits = 4);
 
 /// `12.3 kB`, `4.5 MB`.

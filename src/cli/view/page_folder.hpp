@@ -7,9 +7,9 @@
 
 namespace hapticut::cli {
 
-/// The built page: beside the program in a build tree and in an installed one.
-/// @param given  where not empty: that one
-/// @throws Error when there is none
+/// Folder of the built page, relative to the program in a build tree or an installation.
+/// @param given  if not empty, this folder
+/// @throws Error when there is no page
 [[nodiscard]] inline std::filesystem::path find_page(const std::filesystem::path& given) {
   if (!given.empty()) return given;
   std::error_code error;
@@ -18,8 +18,8 @@ namespace hapticut::cli {
     if (std::filesystem::exists(program / place / "index.html", error))
       return std::filesystem::weakly_canonical(program / place);
   throw Error(
-      "the page is not beside this program, for it was built without npm. Install npm, configure and build "
-      "again, or name the folder of a built page by --page.");
+      "the page is missing, because this program was built without npm. Install npm, configure and build again, or set "
+      "--page to the folder of a built page.");
 }
 
 }  // namespace hapticut::cli

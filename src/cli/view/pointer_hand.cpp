@@ -27,7 +27,7 @@ DeviceCapabilities capabilities_of_a_pointer(const Box& around) {
   return c;
 }
 
-/// One tick of a critically damped follower, exact for a target that stands.
+/// One tick of a critically damped follower, exact for a constant target.
 void follow(Vec3& offset, Vec3& velocity, double dt) {
   const double w = 1 / kFollow, decay = std::exp(-w * dt);
   const Vec3 slope = velocity + w * offset;
@@ -44,7 +44,7 @@ PointerHand::PointerHand(const Box& around)
 void PointerHand::put(const Pose& X_WT) {
   X_WT_ = X_WT;
   velocity_ = {};
-  wanted_.write({X_WT, false});
+  target_.write({X_WT, false});
 }
 
 void PointerHand::begin_run(const RunOptions& options) {
@@ -55,13 +55,13 @@ void PointerHand::begin_run(const RunOptions& options) {
 }
 
 bool PointerHand::read(DeviceState& state) noexcept {
-  const auto& [wanted, pressed] = wanted_.latest();
-  const Vec3 target = wanted.translation.cwiseMax(around_.min).cwiseMin(around_.max);
+  const auto& [target_pose, pressed] = target_.latest();
+  const Vec3 target = target_pose.translation.cwiseMax(around_.min).cwiseMin(around_.max);
   Vec3 offset = X_WT_.translation - target;
-  Vec3 turn = -twist_between(X_WT_, wanted, 1).angular;
+  Vec3 rotation = -twist_between(X_WT_, target_pose, 1).angular;
   Vec3 linear = velocity_.linear, angular = velocity_.angular;
   follow(offset, linear, period_);
-  follow(turn, angular, period_);
+  follow(rotation, angular, period_);
   const Vec3 before = X_WT_.translation;
   const Vec3 step = saturated(target + offset - before, kMaxHandSpeed * period_);
   X_WT_.translation = before + step;

@@ -7,23 +7,24 @@
 
 namespace hapticut::cli {
 
-/// A hand that is a pointer in a page. Its base is the world and its stylus the head of the tool, so that the tip
-/// stays where the pointer is, whatever the handle.
+/// A device whose hand is the pointer of a page. Its base is the world and its stylus the head of the tool, so the tip
+/// follows the pointer for any handle.
 ///
-/// Poses come some sixty times a second and become a smooth path of a thousand: a critically damped follower of
-/// 10 ms, no faster than a hand that works. The hand itself does not yield; the coupling stretches, and what is shown
-/// apart, hand and tool, is the resistance.
+/// A critically damped follower (10 ms) turns about sixty poses per second into a smooth path of 1000 poses per second.
+/// Its speed is limited to that of a working hand. The hand does not yield to forces: the coupling stretches, and the
+/// distance between the drawn hand and tool shows the resistance.
 class PointerHand final : public PolledDevice {
  public:
-  /// @param around  [m] where it may go, in W
+  /// @param around  [m] range of the tip, in W
   explicit PointerHand(const Box& around);
 
-  static constexpr int kPress = 0;  ///< the button
+  static constexpr int kPress = 0;  ///< number of the button
 
-  /// Where the head shall be, and whether the pointer presses. One thread.
-  void move_to(const Pose& X_WT, bool pressed) { wanted_.write({X_WT, pressed}); }
+  /// Sets the target pose of the head and whether the pointer is pressed. Call from one thread only.
+  void move_to(const Pose& X_WT, bool pressed) { target_.write({X_WT, pressed}); }
 
-  /// Puts the hand at a pose.  @pre no run is under way
+  /// Moves the hand to a pose.
+  /// @pre no run is in progress
   void put(const Pose& X_WT);
 
  protected:
@@ -33,13 +34,13 @@ class PointerHand final : public PolledDevice {
   [[nodiscard]] bool is_simulated() const override { return true; }
 
  private:
-  struct Wanted {
+  struct Target {
     Pose X_WT;
     bool pressed = false;
   };
 
   Box around_;
-  TripleBuffer<Wanted> wanted_;
+  TripleBuffer<Target> target_;
   Pose X_WT_;
   Twist velocity_;
   double period_ = 1e-3, begin_ = 0;

@@ -21,7 +21,7 @@ constexpr double kPicture = 1.0 / 30;  // [s]
 constexpr const char* kStyle = "<link rel=\"stylesheet\" href=\"page.css\">";
 constexpr const char* kScript = "<script src=\"page.js\"></script>";
 
-/// Messages and their times, one behind the other.
+/// Messages with their times, in order.
 class Stream {
  public:
   Stream() { add_bytes("HCRP\1\0\0\0", 8); }
@@ -74,7 +74,7 @@ std::string text_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), {});
   if (!stream || text.empty())
-    throw Error("'" + path.string() + "' cannot be read; build the page again, or name its folder by --page.");
+    throw Error("'" + path.string() + "' cannot be read; build the page again, or set --page to its folder.");
   return text;
 }
 
@@ -82,12 +82,12 @@ void write_text(const std::filesystem::path& path, const void* bytes, std::size_
   std::ofstream stream(path, std::ios::binary);
   stream.write(static_cast<const char*>(bytes), std::streamsize(count));
   stream.close();
-  if (!stream) throw Error("'" + path.string() + "' cannot be written; is there room, and is the folder there?");
+  if (!stream) throw Error("'" + path.string() + "' cannot be written; check the disk space and the folder.");
 }
 
 void replace(std::string& text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);
-  if (at == std::string::npos) throw Error("the built page is of another version than this program: build it again.");
+  if (at == std::string::npos) throw Error("the built page has another version than this program: build it again.");
   text.replace(at, what.size(), by);
 }
 
@@ -96,7 +96,7 @@ class Film {
  public:
   explicit Film(const Recording& recording) : recording_(recording) {}
 
-  void take(const Simulation& simulation, const RecordedStep& step) {
+  void add(const Simulation& simulation, const RecordedStep& step) {
     if (!surface_) begin(simulation, step);
     const double time = step.time - begin_;
     surface_->update(simulation.workpiece(), simulation.changed_blocks().origins);
@@ -108,7 +108,7 @@ class Film {
     next_ = time + kPicture;
     show();
   }
-  /// Shows what came after the last picture.
+  /// Shows the changes since the last picture.
   void end() {
     if (!trace_.empty()) show();
   }
@@ -181,7 +181,7 @@ std::vector<std::uint8_t> replay_stream(const Recording& recording) {
   ProgressBar progress("replaying", std::size_t(recording.size()));
   Film film(recording);
   ReplayOptions options;
-  options.stepped = [&](const Simulation& simulation, const RecordedStep& step) { film.take(simulation, step); };
+  options.stepped = [&](const Simulation& simulation, const RecordedStep& step) { film.add(simulation, step); };
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   (void)replay(recording, options);
   film.end();

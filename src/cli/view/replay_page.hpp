@@ -10,19 +10,21 @@
 
 namespace hapticut::cli {
 
-/// What a server would have said while a recording was made: "HCRP", version (uint32: 1), then for each message its
-/// time (float64, s), its length (uint32) and its bytes. Compressed by gzip. The steps are made again, thirty pictures
-/// a second.
-/// @throws Error when the recording cannot be run again
+/// The messages that a server would have sent during a recording: "HCRP", version (uint32: 1), then for each message
+/// its time (float64, s), its length (uint32) and its bytes. Compressed by gzip. Replays the steps, with thirty
+/// pictures per second.
+/// @throws Error when the recording cannot be replayed
 [[nodiscard]] std::vector<std::uint8_t> replay_stream(const Recording& recording);
 
-/// Writes one page that needs nothing else: the built page and the recording in it.
+/// Writes one self-contained page: the built page with the recording inside.
 /// @param page  folder of the built page
 /// @throws Error when the page cannot be read or the file cannot be written
 void write_replay_page(const Recording& recording, const std::filesystem::path& page,
                        const std::filesystem::path& target);
 
-/// The same as a folder for a server.
+/// Writes the page and the recording as a folder for a server.
+/// @param page  folder of the built page
+/// @throws Error when the page cannot be read or a file cannot be written
 void write_replay_folder(const Recording& recording, const std::filesystem::path& page,
                          const std::filesystem::path& folder);
 

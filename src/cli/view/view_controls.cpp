@@ -28,7 +28,7 @@ struct MaterialNumber {
   const char* label;
   const char* unit;
   double Material::*member;
-  double factor;  // SI over shown
+  double factor;  // value in SI units divided by shown value
   double min, max;
 };
 constexpr MaterialNumber kMaterialNumbers[] = {
@@ -42,7 +42,8 @@ constexpr MaterialNumber kMaterialNumbers[] = {
 constexpr int kIdsOfAMaterial = 10;
 static_assert(std::size(kMaterialNumbers) <= kIdsOfAMaterial);
 
-/// As it stands to `whole` in a common bur, of which this one has `chosen`; the usual one where there is no such whole.
+/// The dimension `part`, scaled by the ratio of `chosen` to the usual value of `whole`; its usual value when `whole` is
+/// null.
 double in_proportion(const HeadShape::Dimension& part, const HeadShape::Dimension* whole, double chosen) {
   return whole != nullptr ? part.usual * chosen / whole->usual : part.usual;
 }
@@ -60,7 +61,7 @@ ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, con
 void ViewControls::number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
                           double value, double min, double max) {
   using Kind = view::Control::Kind;
-  // A scene may stand beyond what a hand needs; turning something else must not change it.
+  // A scene may exceed the range of the control; changing another control must not change the value.
   controls_.push_back({id, Kind::number, value, std::min(min, value), std::max(max, value), panel, label, unit});
 }
 
@@ -124,7 +125,7 @@ void ViewControls::add_additional(const Effects& effects) {
   number(kFrequency, "vibration", "Frequency", "Hz", vibration.frequency, 1, 449);
   number(kAmplitude, "vibration", "Amplitude", "N", vibration.amplitude, 0, 2);
   number(kPerWatt, "vibration", "Growth", "N/W", vibration.amplitude_per_watt, 0, 1);
-  number(kLargest, "vibration", "Largest", "N", std::max(vibration.max_amplitude, vibration.amplitude), 0, 5);
+  number(kMaxAmplitude, "vibration", "Largest", "N", std::max(vibration.max_amplitude, vibration.amplitude), 0, 5);
   for (std::uint16_t axis = 0; axis < 6; ++axis)
     on_off(std::uint16_t(kMask + axis), "outputs", kAxisNames[axis],
            axis < 3 ? effects.enabled.force[axis] : effects.enabled.torque[axis - 3U]);
@@ -188,11 +189,11 @@ void ViewControls::set_spindle(double speed) {
   if (speed != 0) at(kSpeed) = std::min(std::abs(speed) / units::rpm, 500000.0);
 }
 
-void ViewControls::show(const ModelSettings& has) {
-  set_spindle(has.spindle_speed);
-  at(kCutting) = has.removal != RemovalLaw::none ? 1 : 0;
-  if (has.removal != RemovalLaw::none) at(kRemoval) = has.removal == RemovalLaw::elastic_release ? 1 : 0;
-  show(has.effects);
+void ViewControls::show(const ModelSettings& model) {
+  set_spindle(model.spindle_speed);
+  at(kCutting) = model.removal != RemovalLaw::none ? 1 : 0;
+  if (model.removal != RemovalLaw::none) at(kRemoval) = model.removal == RemovalLaw::elastic_release ? 1 : 0;
+  show(model.effects);
 }
 
 void ViewControls::show(const Effects& effects) {
@@ -205,12 +206,12 @@ void ViewControls::show(const Effects& effects) {
     at(kFrequency) = vibration->frequency;
     at(kAmplitude) = vibration->amplitude;
     at(kPerWatt) = vibration->amplitude_per_watt;
-    at(kLargest) = vibration->max_amplitude;
+    at(kMaxAmplitude) = vibration->max_amplitude;
   }
   const AxisMask& on = effects.enabled;
   const auto any = [](const auto& axes) { return std::ranges::any_of(axes, [](bool axis) { return axis; }); };
   at(kHaptics) = any(on.force) || any(on.torque) ? 1 : 0;
-  if (!haptics()) return;  // which axes come back with it, the model does not know
+  if (!haptics()) return;  // the model does not know which axes the switch restores
   for (std::uint16_t axis = 0; axis < 3; ++axis) {
     at(std::uint16_t(kMask + axis)) = on.force[axis] ? 1 : 0;
     at(std::uint16_t(kMask + 3 + axis)) = on.torque[axis] ? 1 : 0;
@@ -241,7 +242,8 @@ Effects ViewControls::effects() const {
     effects.gravity->mass = at(kMass);
   }
   if (at(kVibration) != 0)
-    effects.vibration = Vibration{at(kFrequency), at(kAmplitude), at(kPerWatt), std::max(at(kLargest), at(kAmplitude))};
+    effects.vibration =
+        Vibration{at(kFrequency), at(kAmplitude), at(kPerWatt), std::max(at(kMaxAmplitude), at(kAmplitude))};
   if (at(kFilter) != 0) effects.delta_filter = DeltaFilter{at(kDelta), std::min(at(kEpsilon), at(kDelta))};
   effects.enabled = mask();
   return effects;
@@ -302,7 +304,7 @@ Tool ViewControls::tool() const {
   Spindle spindle = tool_.spindle();
   spindle.speed = spindle_speed();
   if (at(kPower) < kMaxWatts) spindle.power_limit = at(kPower);
-  Cutter cutter = tool_.cutter();  // the kind that the materials of the scene are for
+  Cutter cutter = tool_.cutter();  // cutter kind of the scene's materials
   ToolHead its_head = head();
   if (at(kHead) != 0 && usual_cutter(its_head).kind == CutterKind::twist_drill)
     cutter.lips = lips_of({CutterKind::twist_drill});

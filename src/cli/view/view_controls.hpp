@@ -12,38 +12,38 @@
 
 namespace hapticut::cli {
 
-/// What a change of a control means for the loop.
+/// Effect of a changed control on the loop.
 enum class Change : std::uint8_t { none, haptics, removal, spindle, tool, materials, effects, restart, reset, record };
 
 struct ModelSettings;
 
-/// The panels of a page: what can be turned, how it stands, what it makes.
+/// The panels of a page: controls, their values, and the settings that they define.
 class ViewControls {
  public:
   ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record);
 
   [[nodiscard]] std::span<const view::Control> all() const { return controls_; }
 
-  /// @return what it changes; Change::none when there is no such control, or the value is not allowed
+  /// @return the effect; Change::none when there is no such control or the value is not allowed
   [[nodiscard]] Change set(const view::SetControl& command);
 
-  /// Puts back what the last `set` has changed.
-  void take_back() { controls_ = before_; }
+  /// Reverts the last `set`.
+  void revert() { controls_ = before_; }
 
   void show_recording(bool on) { at(kRecord) = on ? 1 : 0; }
 
-  /// Puts the controls of spindle, removal and effects as the model has them, whatever was asked.
-  void show(const ModelSettings& has);
+  /// Sets the controls of spindle, removal and effects to the values of the model.
+  void show(const ModelSettings& model);
 
   [[nodiscard]] bool haptics() const { return at(kHaptics) != 0; }
   [[nodiscard]] bool sound() const { return at(kSound) != 0; }
   [[nodiscard]] double volume() const { return at(kVolume); }
   [[nodiscard]] bool recording() const { return at(kRecord) != 0; }
-  [[nodiscard]] AngularSpeed spindle_speed() const;  ///< [rad/s] that is wanted
+  [[nodiscard]] AngularSpeed spindle_speed() const;  ///< [rad/s] set speed
   [[nodiscard]] RemovalLaw removal() const;
   [[nodiscard]] AxisMask mask() const;
   [[nodiscard]] Effects effects() const;
-  /// @throws Error when the sizes do not fit together
+  /// @throws Error when the dimensions contradict each other
   [[nodiscard]] Tool tool() const;
   [[nodiscard]] MaterialTable materials() const;
 
@@ -77,9 +77,9 @@ class ViewControls {
     kFrequency = 50,
     kAmplitude,
     kPerWatt,
-    kLargest,
+    kMaxAmplitude,
     kMask = 60,
-    kMaterial = 100,  // and kIdsOfAMaterial for each
+    kMaterial = 100,  // kIdsOfAMaterial ids per material
   };
 
   void add_application(const Tool& tool, bool can_record);

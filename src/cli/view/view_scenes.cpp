@@ -44,11 +44,11 @@ SceneSettings molar_scene() {
   return s;
 }
 
-/// The right temporal bone, as scripts/demo.sh drills it.
+/// The right temporal bone, as in scripts/demo.sh.
 SceneSettings skull_scene() {
   if (!std::filesystem::exists(kSkull))
-    throw Error(std::string("the skull is not there, for '") + kSkull +
-                "' is missing: install Debian's package invesalius-examples, or show another scene.");
+    throw Error(std::string("the skull scene needs '") + kSkull +
+                "': install Debian's package invesalius-examples, or show another scene.");
   SceneSettings s;
   s.workpiece.source = kSkull;
   s.workpiece.crop_mm = {52, 78, 14, 92, 122, 46};
@@ -70,12 +70,12 @@ SceneSettings scene_of_file(const std::string& name) {
   }
   if (!std::filesystem::exists(name))
     throw Error("there is no scene '" + name +
-                "'. Name clay, molar or skull, a settings file (.toml), or a workpiece.");
+                "'. Choose clay, molar or skull, a settings file (.toml), or a workpiece.");
   s.workpiece.source = name;
   return s;
 }
 
-/// A tool where none was described: a ball of a twelfth of the workpiece, so that one sees it at work.
+/// The default tool: a ball with a twelfth of the size of the workpiece, so it is visible.
 void complete_tool(ToolSettings& tool, const Box& box) {
   if (tool.head) return;
   const double size = (box.max - box.min).maxCoeff();

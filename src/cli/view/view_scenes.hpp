@@ -9,21 +9,21 @@
 
 namespace hapticut::cli {
 
-/// A scene to be drilled by hand.
+/// A scene to drill by hand.
 struct ViewScene {
   std::string name;
   Workpiece workpiece;
   Tool tool;
   SimulationConfig config;
-  Box box;                    ///< [m] around what is solid, in W
-  Vec3 axis = Vec3(0, 0, 1);  ///< of the tool at first, from the tip to the shank, in W
+  Box box;                    ///< [m] bounding box of the solid, in W
+  Vec3 axis = Vec3(0, 0, 1);  ///< initial axis of the tool, from the tip to the shank, in W
 };
 
 /// @param name  clay, molar, skull, a settings file (.toml), or a file that is a workpiece
-/// @throws Error when it cannot be made
+/// @throws Error when the scene cannot be made
 [[nodiscard]] ViewScene make_view_scene(const std::string& name);
 
-/// Where the tool waits at first: above the middle of the workpiece, along its axis.
+/// Initial pose of the tool: above the centre of the workpiece, along its axis.
 [[nodiscard]] Pose waiting_place(const ViewScene& scene);
 
 }  // namespace hapticut::cli

@@ -16,10 +16,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kReach = 0.06;                            // [m] of the pointer around the workpiece
-constexpr auto kPagesTime = std::chrono::milliseconds(8);  // of a frame
+constexpr double kReach = 0.06;                            // [m] range of the pointer around the workpiece
+constexpr auto kPagesTime = std::chrono::milliseconds(8);  // time for pages in one frame
 constexpr double kSampleRate = 48'000;                     // [Hz]
-constexpr std::size_t kUndoBlocks = 16'384;                // 2.7 kB each
+constexpr std::size_t kUndoBlocks = 16'384;                // 2.7 kB per block
 constexpr Color kNoColor = {176, 180, 186};
 
 Color color_of(const std::string& name) {
@@ -35,7 +35,7 @@ bool same_handle(const Tool& a, const Tool& b) {
          a.X_HT().translation == b.X_HT().translation;
 }
 
-/// Nobody's hand is in a pointer: a machine that is busy with the picture shall not make it wait until the tool is
+/// No hand holds a pointer, so a late tick of a machine busy with drawing must not stop the force until the tool is
 /// free.
 void forgive(GuardOptions& guard) {
   guard.arming.ramp = 0.3;
@@ -93,7 +93,7 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
 }
 
 ViewSession::~ViewSession() {
-  loop_.reset();  // it ends, where it runs, before what it works with goes
+  loop_.reset();  // ends a running loop before its objects are destroyed
 }
 
 void ViewSession::begin(bool runs) {
@@ -103,17 +103,17 @@ void ViewSession::begin(bool runs) {
   if (runs) start();
 }
 
-/// The model and the loop around the simulation as it is, with the tool that it has.
+/// Builds model and loop around the present simulation and tool.
 void ViewSession::build_loop() {
   if (loop_) removed_before_ = latest().tool.removed_volume;
   loop_.reset(), watched_.reset(), model_.reset();
   SimulationModelOptions options;
   options.undo_blocks = kUndoBlocks;
-  if (device_ == nullptr) options.pedal = PointerHand::kPress;  // a pointer that hovers goes through what is in its way
+  if (device_ == nullptr) options.pedal = PointerHand::kPress;  // a hovering pointer passes through the workpiece
   const DeviceCapabilities& c = device().capabilities();
   if (device_ == nullptr) {
     map_ = {};
-    map_.X_SH = tool_.X_HT().inverse();  // its stylus is the head
+    map_.X_SH = tool_.X_HT().inverse();  // the stylus of the pointer is the head
   } else {
     map_ = map_above(c, scene_.box, tool_, Up::y, 1);
   }
@@ -123,7 +123,7 @@ void ViewSession::build_loop() {
   RealtimeLoopOptions loop;
   loop.run.guard.period = 1 / simulation_.config().update_rate;
   watched_ = std::make_unique<WatchedModel>(*model_, simulation_, device(), loop.run.guard.period);
-  loop.run.stop_on_crash = true;  // the process is ours
+  loop.run.stop_on_crash = true;  // this process may end on a crash
   if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
@@ -140,7 +140,7 @@ void ViewSession::start() {
   loop_->start();
 }
 
-/// The run ends, and a force is faded out; everything else stays as it is.
+/// Ends the run and fades the force out; everything else stays.
 void ViewSession::pause() {
   if (paused_) return;
   paused_ = true;
@@ -148,12 +148,12 @@ void ViewSession::pause() {
   try {
     if (const DeviceFault fault = loop_->stop().fault; fault != DeviceFault::none)
       failure =
-          "The device has stopped: " + describe(fault) + ". Check its cable and power, and move the tool to go on.";
+          "The device has stopped: " + describe(fault) + ". Check its cable and power, and move the tool to continue.";
   } catch (const Error& error) {
     failure = as_sentence(error);
   }
-  take_blocks();
-  // Each command of a page tries again: that is said once.
+  drain_blocks();
+  // Each command of a page retries, but the notice is sent once.
   if (!failure.empty() && failure != last_failure_) server_.send_notice(view::Severity::error, failure);
   last_failure_ = std::move(failure);
 }
@@ -183,17 +183,18 @@ void ViewSession::send(LoopCommand&& command) {
   if (loop_->send(std::move(command)))
     ++sent_;
   else
-    server_.send_notice(view::Severity::warning, "The loop has too much to do: try it again.");
+    server_.send_notice(view::Severity::warning, "The loop is overloaded: try again.");
 }
 
 void ViewSession::handle(const view::MoveHand& command) {
-  if (device_ != nullptr || !is_looked_at_) return;  // that hand leads; or this is of the scene before
+  if (device_ != nullptr || !is_looked_at_)
+    return;  // the device moves the tool, or the command belongs to the previous scene
   if (command.pressed && !pressed_) begin_cut();
   pressed_ = command.pressed;
   pointer_.move_to(command.X_WH * tool_.X_HT(), command.pressed);
 }
 
-/// A mark to come back to, unless nothing has changed since the last.
+/// Sets an undo mark, unless nothing has changed since the last one.
 void ViewSession::begin_cut() {
   const double removed = latest().tool.removed_volume;
   if (removed == removed_at_mark_) return;
@@ -208,7 +209,7 @@ void ViewSession::handle(const view::SetControl& command) {
   try {
     change(what);
   } catch (const Error& error) {
-    controls_.take_back();
+    controls_.revert();
     server_.send_notice(view::Severity::error, as_sentence(error));
   }
   owes_controls_ = true;
@@ -239,7 +240,7 @@ void ViewSession::change(Change what) {
   }
 }
 
-/// A head is changed while the spindle turns; another handle moves the hand, so the run ends before.
+/// A head can change while the spindle turns. Another handle moves the hand, so the run ends first.
 void ViewSession::change_tool() {
   Tool tool = controls_.tool();
   if (same_handle(tool, tool_)) {
@@ -255,7 +256,7 @@ void ViewSession::change_tool() {
   server_.send(tool_);
 }
 
-/// A recorder is put in while nothing runs.
+/// A recorder can be added only while nothing runs.
 void ViewSession::record(bool on) {
   pause();
   try {
@@ -267,7 +268,7 @@ void ViewSession::record(bool on) {
   start();
 }
 
-/// A replay begins with a first step: what was cut until then stays, and is of the workpiece; its sums begin anew.
+/// A replay begins with a first step. So the present workpiece becomes the initial one, and the sums restart.
 void ViewSession::begin_recording() {
   simulation_.reset(simulation_.workpiece().clone());
   simulation_.set_removal(controls_.removal());
@@ -286,10 +287,11 @@ void ViewSession::end_recording() {
   const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
   recorder->close();
   recorder->require_complete();
-  server_.send_notice(view::Severity::info, recording_ + " is complete: see it by hapticut view " + recording_ + ".");
+  server_.send_notice(view::Severity::info,
+                      recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
 }
 
-void ViewSession::take_blocks() {
+void ViewSession::drain_blocks() {
   ChangedBlock block;
   while (loop_->receive(block)) stream_.update(block.origin, block.material.data(), block.fill.data());
 }
@@ -300,7 +302,7 @@ void ViewSession::send_pages() {
   while (Clock::now() < end && stream_.next_page(page)) server_.send(page);
 }
 
-/// As the model has them, once it has answered all that it was sent.
+/// Shows the values of the model, after it has processed all commands.
 void ViewSession::send_controls() {
   const ModelSettings& has = watched_->settings();
   if (!owes_controls_ || has.answered != sent_) return;
@@ -317,11 +319,12 @@ LoopSnapshot ViewSession::latest() {
 
 void ViewSession::frame(double seconds) {
   if (!paused_ && !loop_->is_running()) pause();
-  take_blocks();
+  drain_blocks();
   send_pages();
   send_controls();
   LoopSnapshot snapshot = latest();
-  begins_ = begins_ && snapshot.tick == tick_before_;  // until the first tick it is of the run before
+  begins_ =
+      begins_ && snapshot.tick == tick_before_;  // before the first tick, the snapshot belongs to the previous run
   if (paused_ || begins_) {
     snapshot.arming = ArmingState::off;
     snapshot.tool.force = snapshot.tool.torque = Vec3::Zero();
@@ -330,12 +333,12 @@ void ViewSession::frame(double seconds) {
     return;
   }
   server_.send(snapshot);
-  const WatchedModel::Trace trace = watched_->take_trace();
+  const WatchedModel::Trace trace = watched_->drain_trace();
   server_.send_trace(trace.first, trace.samples, simulation_.config().update_rate);
   server_.send(instruments(snapshot, seconds));
   send_sound(snapshot, seconds);
   tell_guard();
-  if (device_ != nullptr) {  // nobody presses: a cut begins at a touch
+  if (device_ != nullptr) {  // a device has no press button: a cut begins at a touch
     const bool touches = snapshot.tool.contact_voxels > 0;
     if (touches && !touched_) begin_cut();
     touched_ = touches;
@@ -364,15 +367,15 @@ void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
   server_.send_sound(samples_, std::uint32_t(kSampleRate));
 }
 
-/// Why the guard holds the force back, in its own words.
+/// Sends the guard's reason for holding back the force.
 void ViewSession::tell_guard() {
   for (const SafetyLogEntry& entry : device().drain_log()) {
     const bool is_state = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
                           entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset ||
-                          entry.event == SafetyEvent::waiting_free;  // snapshots say so
+                          entry.event == SafetyEvent::waiting_free;  // snapshots show it
     const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
                        entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
-                       entry.event == SafetyEvent::pose_units;  // a pointer may stand still
+                       entry.event == SafetyEvent::pose_units;  // a pointer may rest
     if (!is_state && !noise) server_.send_notice(view::Severity::warning, sentence_of(entry));
   }
 }

@@ -17,17 +17,17 @@
 
 namespace hapticut::cli {
 
-/// What a page is told of an error, which begins with a small letter behind the name of the program.
+/// An error as a sentence for a page. Messages of the program begin with a small letter.
 [[nodiscard]] std::string as_sentence(const std::exception& error);
 
-/// What pages must know of a scene before anything else.
+/// The description of a scene that pages receive first.
 [[nodiscard]] view::Scene shown_scene(const Workpiece& workpiece);
 
-/// A scene that is drilled, and shown: the loop in its thread, and beside it the thread that calls `frame` and `obey`,
-/// which feeds the server and hands commands on.
+/// A scene being drilled and shown. The loop runs in its own thread. Another thread calls `frame` and `obey`, which
+/// feed the server and forward commands.
 class ViewSession {
  public:
-  /// Makes all that the scene needs, in any thread; the server is told nothing yet.
+  /// Makes everything that the scene needs, in any thread. Sends nothing to the server.
   /// @param device  null: the pointer of the page
   ViewSession(ViewScene scene, view::ViewServer& server, Device* device);
   ~ViewSession();
@@ -35,32 +35,32 @@ class ViewSession {
   ViewSession& operator=(const ViewSession&) = delete;
 
   /// Shows the scene.
-  /// @param runs  whether a run begins too, or only with the next command
+  /// @param runs  true: begins a run; false: the next command begins it
   void begin(bool runs);
 
-  /// Begins a run, where none is under way.
+  /// Begins a run unless one is in progress.
   void start();
 
-  /// Lets the hand go until `start` or the next command. A recording ends.
+  /// Releases the hand until `start` or the next command. Ends a recording.
   void hold();
 
-  /// What a page asks for. What cannot be is said to it in a sentence.
+  /// Executes a command of a page. If that fails, sends a notice to the page.
   void obey(const view::ViewCommand& command);
 
-  /// Sixty times a second: what has changed to the server.
+  /// Sends all changes to the server; called sixty times per second.
   /// @param seconds  since the last call
   void frame(double seconds);
 
-  /// Whether the scene is wanted anew; once.
-  [[nodiscard]] bool take_restart() { return std::exchange(wants_restart_, false); }
-  /// The last tick, with what the loops before this one have removed.
+  /// Whether a page has requested a restart; resets the request.
+  [[nodiscard]] bool consume_restart() { return std::exchange(wants_restart_, false); }
+  /// The last tick, including the volume removed by earlier loops.
   [[nodiscard]] LoopSnapshot latest();
   [[nodiscard]] const Tool& tool() const { return tool_; }
   [[nodiscard]] const std::string& name() const { return scene_.name; }
-  /// Whether the model has obeyed all that was asked of it, and pages were told.
+  /// Whether the model has processed all commands and the pages have the result.
   [[nodiscard]] bool is_settled() const { return !owes_controls_; }
   [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
-  [[nodiscard]] const Simulation& simulation() const { return simulation_; }  ///< @pre no run is under way
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }  ///< @pre no run is in progress
 
  private:
   void build_loop();
@@ -72,7 +72,7 @@ class ViewSession {
   void end_recording();
   void begin_cut();
   void send(LoopCommand&& command);
-  void take_blocks();
+  void drain_blocks();
   void send_pages();
   void send_controls();
   void send_sound(const LoopSnapshot& snapshot, double seconds);
@@ -90,10 +90,10 @@ class ViewSession {
     is_looked_at_ = true;
   }
   void handle(const view::SetControl& command);
-  void handle(const view::Load&) {}  // of whoever makes sessions
+  void handle(const view::Load&) {}  // handled by the Viewer
   void handle(const view::WriterLeft&) { pause(); }
 
-  ViewScene scene_;  // its workpiece has gone into the simulation
+  ViewScene scene_;  // its workpiece was moved into the simulation
   view::ViewServer& server_;
   Device* device_;
   PointerHand pointer_;
@@ -111,9 +111,9 @@ class ViewSession {
   DrillSound sound_;
   std::vector<float> samples_;
   double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
-  double removed_at_mark_ = -1, removed_before_ = 0;  // [m^3] the second by the loops before this one
-  std::uint64_t sent_ = 0;                            // commands to this loop
-  std::uint64_t tick_before_ = 0;                     // the last of the run before
+  double removed_at_mark_ = -1, removed_before_ = 0;  // [m^3] at the last undo mark; by earlier loops
+  std::uint64_t sent_ = 0;                            // number of commands sent to this loop
+  std::uint64_t tick_before_ = 0;                     // last tick of the previous run
   bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false,
        owes_controls_ = false, is_looked_at_ = false;
 };

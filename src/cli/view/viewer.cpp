@@ -15,7 +15,7 @@ view::ViewServerOptions heard_by(view::ViewServerOptions options, StopLine& line
   return options;
 }
 
-/// Whether somebody asks for something, and is to be told when it is not done.
+/// Whether a command is a request that needs a notice when it is not done.
 bool is_a_wish(const view::ViewCommand& command) {
   return !std::holds_alternative<view::MoveHand>(command) && !std::holds_alternative<view::LookAt>(command) &&
          !std::holds_alternative<view::Stop>(command) && !std::holds_alternative<view::WriterLeft>(command);
@@ -52,16 +52,16 @@ void Viewer::frame() {
   while (const auto command = server_.receive()) obey(*command);
   if (loading_.valid() && loading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish_loading();
   session_->frame(std::chrono::duration<double>(now - std::exchange(last_, now)).count());
-  if (session_->take_restart()) load(session_->name());
+  if (session_->consume_restart()) load(session_->name());
 }
 
 void Viewer::obey(const view::ViewCommand& command) {
   if (is_loading()) {
     is_led_ = !std::holds_alternative<view::WriterLeft>(command);
     if (is_a_wish(command))
-      server_.send_notice(view::Severity::warning, loaded_ + " is still being loaded: try again then.");
-  } else if (const auto* wanted = std::get_if<view::Load>(&command)) {
-    load(wanted->name);
+      server_.send_notice(view::Severity::warning, loaded_ + " is still loading: try again afterwards.");
+  } else if (const auto* request = std::get_if<view::Load>(&command)) {
+    load(request->name);
   } else {
     session_->obey(command);
   }
@@ -86,9 +86,9 @@ void Viewer::finish_loading() {
   }
 }
 
-/// An emergency stop holds for what comes after it too.
+/// An emergency stop also applies to the next session.
 void Viewer::replace(std::unique_ptr<ViewSession> next) {
-  stop_line_.lead_to(nullptr);  // before it is asked: a stop that comes now is kept by the line
+  stop_line_.lead_to(nullptr);  // before reading the state: StopLine stores a stop that arrives now
   const bool is_stopped = session_ != nullptr && session_->device().requests().emergency();
   session_ = std::move(next);
   if (session_ == nullptr) return;

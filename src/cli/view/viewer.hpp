@@ -11,43 +11,44 @@
 
 namespace hapticut::cli {
 
-/// The way from a page to the motors that waits for nothing: a Stop, and that nobody leads any more. For any thread.
+/// Forwards urgent commands from a page to the motors without waiting: Stop, and the loss of the page that moves the
+/// tool. For any thread.
 class StopLine {
  public:
-  /// @param device  null: none that could run
+  /// @param device  null: no device can run
   void lead_to(Device* device);
   void hear(const view::ViewCommand& command);
 
  private:
   std::mutex mutex_;
   Device* device_ = nullptr;
-  bool stopped_ = false;  // while it led to none
+  bool stopped_ = false;  // a stop arrived while there was no device
 };
 
-/// Shows scenes, one after the other. A scene is loaded beside the thread that takes commands, while the hand is let go
-/// and the scene before is still seen.
+/// Shows one scene after another. A scene loads in a separate thread; meanwhile the hand is released and the previous
+/// scene stays visible.
 class Viewer {
  public:
   using MakeScene = std::function<ViewScene(const std::string& name)>;
 
   /// @param device  null: the pointer of the page
-  /// @throws Error when the first scene cannot be made, or the page not be served
+  /// @throws Error when the first scene cannot be made, or the page cannot be served
   Viewer(const std::string& scene, view::ViewServerOptions options, Device* device,
          MakeScene make_scene = make_view_scene);
 
-  /// Waits for a scene that is being loaded; the hand is let go before.
+  /// Releases the hand, then waits for a scene that is loading.
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Sixty times a second: obeys what pages have asked for, and tells them what has changed.
+  /// Executes the commands of pages and sends them all changes; called sixty times per second.
   void frame();
 
   [[nodiscard]] bool is_loading() const { return loading_.valid(); }
   [[nodiscard]] const view::ViewServer& server() const { return server_; }
-  [[nodiscard]] Device& device() { return session_->device(); }  ///< that leads; of this scene
+  [[nodiscard]] Device& device() { return session_->device(); }  ///< device that moves the tool in the present scene
 
-  /// Lets go of everything but of a scene that is being loaded.
+  /// Ends the session; a scene that is loading continues.
   void end() { replace(nullptr); }
 
  private:
@@ -61,10 +62,10 @@ class Viewer {
   StopLine stop_line_;
   view::ViewServer server_;
   std::unique_ptr<ViewSession> session_;
-  std::string loaded_;  // name of what is being loaded
-  bool is_led_ = true;  // by a page, since loading began
+  std::string loaded_;  // name of the loading scene
+  bool is_led_ = true;  // a page has had control since loading began
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  std::future<std::unique_ptr<ViewSession>> loading_;  // waits at its end
+  std::future<std::unique_ptr<ViewSession>> loading_;  // its destructor waits
 };
 
 }  // namespace hapticut::cli

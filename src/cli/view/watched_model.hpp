@@ -12,39 +12,39 @@
 
 namespace hapticut::cli {
 
-/// How the model stands that the controls of a page turn.
+/// State of the model that the controls of a page change.
 struct ModelSettings {
-  double spindle_speed = 0;  ///< [rad/s] while there is a force
+  double spindle_speed = 0;  ///< [rad/s] set speed while there is a force
   RemovalLaw removal = RemovalLaw::none;
   Effects effects;
-  std::uint64_t answered = 0;  ///< commands, obeyed or refused
+  std::uint64_t answered = 0;  ///< number of processed commands, obeyed or refused
 };
 
-/// A model and what a page wants to know of each of its ticks: the force that the hand is given, which is what the
-/// model asks for only where the guard lets it through, the torque of the contact, how late it was, what was removed of
-/// which material; and of its commands what they have made of it. Filled by the loop, taken by one other thread, and
-/// neither waits.
+/// A model that records data of every tick for a page: the force on the hand (the model's force as limited by the
+/// guard), the contact torque, the lateness, and the removed volume by material. It also publishes its settings after
+/// every command. The loop writes the data and one other thread reads them, without waiting.
 class WatchedModel final : public LoopModel {
  public:
-  static constexpr std::size_t kTicks = 4096;    ///< of the trace that are kept
+  static constexpr std::size_t kTicks = 4096;    ///< capacity of the trace
   static constexpr double kBucket = 25e-6;       ///< [s]
-  static constexpr std::size_t kBuckets = 60;    ///< of lateness; the last has all that were later
-  static constexpr std::size_t kMaterials = 16;  ///< whose volumes are told
+  static constexpr std::size_t kBuckets = 60;    ///< buckets of lateness; the last one includes all later ticks
+  static constexpr std::size_t kMaterials = 16;  ///< number of materials with reported volumes
 
   WatchedModel(SimulationModel& model, const Simulation& simulation, const Device& device, double period)
       : model_(model), simulation_(simulation), device_(device), period_(period), settings_(settings_now()) {}
 
-  // --- for the other thread -----------------------------------------------------------------------------------------
+  // --- for the reading thread
+  // -----------------------------------------------------------------------------------------
   struct Trace {
     std::uint64_t first = 0;
     std::vector<view::TraceSample> samples;
   };
-  /// What has come since the last call, at most kTicks.
-  [[nodiscard]] Trace take_trace() {
+  /// Removes and returns the samples since the last call, at most kTicks.
+  [[nodiscard]] Trace drain_trace() {
     const std::uint64_t written = written_.load(std::memory_order_acquire);
-    Trace trace{taken_, {}};
-    for (; taken_ < written; ++taken_) trace.samples.push_back(ring_[taken_ % kTicks]);
-    free_from_.store(taken_, std::memory_order_release);
+    Trace trace{drained_, {}};
+    for (; drained_ < written; ++drained_) trace.samples.push_back(ring_[drained_ % kTicks]);
+    free_from_.store(drained_, std::memory_order_release);
     return trace;
   }
   void tell(view::Instruments& instruments, std::size_t materials) const {
@@ -58,21 +58,22 @@ class WatchedModel final : public LoopModel {
       instruments.removed[n] = removed_[n].load(std::memory_order_relaxed);
   }
 
-  /// As the model has them after the last command that it has answered.
+  /// The settings of the model after the last processed command.
   [[nodiscard]] const ModelSettings& settings() noexcept { return settings_.latest(); }
 
-  // --- the loop's side ----------------------------------------------------------------------------------------------
+  // --- for the loop's thread
+  // ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     note_time(monotonic_time());
     Wrench wrench = model_.step(state, dt, snapshot);
-    const double share = given_share();
-    snapshot.tool.force *= share, snapshot.tool.torque *= share;
-    note(snapshot.tool, share);
+    const double fraction = applied_fraction();
+    snapshot.tool.force *= fraction, snapshot.tool.torque *= fraction;
+    note(snapshot.tool, fraction);
     const ByMaterial<double>& removed = simulation_.removed_volume_by_material();
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
     return wrench;
   }
-  /// A pause in which nothing ran is not lateness.
+  /// Forgets the last tick, so a pause between runs is not lateness.
   void begin_run() noexcept { last_ = 0; }
 
   [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
@@ -90,8 +91,8 @@ class WatchedModel final : public LoopModel {
     const SimulationConfig& config = simulation_.config();
     return {model_.spindle_speed(), config.removal, config.effects, answered_};
   }
-  /// [1] 0 ... 1, of the force that the model asked for in the tick before.
-  [[nodiscard]] double given_share() const noexcept {
+  /// [1] Applied fraction 0 ... 1 of the force that the model requested in the previous tick.
+  [[nodiscard]] double applied_fraction() const noexcept {
     const ArmingState arming = device_.last_arming();
     if (arming != ArmingState::ramp && arming != ArmingState::on) return 0;
     const DeviceOutput& output = device_.last_output();
@@ -107,14 +108,15 @@ class WatchedModel final : public LoopModel {
     last_ = now;
     ticks_.fetch_add(1, std::memory_order_relaxed);
   }
-  void note(const ToolSnapshot& tool, double share) noexcept {
+  void note(const ToolSnapshot& tool, double fraction) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
-    if (at - free_from_.load(std::memory_order_acquire) >= kTicks) return;  // nobody looks
+    if (at - free_from_.load(std::memory_order_acquire) >= kTicks)
+      return;  // the buffer is full, because nothing reads it
     const bool touches = tool.contact_voxels > 0;
     view::TraceSample& sample = ring_[at % kTicks];
     for (Eigen::Index n = 0; n < 3; ++n) {
       sample.force[std::size_t(n)] = float(tool.force[n]);
-      sample.torque[std::size_t(n)] = touches ? float(share * simulation_.last_result().model.torque[n]) : 0.0F;
+      sample.torque[std::size_t(n)] = touches ? float(fraction * simulation_.last_result().model.torque[n]) : 0.0F;
     }
     written_.store(at + 1, std::memory_order_release);
   }
@@ -127,7 +129,7 @@ class WatchedModel final : public LoopModel {
   TripleBuffer<ModelSettings> settings_;
   std::array<view::TraceSample, kTicks> ring_{};
   std::atomic<std::uint64_t> written_{0}, free_from_{0}, missed_{0}, ticks_{0};
-  std::uint64_t taken_ = 0;
+  std::uint64_t drained_ = 0;
   std::array<std::atomic<std::uint32_t>, kBuckets> latency_{};
   std::array<std::atomic<double>, kMaterials> removed_{};
 };

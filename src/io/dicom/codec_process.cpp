@@ -23,7 +23,7 @@ void append_number(std::string& bytes, std::uint32_t tag, int number) {
   append_element(bytes, tag, "US", {char(number), char(number >> 8)});
 }
 
-/// A file of one frame with nothing in it but what a codec needs, so that nothing else of the file can confuse it.
+/// A file with one frame and only the elements that a codec needs, so no other element can confuse it.
 std::string one_frame_file(const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
   constexpr const char* kClass = "1.2.840.10008.5.1.4.1.1.7";
   std::string meta;
@@ -61,7 +61,7 @@ std::string name_of_compression(const std::string& syntax) {
   if (syntax.starts_with(jpeg + "8")) return "JPEG-LS";
   if (syntax.starts_with(jpeg + "9")) return "JPEG 2000";
   if (syntax.starts_with(jpeg) && syntax.size() == jpeg.size() + 2) return "JPEG";
-  throw Error("its picture is compressed in a way that is not read (" + syntax + "); save it uncompressed.");
+  throw Error("its picture has an unsupported compression (" + syntax + "); save it uncompressed.");
 }
 
 }  // namespace
@@ -76,15 +76,15 @@ std::string CodecProcess::operator()(const DicomFile& file, const DicomPicture& 
   append_bytes_of(message, std::uint64_t(picture.frame_bytes()));
   std::uint64_t length = 0;
   std::string values(picture.frame_bytes(), '\0');
-  std::chrono::nanoseconds patience = kMaxWait;
+  std::chrono::nanoseconds time_left = kMaxWait;
   const bool answered = process_.send(message) && process_.send(request) &&
-                        process_.receive(reinterpret_cast<char*>(&length), sizeof length, patience) &&
-                        length == values.size() && process_.receive(values.data(), values.size(), patience);
+                        process_.receive(reinterpret_cast<char*>(&length), sizeof length, time_left) &&
+                        length == values.size() && process_.receive(values.data(), values.size(), time_left);
   if (answered) return values;
   process_.stop();
   throw Error("its values, compressed by " + compression +
-              ", cannot be unpacked; they are damaged or of a kind that is not read. Get a complete copy, or save the "
-              "file uncompressed.");
+              ", cannot be unpacked; they are damaged or of an unsupported kind. Get a complete copy, or save the file "
+              "uncompressed.");
 }
 
 }  // namespace hapticut

@@ -9,16 +9,14 @@
 
 namespace hapticut {
 
-/// The program beside the library that unpacks compressed pictures: what their codecs do to damaged data, it does to
-/// itself. It is started at the first frame and ends with this object; docs/decisions/0011-readers.md says why it is no
-/// fork.
+/// Unpacks compressed pictures in a child process, because damaged data can crash the codecs. The child starts at the
+/// first frame and ends with this object; docs/decisions/0011-readers.md explains why it is not a fork.
 class CodecProcess {
  public:
   /// Unpacks one frame.
-  /// @param packed  its compressed values
-  /// @return its values as stored, in little-endian order
-  /// @throws Error a sentence that begins with "its", when the program fails, dies or takes too long, and when it is
-  ///         not there
+  /// @param packed  compressed values of the frame
+  /// @return values of the frame as stored, in little-endian order
+  /// @throws Error whose message begins with "its", when the program is missing, fails, dies or takes too long
   std::string operator()(const DicomFile& file, const DicomPicture& picture, std::string_view packed);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A slice of a series. Its values are read when all slices are known to belong together.
+/// A slice of a series. Its values are read after the check that all slices belong together.
 struct DicomSlice {
   fs::path path;
   DicomPicture picture;
@@ -30,17 +30,17 @@ bool alike(const DicomPicture& a, const DicomPicture& b) {
          (a.geometry.direction - b.geometry.direction).cwiseAbs().maxCoeff() <= 1e-3;
 }
 
-/// Files that are alike, named by their Series Instance UID. Where a series has others, e.g. a scout of another size,
-/// they have a number behind it, and so do all where none are the most.
+/// Files of one kind, named by their Series Instance UID. If a series has several kinds (e.g. a scout of another size),
+/// the less frequent kinds get a number after the UID; if no kind is the most frequent, all kinds get one.
 struct AlikeSlices {
   std::string name;
   std::vector<DicomSlice> slices;
 };
 
-/// How many there are and of which kind: what tells them from others.
+/// Number and kind of the files, to distinguish them from others.
 std::string in_words(const AlikeSlices& kind) {
   const FileGeometry& g = kind.slices.front().picture.geometry;
-  const Vec3 facing = ((g.direction.col(2) * 1e3).array().round() / 1e3 + 0.0).matrix();  // no minus before a zero
+  const Vec3 facing = ((g.direction.col(2) * 1e3).array().round() / 1e3 + 0.0).matrix();  // avoids -0
   const std::size_t count = kind.slices.size();
   return "'" + kind.name + "' (" + std::to_string(count) + (count == 1 ? " file" : " files") + " of " +
          std::to_string(g.dims[0]) + " x " + std::to_string(g.dims[1]) +
@@ -50,10 +50,10 @@ std::string in_words(const AlikeSlices& kind) {
          format_number(facing.y()) + ", " + format_number(facing.z()) + ")";
 }
 
-/// A file whose picture is none of a volume: a screenshot in colour, a mask of single bits, a damaged file.
+/// A file whose picture does not belong to a volume: a colour screenshot, a bit mask, a damaged file.
 struct UnreadPicture {
   fs::path path;
-  std::optional<std::string> series;  // nothing where the file does not get as far as to say it
+  std::optional<std::string> series;  // nullopt when the file is damaged before this element
   std::string cause;
 };
 
@@ -62,7 +62,7 @@ struct DicomFolder {
   std::vector<UnreadPicture> unread;
 };
 
-/// The pictures of a folder. Files without a picture (directories, reports) are left out.
+/// The pictures of a folder. Files without a picture (directories, reports) are ignored.
 DicomFolder pictures_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code code, ignored;
@@ -102,17 +102,17 @@ DicomFolder pictures_in(const fs::path& folder) {
   return found;
 }
 
-/// Pictures of other series may be what they like: those of an export lie in one folder.
+/// Pictures of other series are not checked: an export puts all series into one folder.
 void require_all_read(const DicomFolder& folder, const std::optional<std::string>& series) {
   for (const UnreadPicture& picture : folder.unread) {
     if (series && !picture.series)
-      cannot_read(picture.path, picture.cause + " If it is not of the series, take it out of the folder.");
+      cannot_read(picture.path, picture.cause + " If it is not of the series, remove it from the folder.");
     if (!series || *picture.series == *series) cannot_read(picture.path, picture.cause);
   }
 }
 
-/// @return nothing where the folder has no DICOM picture
-std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& wanted) {
+/// @return nullopt when the folder has no DICOM picture
+std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& series) {
   DicomFolder found = pictures_in(folder);
   std::vector<AlikeSlices>& series = found.series;
   if (series.empty()) {
@@ -126,16 +126,16 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   std::string list;
   for (AlikeSlices& one : series) {
     append_part(list, in_words(one), ", ");
-    if (!wanted.empty() && one.name == wanted) return slices_of(one);
+    if (!series.empty() && one.name == series) return slices_of(one);
   }
-  if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");
+  if (!series.empty()) cannot_read(folder, "it has no DICOM series '" + series + "'; it has " + list + ".");
   if (series.size() > 1)
-    cannot_read(folder, "it has several DICOM series, or one of several kinds: " + list +
-                            ". Choose one by VolumeReadOptions::dicom_series.");
+    cannot_read(folder, "it has several DICOM series, or a series of several kinds:  " + list +
+                            ". Choose one with VolumeReadOptions::dicom_series.");
   std::vector<DicomSlice> slices = slices_of(series.front());
-  if (found.unread.size() >= slices.size())  // then they may be what is meant
-    cannot_read(found.unread.front().path, found.unread.front().cause + " The folder has " + list +
-                                               " beside it; choose that by VolumeReadOptions::dicom_series.");
+  if (found.unread.size() >= slices.size())  // then the unreadable files may be the wanted ones
+    cannot_read(found.unread.front().path, found.unread.front().cause + " The folder also has " + list +
+                                               "; choose it with VolumeReadOptions::dicom_series.");
   return slices;
 }
 
@@ -149,7 +149,7 @@ RawImage read_dicom_file(const fs::path& path) {
   return naming(path, [&] {
     const DicomFile file = parse_dicom(bytes);
     const DicomPicture picture = describe_picture(file);
-    if (picture.geometry.dims[2] == 1) throw Error("it is a single slice; pass the folder of its series.");
+    if (picture.geometry.dims[2] == 1) throw Error("it is a single slice; name the folder of its series.");
     return picture_values(file, picture, std::ref(process));
   });
 }
@@ -159,15 +159,14 @@ std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::str
   if (slices.empty()) return std::nullopt;
   if (slices.size() == 1 && slices.front().picture.geometry.dims[2] > 1) return read_dicom_file(slices.front().path);
   for (const DicomSlice& slice : slices)
-    if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; pass the file itself.");
+    if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; name the file itself.");
   if (slices.size() < 2) cannot_read(folder, "its DICOM series has only one slice; a volume needs two.");
   std::vector<Vec3> places;
   for (const DicomSlice& slice : slices) {
     if (!slice.picture.has_place)
-      cannot_read(
-          slice.path,
-          "it does not say where it lies (Image Position), and its number does not say from which side slices are "
-          "counted. Export the series with positions, or save it in one NRRD or NIfTI file.");
+      cannot_read(slice.path,
+                  "it has no position (Image Position), and the number of the slice does not tell on which side the "
+                  "count begins. Export the series with positions, or save it in one NRRD or NIfTI file.");
     places.push_back(slice.picture.geometry.origin_mm);
   }
   RawImage image;

@@ -14,16 +14,16 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kPreamble = 128;
-constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // of files that were saved without a preamble
+constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // of files without a preamble
 constexpr std::string_view kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840.10008.1.2.1";  // transfer syntaxes
-constexpr std::uint32_t kUndefined = 0xffffffff;  // length of what ends with a delimiter
-constexpr int kDeepest = 16;                      // sequences within sequences
+constexpr std::uint32_t kUndefined = 0xffffffff;  // length of elements that end with a delimiter
+constexpr int kMaxDepth = 16;                     // sequences within sequences
 constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(0xfffe, 0xe00d),
                         kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kTransferSyntax = dicom_tag(2, 0x10),
                         kFloats = dicom_tag(0x7fe0, 8), kDoubles = dicom_tag(0x7fe0, 9),
                         kPixelData = dicom_tag(0x7fe0, 0x10);
 
-/// Whether an element is kept: the identity, the kind and the place of a picture, and how its values are stored.
+/// Whether an element is kept: identity, kind and position of a picture, and the format of its values.
 bool is_kept(std::uint32_t tag) {
   constexpr std::uint32_t kOther[] = {dicom_tag(8, 8), dicom_tag(8, 0x16), dicom_tag(0x18, 0x88),
                                       dicom_tag(0x3004, 0xc)};
@@ -31,8 +31,8 @@ bool is_kept(std::uint32_t tag) {
   return group == 0x20 || group == 0x28 || std::find(std::begin(kOther), std::end(kOther), tag) != std::end(kOther);
 }
 
-/// Functional groups of all frames and of each, and what they hold: the plane's place and direction, its measures, the
-/// scale of its values, and what a converter found in single slices; and the table of values.
+/// Functional groups (shared and per frame) and their content: position and direction of the plane, spacing, scale of
+/// the values, elements that a converter found in single slices; and the table of values.
 bool is_kept_sequence(std::uint32_t tag) {
   constexpr std::uint32_t kKept[] = {dicom_tag(0x5200, 0x9229), dicom_tag(0x5200, 0x9230), dicom_tag(0x20, 0x9113),
                                      dicom_tag(0x20, 0x9116),   dicom_tag(0x28, 0x9110),   dicom_tag(0x28, 0x9145),
@@ -40,9 +40,9 @@ bool is_kept_sequence(std::uint32_t tag) {
   return std::find(std::begin(kKept), std::end(kKept), tag) != std::end(kKept);
 }
 
-/// Old files have neither preamble nor meta header: they begin with the length, character set, kind or identity of the
+/// Old files have neither preamble nor meta header. They begin with the length, character set, kind or identity of the
 /// picture.
-/// @return the transfer syntax that their first element shows; empty: it is no such file
+/// @return the transfer syntax, derived from the first element; empty when it is not such a file
 std::string_view syntax_without_header(std::string_view bytes) {
   constexpr unsigned char kFirst[] = {0x00, 0x05, 0x08, 0x16, 0x18};
   if (bytes.size() < kPreamble + 4 || !bytes.starts_with(std::string_view("\10\0", 2)) || bytes[3] != 0) return {};
@@ -57,97 +57,98 @@ class DicomWalker {
  public:
   explicit DicomWalker(std::string_view bytes) : bytes_(bytes), in_(bytes) {
     file_.syntax = syntax_without_header(bytes);
-    if (!bytes.starts_with(kFirstElement) && file_.syntax.empty()) in_.take(kPreamble + 4);
+    if (!bytes.starts_with(kFirstElement) && file_.syntax.empty()) in_.skip(kPreamble + 4);
   }
 
   DicomFile walk_file() {
     while (in_.left() >= 8 && bytes_.substr(in_.position(), 2) == std::string_view("\2\0", 2)) {
-      const Element e = take_element();
-      const std::string_view value = take(e.length);
+      const Element e = read_element();
+      const std::string_view value = read(e.length);
       if (e.tag == kTransferSyntax)
         file_.syntax = value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1);
     }
-    if (!file_.syntax.starts_with("1.2.840.10008.1.2")) fail("it does not say how its values are stored.");
-    if (file_.syntax == "1.2.840.10008.1.2.1.99") fail("its elements are compressed; save it without that.");
+    if (!file_.syntax.starts_with("1.2.840.10008.1.2")) fail("it does not name the format of its values.");
+    if (file_.syntax == "1.2.840.10008.1.2.1.99") fail("its elements are compressed; save it without compression.");
     explicit_ = file_.syntax != kImplicit;
     file_.big_endian = big_endian_ = file_.syntax == "1.2.840.10008.1.2.2";
     walk_elements(bytes_.size(), false, 0, &file_.data);
     if (!has_picture_) fail(std::string(kNoDicomPicture) + ".");
     const bool plain = file_.syntax == kImplicit || file_.syntax == kExplicit || big_endian_;
-    if (plain == file_.compressed) fail("its picture is not stored in the way that it says.");
+    if (plain == file_.compressed) fail("its picture is not stored as its transfer syntax says.");
     return std::move(file_);
   }
 
  private:
   struct Element {
     std::uint32_t tag;
-    std::string_view kind;  // two letters; empty where the file does not say
+    std::string_view kind;  // two letters; empty when the file does not tell
     std::uint32_t length;
   };
 
   [[noreturn]] static void fail(const std::string& reason) { throw Error(reason); }
-  [[noreturn]] static void fail_cut() { fail("it is damaged or cut short. Get a complete copy."); }
+  [[noreturn]] static void fail_cut() { fail("it is damaged or truncated. Get a complete copy."); }
 
-  std::string_view take(std::size_t count) { return in_.take(count); }
+  std::string_view read(std::size_t count) { return in_.read(count); }
 
   template <class Number>
-  Number take_number() {
-    return in_.take<Number>(big_endian_);
+  Number read_number() {
+    return in_.read<Number>(big_endian_);
   }
 
-  std::uint32_t take_tag() {
-    const auto group = take_number<std::uint16_t>();
-    return dicom_tag(group, take_number<std::uint16_t>());
+  std::uint32_t read_tag() {
+    const auto group = read_number<std::uint16_t>();
+    return dicom_tag(group, read_number<std::uint16_t>());
   }
 
-  Element take_element() {
+  Element read_element() {
     constexpr std::string_view kShort = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
     constexpr std::string_view kLong = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
-    Element e = {take_tag(), {}, 0};
+    Element e = {read_tag(), {}, 0};
     if (!explicit_ || e.tag >> 16U == 0xfffe) {
-      e.length = take_number<std::uint32_t>();
+      e.length = read_number<std::uint32_t>();
       return e;
     }
-    e.kind = take(2);
+    e.kind = read(2);
     const bool letters = std::all_of(e.kind.begin(), e.kind.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
     if (letters && kLong.find(e.kind) != std::string_view::npos) {
-      take(2);
-      e.length = take_number<std::uint32_t>();
+      in_.skip(2);
+      e.length = read_number<std::uint32_t>();
     } else if (letters && kShort.find(e.kind) != std::string_view::npos) {
-      e.length = take_number<std::uint16_t>();
+      e.length = read_number<std::uint16_t>();
     } else {
       fail(
-          "an element of it is of an unknown kind: it is damaged, or not stored in the transfer syntax that it names "
+          "one of its elements has an unknown kind: it is damaged, or not stored in the transfer syntax that it names "
           "(" +
           std::string(file_.syntax) + "). Get another copy.");
     }
     return e;
   }
 
-  /// @param delimited  ends at a delimiter rather than at `end`
-  /// @param item       where to keep elements, or nothing
+  /// @param delimited  true: ends at a delimiter instead of at `end`
+  /// @param item       receives the elements; may be null
   void walk_elements(std::size_t end, bool delimited, int depth, DicomItem* item) {
-    if (depth > kDeepest) fail("its sequences are nested too deeply.");
+    if (depth > kMaxDepth) fail("its sequences are nested too deeply.");
     std::uint32_t before = 0;
     while (in_.position() < end) {
-      const Element e = take_element();
+      const Element e = read_element();
       if (delimited && e.tag == kItemEnd) return;
       if (e.tag <= before)
         fail("its elements are not in order: it is damaged, or not stored in the transfer syntax that it names (" +
              std::string(file_.syntax) + "). Get another copy.");
       before = e.tag;
-      // Where the file does not say what is a sequence, an undefined length does, or the tag.
+      // If the file does not mark sequences, an undefined length or the tag identifies them.
       const bool unsaid = e.kind.empty() || e.kind == "UN";
       const bool sequence = e.kind == "SQ" || (unsaid && (e.length == kUndefined || is_kept_sequence(e.tag)));
       if (depth == 0 && (e.tag == kFloats || e.tag == kDoubles))
-        fail("its values are no whole numbers (Float Pixel Data), which is not read; save it with whole numbers.");
+        fail(
+            "its values are not whole numbers (Float Pixel Data), which is not supported; save it with whole numbers.");
       if (e.tag == kPixelData && depth == 0)
         walk_picture(e);
       else if (e.tag == kPixelData && e.length == kUndefined)
         walk_fragments(nullptr);
       else if (sequence)
         walk_items(e, depth, item != nullptr && is_kept_sequence(e.tag) ? &item->sequences[e.tag] : nullptr);
-      else if (const std::string_view value = take(e.length); item != nullptr && is_kept(e.tag))
+      else if (const std::string_view value = read(e.length); item != nullptr && is_kept(e.tag))
         item->values[e.tag] = value;
     }
     if (delimited || in_.position() != end) fail_cut();
@@ -156,18 +157,18 @@ class DicomWalker {
   void walk_items(const Element& e, int depth, std::vector<DicomItem>* items) {
     const bool delimited = e.length == kUndefined, was_explicit = explicit_;
     if (!delimited && e.length > in_.left()) fail_cut();
-    if (e.kind == "UN") explicit_ = false;  // of such a sequence the kinds are unknown too
+    if (e.kind == "UN") explicit_ = false;  // the elements of such a sequence have no kind either
     const std::size_t end = delimited ? bytes_.size() : in_.position() + e.length;
     for (bool ended = false; !ended;) {
       if (in_.position() >= end) {
         if (delimited) fail_cut();
         break;
       }
-      const std::uint32_t at = take_tag();
-      const auto length = take_number<std::uint32_t>();
+      const std::uint32_t at = read_tag();
+      const auto length = read_number<std::uint32_t>();
       ended = delimited && at == kSequenceEnd;
       if (ended) break;
-      if (at != kItem) fail("a sequence of it is damaged. Get a complete copy.");
+      if (at != kItem) fail("one of its sequences is damaged. Get a complete copy.");
       if (length != kUndefined && length > end - in_.position()) fail_cut();
       DicomItem* item = items != nullptr ? &items->emplace_back() : nullptr;
       walk_elements(length == kUndefined ? end : in_.position() + length, length == kUndefined, depth + 1, item);
@@ -182,7 +183,7 @@ class DicomWalker {
     if (file_.compressed)
       walk_fragments(&file_.fragments);
     else
-      file_.picture = take(e.length);
+      file_.picture = read(e.length);
     if (file_.fragments.empty()) return;
     file_.offsets = file_.fragments.front();
     file_.fragments.erase(file_.fragments.begin());
@@ -191,11 +192,11 @@ class DicomWalker {
   /// Compressed values.
   void walk_fragments(std::vector<std::string_view>* fragments) {
     for (;;) {
-      const std::uint32_t at = take_tag();
-      const auto length = take_number<std::uint32_t>();
+      const std::uint32_t at = read_tag();
+      const auto length = read_number<std::uint32_t>();
       if (at == kSequenceEnd) return;
       if (at != kItem) fail("its compressed values are damaged. Get a complete copy.");
-      const std::string_view fragment = take(length);
+      const std::string_view fragment = read(length);
       if (fragments != nullptr) fragments->push_back(fragment);
     }
   }

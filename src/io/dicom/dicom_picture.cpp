@@ -30,7 +30,7 @@ constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16
                         kPlaneOrientation = dicom_tag(0x20, 0x9116), kMeasures = dicom_tag(0x28, 0x9110),
                         kTransformation = dicom_tag(0x28, 0x9145);
 constexpr const char* kDoseClass = "1.2.840.10008.5.1.4.1.1.481.2";
-/// Enhanced and converted CT, MR and PET, and X-ray 3D, whose frames lie where functional groups say.
+/// Enhanced and converted CT, MR and PET, and X-ray 3D, whose functional groups hold the positions of the frames.
 constexpr const char* kEnhanced[] = {"1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
                                      "1.2.840.10008.5.1.4.1.1.4.1",    "1.2.840.10008.5.1.4.1.1.4.4",
                                      "1.2.840.10008.5.1.4.1.1.128.1",  "1.2.840.10008.5.1.4.1.1.130",
@@ -44,7 +44,7 @@ int frames_of(const DicomFile& file) {
   return int(frames[0]);
 }
 
-/// What a frame says in a functional group, or all frames share, or nothing.
+/// The item of a functional group of one frame, else the shared item; null when there is neither.
 const DicomItem* group_of(const DicomFile& file, std::size_t frame, std::uint32_t group) {
   const auto frames = file.data.sequences.find(kFrameGroups);
   if (frames != file.data.sequences.end() && frame < frames->second.size())
@@ -53,14 +53,14 @@ const DicomItem* group_of(const DicomFile& file, std::size_t frame, std::uint32_
   return shared != nullptr ? shared->item(group) : nullptr;
 }
 
-/// Numbers of a frame: from its functional group where they stand there, else from the file.
+/// Numbers of a frame: from its functional group if present, else from the file.
 std::vector<double> numbers_of(const DicomFile& file, std::size_t frame, std::uint32_t group, std::uint32_t tag,
                                std::size_t count, const char* name) {
   const DicomItem* item = group_of(file, frame, group);
   return (item != nullptr && item->has(tag) ? *item : file.data).numbers(tag, count, name);
 }
 
-/// Rows, columns and the normal of a frame. Writers round them to some digits.
+/// Rows, columns and the normal of a frame. Writers round them.
 Mat3 direction_of(const DicomFile& file, std::size_t frame) {
   const std::vector<double> o = numbers_of(file, frame, kPlaneOrientation, kOrientation, 6, "orientation");
   Mat3 direction = Mat3::Identity();
@@ -69,11 +69,11 @@ Mat3 direction_of(const DicomFile& file, std::size_t frame) {
   direction.col(1) = Vec3(o[3], o[4], o[5]);
   direction.col(2) = direction.col(0).cross(direction.col(1)).normalized();
   if (direction.col(2).isZero())
-    throw Error("its rows and columns have no direction; it is damaged. Get a complete copy.");
+    throw Error("its rows and columns have no valid direction; it is damaged. Get a complete copy.");
   return direction;
 }
 
-/// Where the frames lie [mm]; empty where the file does not say it of each.
+/// [mm] Positions of the frames; empty when the file lacks the position of a frame.
 std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const FileGeometry& geometry) {
   std::vector<Vec3> places;
   if (file.data.text(kClass) == kDoseClass || file.data.has(kFrameOffsets)) {
@@ -82,7 +82,7 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
     const bool finite =
         offsets && std::all_of(offsets->begin(), offsets->end(), [](double o) { return std::isfinite(o); });
     if (!finite || (offsets->size() != frames && !(frames == 1 && offsets->empty())))
-      throw Error("the offsets of its frames are " + in_quotes(text) + "; by its number of frames there must be " +
+      throw Error("the offsets of its frames are " + in_quotes(text) + "; its number of frames requires " +
                   std::to_string(frames) + ". Get a complete copy.");
     for (const double offset : *offsets)
       places.emplace_back(geometry.origin_mm + (offset - offsets->front()) * geometry.direction.col(2));
@@ -92,7 +92,7 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
   if (groups == file.data.sequences.end()) {
     const std::string kind = file.data.text(kClass);
     if (frames > 1 && std::find(std::begin(kEnhanced), std::end(kEnhanced), kind) != std::end(kEnhanced))
-      throw Error("it lacks the functional groups that say where its frames lie. Get a complete copy.");
+      throw Error("it lacks the functional groups with the positions of its frames. Get a complete copy.");
     return places;
   }
   for (std::size_t n = 0; n < std::min(frames, groups->second.size()); ++n) {
@@ -101,31 +101,30 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
     if (!p.empty()) places.emplace_back(p[0], p[1], p[2]);
   }
   if (!places.empty() && places.size() != frames)
-    throw Error("of its " + std::to_string(frames) + " frames only " + std::to_string(places.size()) +
-                " say where they lie. Get a complete copy.");
+    throw Error("only " + std::to_string(places.size()) + " of its " + std::to_string(frames) +
+                " frames have a position. Get a complete copy.");
   return places;
 }
 
-/// Sets the distance, the direction and the order of the frames.
+/// Sets distance, direction and order of the frames.
 void stack_frames(const DicomFile& file, DicomPicture& picture) {
   FileGeometry& geometry = picture.geometry;
   const auto frames = std::size_t(geometry.dims[2]);
   for (std::size_t n = 1; n < frames && file.data.sequences.contains(kFrameGroups); ++n)
     if (!((direction_of(file, n) - geometry.direction).cwiseAbs().maxCoeff() <= kMaxRounding))
-      throw Error("its frames 1 and " + std::to_string(n + 1) + " lie in different directions. Take them apart first.");
+      throw Error("its frames 1 and " + std::to_string(n + 1) + " lie in different directions. Separate them first.");
   const std::vector<Vec3> places = places_of(file, frames, geometry);
   if (places.size() >= 2) {
     const auto name = [](std::size_t frame) { return "frame " + std::to_string(frame + 1); };
     picture.order = stack_planes(places, "frames", name, geometry);
     return;
   }
-  // How thick slices are does not say how far apart they are.
+  // The thickness of slices is not their distance.
   const std::vector<double> between = numbers_of(file, 0, kMeasures, kBetweenSlices, 1, "spacing between slices");
   geometry.spacing_mm.z() = between.empty() ? 0 : std::abs(between[0]);
 }
 
-/// A frame's own item with this element, whichever of its functional groups has it, or one of those that all share, or
-/// the file.
+/// The item with this element: from any functional group of the frame, else from a shared one, else the file itself.
 const DicomItem* item_with(const DicomFile& file, std::size_t frame, std::uint32_t tag) {
   const auto within = [&](const DicomItem* item) -> const DicomItem* {
     if (item == nullptr || item->has(tag)) return item;
@@ -140,7 +139,7 @@ const DicomItem* item_with(const DicomFile& file, std::size_t frame, std::uint32
   return file.data.has(tag) ? &file.data : nullptr;
 }
 
-/// A stored value in binary, with a sign where the picture has one, whatever its kind says.
+/// A stored value in binary. It is signed if the picture is signed, independent of the kind of the element.
 std::optional<double> stored_number(const DicomFile& file, const DicomPicture& picture, std::size_t frame,
                                     std::uint32_t tag) {
   const DicomItem* item = item_with(file, frame, tag);
@@ -162,7 +161,7 @@ std::optional<DicomPadding> padding_of(const DicomFile& file, const DicomPicture
   return padding;
 }
 
-/// The table that some files have in place of slope and intercept (Modality LUT, PS3.3 C.11.1).
+/// The table that some files have instead of slope and intercept (Modality LUT, PS3.3 C.11.1).
 void read_table(const DicomFile& file, DicomPicture& picture) {
   const auto found = file.data.sequences.find(kTable);
   if (found == file.data.sequences.end() || found->second.empty()) return;
@@ -177,8 +176,8 @@ void read_table(const DicomFile& file, DicomPicture& picture) {
   const std::size_t count = layout.size() != 6 ? 0 : word(layout, 0) == 0 ? 65536 : word(layout, 0);
   if (count == 0 || values.size() != 2 * count)
     throw Error(
-        "its table of grey values (Modality LUT) is damaged or not one of 16-bit numbers; save it with a "
-        "rescale slope and intercept in place of the table.");
+        "its table of grey values (Modality LUT) is damaged or does not hold 16-bit numbers; save it with a rescale "
+        "slope and intercept instead of the table.");
   picture.table_first = picture.has_sign ? double(std::int16_t(word(layout, 1))) : double(word(layout, 1));
   for (std::size_t n = 0; n < count; ++n) picture.table.push_back(word(values, n));
 }
@@ -186,19 +185,20 @@ void read_table(const DicomFile& file, DicomPicture& picture) {
 void require_grey_picture(const DicomFile& file, const DicomPicture& picture) {
   const std::string type = file.data.text(kImageType), photometric = file.data.text(kPhotometric);
   if (("\\" + type + "\\").find("\\MOSAIC\\") != std::string::npos)
-    throw Error("it is a MOSAIC: several slices side by side in one picture. Save them as slices first.");
+    throw Error("it is a MOSAIC: several slices side by side in one picture. Save it as separate slices first.");
   if (file.number(kChannels, "number of channels") != 1)
     throw Error("it has several values per sample; a volume has one. Convert it to grey values or labels.");
   if (!photometric.empty() && photometric != "MONOCHROME1" && photometric != "MONOCHROME2")
-    throw Error("its values mean " + in_quotes(photometric) + "; grey values are read (MONOCHROME1, MONOCHROME2).");
+    throw Error("its values mean " + in_quotes(photometric) +
+                "; only grey values are supported (MONOCHROME1, MONOCHROME2).");
   const bool whole_bytes = picture.allocated == 8 || picture.allocated == 16 || picture.allocated == 32;
   if (!whole_bytes || picture.stored < 1 || picture.high >= picture.allocated || picture.high + 1 < picture.stored)
     throw Error("its values have " + std::to_string(picture.stored) + " bits up to bit " +
                 std::to_string(picture.high) + " of " + std::to_string(picture.allocated) +
-                "; 8, 16 and 32 bits are read, and no more can be stored than there are.");
+                "; supported are 8, 16 and 32 bits, with the stored bits inside the allocated ones.");
 }
 
-/// Bits that count, with their sign.
+/// The stored bits as a number, with sign.
 template <class Word>
 double stored_value(Word word, const DicomPicture& picture) {
   const auto bits = std::uint64_t(word) >> unsigned(picture.high + 1 - picture.stored);
@@ -208,7 +208,7 @@ double stored_value(Word word, const DicomPicture& picture) {
   return negative ? double(std::int64_t(value) - std::int64_t(mask) - 1) : double(value);
 }
 
-/// The first value of the table stands for all below it, the last one for all above.
+/// Values below the table map to its first entry, values above it to its last.
 double in_table(double stored, const DicomPicture& picture) {
   return picture.table[std::size_t(std::clamp(stored - picture.table_first, 0.0, double(picture.table.size() - 1)))];
 }
@@ -239,7 +239,7 @@ void append_frame(std::string_view bytes, const DicomPicture& picture, std::size
   }
 }
 
-/// Whether a compressed frame ends with this fragment: by the end marker of JPEG, JPEG-LS and JPEG 2000.
+/// Whether a compressed frame ends with this fragment, shown by the end marker of JPEG, JPEG-LS and JPEG 2000.
 bool ends_stream(std::string_view fragment) {
   return fragment.substr(0, fragment.find_last_not_of('\0') + 1).ends_with("\xff\xd9");
 }
@@ -261,9 +261,9 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
       }
       return parts;
     }
-    // The table names the place of each frame's first fragment, counted from that of the first frame.
+    // The table holds the offset of each frame's first fragment, relative to the first frame.
     if (file.offsets.size() != 4 * frames)
-      throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be told apart into " +
+      throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be assigned to  " +
                   std::to_string(frames) + " frames; it is damaged. Get a complete copy.");
     std::size_t frame = 0;
     std::uint64_t place = 0;
@@ -304,11 +304,11 @@ DicomPicture describe_picture(const DicomFile& file) {
   const std::vector<double> place = numbers_of(file, 0, kPlanePosition, kPosition, 3, "position");
   picture.has_place = !place.empty();
   if (picture.has_place) picture.geometry.origin_mm = Vec3(place[0], place[1], place[2]);
-  // The distance of the rows comes first.
+  // The first number is the distance between rows.
   const std::vector<double> spacing = numbers_of(file, 0, kMeasures, kPixelSpacing, 2, "pixel spacing");
   if (!spacing.empty()) picture.geometry.spacing_mm = Vec3(spacing[1], spacing[0], 0);
   stack_frames(file, picture);
-  // The unit of a dose is its own affair.
+  // A dose keeps its unit.
   const bool dose = file.data.text(kClass) == kDoseClass;
   const bool each = file.data.sequences.contains(kFrameGroups);
   for (std::size_t n = 0; n < (each ? std::size_t(frames) : 1); ++n) {
@@ -356,7 +356,7 @@ RawImage picture_values(const DicomFile& file, const DicomPicture& picture, cons
     else
       bytes = decode(file, picture, packed);
     if (bytes.size() != picture.frame_bytes())
-      throw Error("its picture is of another size than its header says; it is damaged. Get a complete copy.");
+      throw Error("the size of its picture differs from its header; it is damaged. Get a complete copy.");
     if (picture.allocated == 8) append_frame<std::uint8_t>(bytes, picture, n, image);
     if (picture.allocated == 16) append_frame<std::uint16_t>(bytes, picture, n, image);
     if (picture.allocated == 32) append_frame<std::uint32_t>(bytes, picture, n, image);

@@ -12,25 +12,25 @@
 
 namespace hapticut {
 
-/// Values that stand for no measurement, but for what lies outside the field of view.
+/// Range of values that mark samples outside the field of view.
 struct DicomPadding {
-  double low, high;  ///< as stored, both included
-  bool whole_words;  ///< compared with all bits that are allocated: with those stored alone it could not occur
+  double low, high;  ///< as stored, inclusive
+  bool whole_words;  ///< compared with all allocated bits, because the value does not fit the stored bits
 };
 
-/// What the header of a DICOM file says of its picture.
+/// Description of a picture, from the header of a DICOM file.
 struct DicomPicture {
-  FileGeometry geometry;           ///< dims[2] counts the frames; place and direction are those of the lowest
-  std::vector<std::size_t> order;  ///< of the frames, from the lowest to the highest; empty: as they are stored
-  bool has_place = false;          ///< the origin is that of the file
-  int allocated = 16;              ///< [bit] of a stored value
-  int stored = 16;                 ///< [bit] of it that count
-  int high = 15;                   ///< the highest of them
+  FileGeometry geometry;           ///< dims[2] is the number of frames; position and direction of the lowest frame
+  std::vector<std::size_t> order;  ///< order of the frames, from lowest to highest; empty: as stored
+  bool has_place = false;          ///< the file has an origin
+  int allocated = 16;              ///< [bit] allocated for a value
+  int stored = 16;                 ///< [bit] used for a value
+  int high = 15;                   ///< index of the highest used bit
   bool has_sign = false;
-  std::vector<std::pair<double, double>> scale;  ///< slope and intercept, of all frames or of each
-  std::vector<std::uint16_t> table;              ///< in place of the scale, from the stored value `table_first`
+  std::vector<std::pair<double, double>> scale;  ///< slope and intercept, shared or per frame
+  std::vector<std::uint16_t> table;              ///< replaces the scale; starts at the stored value `table_first`
   double table_first = 0;
-  std::vector<std::optional<DicomPadding>> padding;  ///< of all frames or of each
+  std::vector<std::optional<DicomPadding>> padding;  ///< shared or per frame
   std::string series;                                ///< Series Instance UID
 
   [[nodiscard]] std::size_t frame_samples() const {
@@ -39,38 +39,38 @@ struct DicomPicture {
   [[nodiscard]] std::size_t frame_bytes() const { return frame_samples() * std::size_t(allocated) / 8; }
 };
 
-/// Puts planes (slices of a series, frames of a file) one above the other along the normal of the first: sets the
-/// origin, the distance and, where positions say it better, the directions.
-/// @param places_mm  of the first sample of each, two at least
-/// @param planes     what they are, for the message: "slices"
-/// @param name       of one of them
-/// @return their order from the lowest to the highest
-/// @throws Error "its slices ..." when they are not one above the other at equal distances
+/// Stacks planes (slices of a series, frames of a file) along the normal of the first plane. Sets the origin, the
+/// distance and, if positions are more accurate, the directions.
+/// @param places_mm  position of the first sample of each plane, at least two
+/// @param planes     word for the message: "slices"
+/// @param name  name of one plane, for the message
+/// @return order of the planes, from lowest to highest
+/// @throws Error "its slices ..." when the planes are not stacked at equal distances
 [[nodiscard]] std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const std::string& planes,
                                                     const std::function<std::string(std::size_t)>& name,
                                                     FileGeometry& geometry);
 
-/// Its Series Instance UID.
+/// The Series Instance UID of a file.
 [[nodiscard]] std::string series_of(const DicomFile& file);
 
-/// @throws Error a sentence that begins with "it" or "its", when the picture is not one of grey values, or where it
-///         lies cannot be told
+/// @throws Error whose message begins with "it" or "its", when the picture has no grey values, or its position is
+///         unknown
 [[nodiscard]] DicomPicture describe_picture(const DicomFile& file);
 
-/// Unpacks one frame that the library itself does not: JPEG, JPEG-LS, JPEG 2000.
-/// @return as many bytes as the frame has, in little-endian order
+/// Unpacks one frame in JPEG, JPEG-LS or JPEG 2000.
+/// @return the bytes of the frame, in little-endian order
 using FrameDecoder = std::function<std::string(const DicomFile&, const DicomPicture&, std::string_view packed)>;
 
-/// The values of all frames, as stored and then scaled: those of MONOCHROME1, which are shown inverted, are not
-/// inverted.
-/// @throws Error as above, when there are fewer values than the header says, or they cannot be unpacked
+/// The values of all frames, as stored and then scaled. MONOCHROME1, which viewers show inverted, is not inverted.
+/// @throws Error whose message begins with "it" or "its", when there are fewer values than the header says, or they
+///         cannot be unpacked
 [[nodiscard]] RawImage picture_values(const DicomFile& file, const DicomPicture& picture, const FrameDecoder& decode);
 
-/// The same for one frame packed by run lengths.
+/// The values of one frame in run-length encoding (RLE).
 /// @throws Error when the frame is damaged
 [[nodiscard]] std::string unpack_rle(std::string_view packed, std::size_t samples, std::size_t bytes_per_sample);
 
-/// @throws Error when the header of a JPEG 2000 stream asks for another picture than that of the file
+/// @throws Error when the header of a JPEG 2000 stream describes another picture than the file
 void require_jpeg_2000_of(std::string_view stream, const DicomPicture& picture);
 
 }  // namespace hapticut

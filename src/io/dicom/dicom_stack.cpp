@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-4;  // [mm]
 
-/// The distance that most planes have from the next one; of two the smaller. Zero: all lie at one place.
+/// The most frequent distance between neighbouring planes (the smaller one of two). Zero: all are at one place.
 double usual_step(std::vector<double> steps) {
   std::erase_if(steps, [](double step) { return step <= kSamePlace; });
   if (steps.empty()) return 0;
@@ -42,12 +42,12 @@ std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const 
     const std::string pair = name(order[n]) + " and " + name(order[n + 1]);
     if (steps[n] <= kSamePlace)
       throw Error("its " + planes + " are not evenly spaced: " + pair +
-                  " lie at the same place; one is there twice, or there are several volumes. Take them apart first.");
+                  " are at the same place; one is a duplicate, or there are several volumes. Separate them first.");
     if (!(std::abs(steps[n] - usual) <= 2 * tolerance))
       throw Error("its " + planes + " are not evenly spaced: " + pair + " are " + millimetres(steps[n]) +
                   " apart, the others " + millimetres(usual) +
                   (steps[n] > 1.5 * usual
-                       ? "; what lies between them is missing. Get a complete copy, or resample it first."
+                       ? "; planes between them are missing. Get a complete copy, or resample it first."
                        : ". Resample it first."));
   }
   const Vec3 step = (place(order.size() - 1) - place(0)) / double(steps.size());
@@ -58,7 +58,8 @@ std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const 
     if (!(error.norm() <= 2 * tolerance))
       throw Error("its " + planes + " are shifted against each other at " + name(order[n]) + ". Resample it first.");
   }
-  // Where positions lead off the normal by more than their own rounding, the directions are rounded; or it is a shear.
+  // If positions deviate from the normal by more than their rounding, either the directions are rounded or the stack is
+  // sheared.
   const double off = (step - step.dot(normal) * normal).norm();
   if (off * double(steps.size()) > 2 * tolerance) {
     if (!(off <= kMaxRounding * step.norm()))

@@ -17,7 +17,7 @@
 namespace hapticut {
 namespace {
 
-/// What a file says in JSON: all of a .gltf, the first part of a .glb.
+/// The JSON text of a file: all of a .gltf, the first part of a .glb.
 std::string json_of(const std::filesystem::path& path) {
   constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] of a .glb
   std::string file = bytes_of_file(path);
@@ -25,24 +25,24 @@ std::string json_of(const std::filesystem::path& path) {
   return file.substr(kHeader, number_in<std::uint32_t>(std::string_view(file).substr(kPlaceOfLength)));
 }
 
-/// What Assimp says of a file that it refuses is about its own code, but for the name of a file that is missing.
+/// Assimp's messages describe its own code; only the name of a missing file is useful.
 std::string cause_of(std::string_view reason) {
   constexpr std::string_view kNamed = "referenced file \"";
   if (const std::size_t at = reason.find(kNamed); at != std::string_view::npos) {
     const std::string_view name = reason.substr(at + kNamed.size());
     return "the file " + in_quotes(name.substr(0, name.find('"'))) +
-           " that it needs cannot be read; keep them together, or export the mesh as .glb.";
+           " that it refers to cannot be read; keep the files together, or export the mesh as .glb.";
   }
   return "it is damaged, holds no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
          "OBJ.";
 }
 
-/// A list of the outermost object; an empty one where it has none of that name.
+/// A list of the outermost object; empty when it has none of that name.
 nlohmann::json list_in(const nlohmann::json& json, const char* key) {
   return json.is_object() && json.contains(key) ? json[key] : nlohmann::json::array();
 }
 
-/// Whether an extension of glTF is about colours, pictures, lights or notes: what is cut is the same without it.
+/// Whether an extension of glTF concerns only colours, pictures, lights or notes, so the shape is the same without it.
 bool leaves_shapes_alone(std::string_view extension) {
   constexpr std::array<std::string_view, 5> kParts = {"_materials_", "_texture_", "_lights_", "_animation_", "_xmp"};
   return std::ranges::any_of(kParts,
@@ -56,12 +56,13 @@ bool is_posed(const nlohmann::json& item) {
          std::ranges::any_of(weights, [](const nlohmann::json& weight) { return weight != 0; });
 }
 
-/// Assimp reads on where an extension is needed that it does not know. Of copies by EXT_mesh_gpu_instancing only the
-/// first would be there, also where the file can do without; and it leaves poses to its caller.
+/// Refuses files that Assimp would read incompletely. Assimp ignores required extensions that it does not know. It
+/// reads only the first copy of EXT_mesh_gpu_instancing, even if the extension is optional, and does not apply bones or
+/// morph targets.
 void require_known_shape(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return (std::uint8_t(c) & 0x80U) != 0; }, '?');  // names in any encoding
-  text.erase(text.find_last_not_of('\0') + 1);                            // with which some programs fill up a .glb
+  text.erase(text.find_last_not_of('\0') + 1);                            // some programs pad a .glb with these
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded()) throw Error(cause_of(""));
   std::vector<std::string> extensions;
@@ -71,14 +72,14 @@ void require_known_shape(std::string text) {
     if (required.is_string() && !leaves_shapes_alone(required.get<std::string>())) extensions.push_back(required);
   if (!extensions.empty())
     throw Error("it needs the glTF extension " + in_quotes(extensions.front()) +
-                ", which is not read; export it again without that, or as STL or OBJ.");
+                ", which is not supported; export it again without it, or as STL or OBJ.");
   if (std::ranges::any_of(list_in(json, "nodes"), is_posed) || std::ranges::any_of(list_in(json, "meshes"), is_posed))
     throw Error(
-        "its shape is posed by bones (a skin) or by morph targets, which are not read; apply them in the program that "
-        "made it, and export it again.");
+        "its shape is posed by bones (a skin) or by morph targets, which are not supported; apply them in the program "
+        "that made the file, and export it again.");
 }
 
-/// A name in which %20 stands for a blank, and so on.
+/// Decodes %20 to a blank, and so on.
 std::string without_escapes(std::string_view name) {
   std::string text;
   for (std::size_t at = 0; at < name.size(); ++at) {
@@ -92,10 +93,10 @@ std::string without_escapes(std::string_view name) {
   return text;
 }
 
-/// Opens a mesh for Assimp, and the files that it names by URIs.
+/// Opens a mesh for Assimp, and the files that the mesh names by URIs.
 class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
  public:
-  /// @param text  to be read in place of the mesh, which outlives this; empty: what is in the file
+  /// @param text  replaces the content of the mesh file and must outlive this object; empty: the file is read
   MeshAndFilesBeside(std::string mesh, std::string_view text) : mesh_(std::move(mesh)), text_(text) {}
 
   bool Exists(const char* name) const override { return !place_of(name).empty(); }
@@ -108,7 +109,7 @@ class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
   }
 
  private:
-  /// Where a file is; empty when it is not there, or is a pipe, which would be waited for.
+  /// Path of a file; empty when it does not exist or is a pipe, on which reading blocks.
   std::string place_of(std::string name) const {
     std::error_code error;
     if (std::filesystem::is_regular_file(name, error)) return name;
@@ -122,7 +123,7 @@ class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
   std::string_view text_;
 };
 
-/// Adds the polygons of a mesh to an object. Lines and points, which Assimp calls faces too, are left out.
+/// Adds the polygons of a mesh to an object. Skips lines and points, which Assimp calls faces too.
 void add(const aiMesh& mesh, const aiMatrix4x4& transform, Polygons& polygons, PolygonObject& object) {
   const std::size_t first = polygons.vertices.size();
   std::size_t begin = object.corners.size();
@@ -159,14 +160,14 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
   const std::string json = json_of(path);
-  constexpr std::string_view kMark = "\xef\xbb\xbf";  // before a text in UTF-8, which Assimp does not know
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // byte order mark of UTF-8, which Assimp does not know
   const bool marked = json.starts_with(kMark);
   const std::string_view text = std::string_view(json).substr(marked ? kMark.size() : 0);
   require_known_shape(std::string(text));
   Assimp::Importer importer;
-  // The importer owns it.
+  // The importer owns the handler.
   importer.SetIOHandler(new MeshAndFilesBeside(path.string(), marked ? text : ""));
-  // No step of its own afterwards: its triangulation ends the program on damaged files.
+  // No post-processing: Assimp's triangulation ends the program on damaged files.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr || scene->mRootNode == nullptr) throw Error(cause_of(importer.GetErrorString()));
   Polygons polygons;

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL and PLY are written as the memory has them");
 
-/// A unit of the file that is written.
+/// The unit of a file to write.
 struct Unit {
   explicit Unit(double unit_mm) : mm(unit_mm) { require_positive(unit_mm, "unit_mm [mm]"); }
   [[nodiscard]] double scale() const { return 1 / (mm * units::mm); }  // [1/m]
@@ -48,14 +48,14 @@ void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const
   write_atomically(path, bytes);
 }
 
-/// A name on one line; what would end the line or a word's printing becomes a blank.
+/// A name for one line; line ends and control characters become blanks.
 std::string printable(std::string name) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   return name;
 }
 
-/// @param before  how many vertices the file has already
+/// @param before  number of vertices written before
 void append_obj(std::string& text, const TriangleMesh& mesh, double scale, std::size_t before) {
   for (const Vec3& v : mesh.vertices) {
     text += 'v';

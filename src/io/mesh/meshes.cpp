@@ -8,17 +8,17 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxExtent = 100;  // [m] a mesh this large has a wrong unit
-constexpr double kShortest = 0.1;   // [mm] of a mesh that somebody would cut
-constexpr double kMaxOffset = 1e6;  // [extents] from the origin: beyond, single precision loses the shape
+constexpr double kMaxExtent = 100;           // [m] a larger mesh has a wrong unit
+constexpr double kMinPlausibleLength = 0.1;  // [mm] minimum length of a workpiece or head
+constexpr double kMaxOffset = 1e6;           // [extents] from the origin; beyond it, single precision loses the shape
 
-/// @throws Error unless it is a file of a size that can be read
+/// @throws Error unless the size of the file is supported
 void require_readable(const std::filesystem::path& path) {
   const std::uint64_t size = readable_size(path);
   if (size == 0) cannot_read(path, "the file is empty.");
   if (size > kMaxMeshBytes)
     cannot_read(path, "it has " + format_number(double(size)) + " bytes; at most " +
-                          format_number(double(kMaxMeshBytes)) + " are read. Reduce the mesh first.");
+                          format_number(double(kMaxMeshBytes)) + "  are allowed. Reduce the mesh first.");
 }
 
 void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path, double unit_mm) {
@@ -31,15 +31,15 @@ void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::p
   const double extent = (max - min).maxCoeff();
   const double offset = std::max(min.cwiseAbs().maxCoeff(), max.cwiseAbs().maxCoeff());
   if (extent > kMaxExtent) {
-    const std::string units = plausible_units(extent / units::mm / unit_mm, kShortest);
+    const std::string units = plausible_units(extent / units::mm / unit_mm, kMinPlausibleLength);
     cannot_read(path, "with a unit of " + format_number(unit_mm) + " mm it is " + format_number(extent / units::mm) +
                           " mm long; at most " + format_number(kMaxExtent / units::mm) + " mm are allowed. " +
-                          (units.empty() ? "Check its coordinates and its unit (unit_mm)." : "Give " + units + "."));
+                          (units.empty() ? "Check its coordinates and its unit (unit_mm)." : "Set " + units + "."));
   }
   if (offset > kMaxOffset * extent)
-    cannot_read(path,
-                "it lies " + format_number(offset / extent) +
-                    " times its own size from the origin, where coordinates have lost its shape; move it nearer.");
+    cannot_read(
+        path, "it lies " + format_number(offset / extent) +
+                  " times its own size away from the origin, so its coordinates have lost the shape; move it nearer.");
 }
 
 }  // namespace
@@ -50,10 +50,10 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optiona
   const MeshFormat* const format = mesh_format_of(path);
   if (format == nullptr)
     cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
-                          "'; these can be read: " + in_one_line(kMeshEndings) + ".");
+                          "'; supported are:  " + in_one_line(kMeshEndings) + ".");
   require_readable(path);
   std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(format->read(path), unit * units::mm); });
-  if (meshes.empty()) cannot_read(path, "there is no triangle with an area in it.");
+  if (meshes.empty()) cannot_read(path, "it has no triangle with an area.");
   check_extent(meshes, path, unit);
   return meshes;
 }

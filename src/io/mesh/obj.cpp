@@ -28,7 +28,7 @@ class ObjParser {
   Polygons parse() {
     while (lines_.next_line()) parse_line();
     if (max_ > std::int64_t(polygons_.vertices.size()))
-      throw Error("line " + std::to_string(line_of_largest_) + ": a face names vertex " + std::to_string(max_) +
+      throw Error("line " + std::to_string(line_of_max_) + ": a face names vertex " + std::to_string(max_) +
                   ", but the file has only " + std::to_string(polygons_.vertices.size()) + ".");
     return std::move(polygons_);
   }
@@ -39,20 +39,20 @@ class ObjParser {
     if (key.empty()) return;
     if (key == "v") {
       parse_vertex();
-    } else if (key == "f" || key == "fo") {  // `fo` is an old name of `f`
+    } else if (key == "f" || key == "fo") {  // `fo` is an old form of `f`
       parse_face();
     } else if (key == "o" || key == "g") {
       start_object(std::string(lines_.rest()));
     } else if (is_one_of(kNumbersThatAreSkipped, key)) {
-      while (!lines_.word().empty()) continue;  // goes on to the next line where one says so
+      while (!lines_.word().empty()) continue;  // follows continuation lines
     } else if (is_one_of(kFreeForm, key)) {
       lines_.fail(in_quotes(key) + " belongs to a free-form curve or surface; save the shape as polygons.");
     } else if (!is_one_of(kTextThatIsSkipped, key)) {
-      lines_.fail(in_quotes(key) + " begins no line of an OBJ file; it is damaged or of another format.");
+      lines_.fail(in_quotes(key) + " is not a keyword of an OBJ file; the file is damaged or of another format.");
     }
   }
 
-  /// Three coordinates, a weight that divides them, or a colour of three or four values.
+  /// Three coordinates, then optionally a weight that divides them, or a colour of three or four values.
   void parse_vertex() {
     Vec3 position;
     for (double& coordinate : position) coordinate = lines_.real("a coordinate");
@@ -62,7 +62,8 @@ class ObjParser {
       if (count == more.size()) lines_.fail("a vertex has more than three coordinates and a colour.");
       more[count++] = word;
     }
-    if (count == 2) lines_.fail("a vertex has 5 numbers, which are neither coordinates alone nor with a colour.");
+    if (count == 2)
+      lines_.fail("a vertex has 5 numbers; allowed are coordinates with or without a weight or a colour.");
     if (count == 1) {
       const std::optional<double> weight = parse_real(more[0]);
       if (!weight || !(*weight > 0)) lines_.fail("the weight " + in_quotes(more[0]) + " of a vertex is not positive.");
@@ -80,19 +81,20 @@ class ObjParser {
     object.ends.push_back(object.corners.size());
   }
 
-  /// `v`, `v/vt`, `v//vn` or `v/vt/vn`; counted from 1, or backwards from the last vertex so far, which is -1.
+  /// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. Indices start at 1; negative ones count back from the last vertex so
+  /// far, which is -1.
   std::uint32_t parse_corner(std::string_view word) {
     const std::string_view whole = word;
     std::int64_t index = 0;
     for (int part = 0; part < 3; ++part) {
       const std::size_t slash = std::min(word.find('/'), word.size());
       const std::optional<std::int64_t> number = parse_whole(word.substr(0, slash));
-      if (!number && (part == 0 || slash > 0)) lines_.fail(in_quotes(whole) + " is no corner of a face.");
+      if (!number && (part == 0 || slash > 0)) lines_.fail(in_quotes(whole) + " is not a corner of a face.");
       if (part == 0) index = *number;
       const bool last = slash == word.size();
       word.remove_prefix(last ? slash : slash + 1);
       if (last) break;
-      if (part == 2) lines_.fail(in_quotes(whole) + " is no corner of a face.");
+      if (part == 2) lines_.fail(in_quotes(whole) + " is not a corner of a face.");
     }
     const auto count = std::int64_t(polygons_.vertices.size());
     if (index == 0) lines_.fail("a face names vertex 0; vertices are counted from 1.");
@@ -102,7 +104,7 @@ class ObjParser {
     if (index < 0) return std::uint32_t(count + index);
     if (index > max_) {
       max_ = index;
-      line_of_largest_ = lines_.number();
+      line_of_max_ = lines_.number();
     }
     return std::uint32_t(index - 1);
   }
@@ -122,8 +124,8 @@ class ObjParser {
   Polygons polygons_;
   std::map<std::string, std::size_t> object_by_name_;
   std::size_t object_ = 0;
-  std::int64_t max_ = 0;  // vertices may stand behind the faces that name them
-  std::size_t line_of_largest_ = 0;
+  std::int64_t max_ = 0;  // vertices may follow the faces that use them
+  std::size_t line_of_max_ = 0;
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace hapticut {
 namespace {
 
-/// `OFF`, the numbers of vertices, faces and edges, then a line for each vertex and a line for each face. Normals,
-/// colours and texture coordinates stand at the ends of these lines.
+/// `OFF`, the numbers of vertices, faces and edges, then one line per vertex and one line per face. Normals, colours
+/// and texture coordinates are at the ends of these lines.
 class OffParser {
  public:
   explicit OffParser(std::string_view text) : lines_(text, {.comments = true}) {}
@@ -37,8 +37,8 @@ class OffParser {
   }
 
  private:
-  /// Letters before `OFF` name what else each vertex has: texture coordinates, colour, normal.
-  /// @return what follows it without a blank, as the number of vertices does in the files of ModelNet
+  /// Letters before `OFF` name the extra data of a vertex: texture coordinates, colour, normal.
+  /// @return the text that follows without a blank: in files of ModelNet the number of vertices
   std::string_view parse_key() {
     const std::string_view word = lines_.word_of_any_line();
     const std::size_t end = std::min(word.find_first_of("0123456789", 1), word.size());
@@ -46,15 +46,14 @@ class OffParser {
     constexpr std::array<std::string_view, 8> kKeys = {"OFF",   "COFF",   "NOFF",   "CNOFF",
                                                        "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
-      throw Error("it begins with " + in_quotes(word) + ", where an OFF file of three dimensions has 'OFF'.");
+      throw Error("it begins with " + in_quotes(word) + ", but a three-dimensional OFF file begins with 'OFF'.");
     return word.substr(end);
   }
 
   std::uint64_t count(std::string_view word, const std::string& what) const {
     const std::optional<std::int64_t> number = parse_whole(word);
     if (!number || *number < 0)
-      lines_.fail(in_quotes(word) + " stands where the number of " + what +
-                  " should; only OFF files that are text are read.");
+      lines_.fail(in_quotes(word) + "  is not the number of " + what + "; only OFF files in text form are supported.");
     return std::uint64_t(*number);
   }
 
@@ -63,7 +62,7 @@ class OffParser {
     while (lines_.next_line())
       if (const std::string_view word = lines_.word(); !word.empty()) return word;
     throw Error("it announces " + std::to_string(announced) + (announced == 1 ? " " : " times a ") + what +
-                ", but ends after " + std::to_string(n) + "; it was cut off.");
+                ", but ends after " + std::to_string(n) + "; it is truncated.");
   }
 
   std::uint32_t corner() {

@@ -13,48 +13,48 @@
 namespace hapticut {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the bytes of a big-endian PLY file are turned round");
+static_assert(std::endian::native == std::endian::little, "the reader reverses the bytes of a big-endian PLY file");
 
-/// The values behind the header, one after the other, whatever the format.
+/// Reads the values after the header in order, in any format.
 class PlyValues {
  public:
   PlyValues(std::string_view file, const PlyHeader& header)
       : format_(header.format), bytes_(file.substr(header.size)), lines_(bytes_, {}, header.lines + 1) {}
 
-  /// For messages: which element is being read.
+  /// Sets the element that messages name.
   void set_place(const PlyElement* element, std::uint64_t index) {
     element_ = element;
     index_ = index;
   }
 
-  double take(ValueType type) {
-    if (format_ == PlyFormat::text) return take_word();
-    return with_value_type(type, [&](auto zero) { return double(take_bytes<decltype(zero)>()); });
+  double read(ValueType type) {
+    if (format_ == PlyFormat::text) return read_text();
+    return with_value_type(type, [&](auto zero) { return double(read_binary<decltype(zero)>()); });
   }
 
   /// The length of a list, or 1 for a single value.
-  std::uint64_t take_length(const PlyProperty& property) {
+  std::uint64_t read_length(const PlyProperty& property) {
     if (!property.length) return 1;
-    const double length = take(*property.length);
+    const double length = read(*property.length);
     if (!(length >= 0 && length == std::floor(length) && length <= double(bytes_.size())))
       fail("has a list '" + property.name + "' of " + format_number(length) + " values.");
     return std::uint64_t(length);
   }
 
   void skip(const PlyProperty& property) {
-    for (std::uint64_t left = take_length(property); left > 0; --left) (void)take(property.value);
+    for (std::uint64_t left = read_length(property); left > 0; --left) (void)read(property.value);
   }
 
-  /// How many vertices can follow at most, each of which takes three bytes or more.
+  /// Maximum number of vertices that can follow: each takes at least three bytes.
   [[nodiscard]] std::size_t max_vertices(std::uint64_t announced) const {
     return std::size_t(std::min<std::uint64_t>(announced, bytes_.size() / 3));
   }
 
-  /// @throws Error where a text goes on after its last element, for then its values have been taken for others
+  /// @throws Error when a text continues after its last element, because then values were misread
   void require_end() {
     if (format_ != PlyFormat::text) return;
     const std::string_view more = lines_.word_of_any_line();
-    if (!more.empty()) lines_.fail(in_quotes(more) + " stands behind all that the header announces.");
+    if (!more.empty()) lines_.fail(in_quotes(more) + " follows after the last element of the header.");
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -63,17 +63,17 @@ class PlyValues {
   }
 
  private:
-  double take_word() {
+  double read_text() {
     const std::string_view word = lines_.word_of_any_line();
-    if (word.empty()) fail("is not there; the file was cut off.");
+    if (word.empty()) fail("is missing; the file is truncated.");
     const std::optional<double> value = parse_real(word);
     if (!value) lines_.fail(in_quotes(word) + " is not a number.");
     return *value;
   }
 
   template <class Number>
-  Number take_bytes() {
-    if (bytes_.size() - at_ < sizeof(Number)) fail("is not there; the file was cut off.");
+  Number read_binary() {
+    if (bytes_.size() - at_ < sizeof(Number)) fail("is missing; the file is truncated.");
     const std::string_view next = bytes_.substr(at_, sizeof(Number));
     at_ += sizeof(Number);
     return number_in<Number>(next, format_ == PlyFormat::big_endian);
@@ -82,7 +82,7 @@ class PlyValues {
   PlyFormat format_;
   std::string_view bytes_;
   TextLines lines_;
-  std::size_t at_ = 0;  // in bytes_, of binary values
+  std::size_t at_ = 0;  // position in bytes_, for binary values
   const PlyElement* element_ = nullptr;
   std::uint64_t index_ = 0;
 };
@@ -99,9 +99,9 @@ class PlyParser {
       if (element.name == "vertex") {
         parse_vertices(element);
       } else if (element.name == "face") {
-        parse_lists(element, [this] { take_face(); });
+        parse_lists(element, [this] { parse_face(); });
       } else if (element.name == "tristrips") {
-        parse_lists(element, [this] { take_strip(); });
+        parse_lists(element, [this] { parse_strip(); });
       } else if (!element.properties.empty()) {
         for_each(element, [&] {
           for (const PlyProperty& property : element.properties) values_.skip(property);
@@ -123,7 +123,7 @@ class PlyParser {
   }
 
   void parse_vertices(const PlyElement& element) {
-    std::vector<int> axis_of;  // per property; -1: another one
+    std::vector<int> axis_of;  // axis of each property; -1: not a coordinate
     for (const PlyProperty& property : element.properties) {
       const bool is_axis =
           !property.length && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
@@ -131,7 +131,7 @@ class PlyParser {
     }
     for (int axis = 0; axis < 3; ++axis)
       if (std::count(axis_of.begin(), axis_of.end(), axis) != 1)
-        throw Error("its vertices must have one property each of the names x, y and z.");
+        throw Error("its vertices must have exactly one property x, one y and one z.");
     polygons_.vertices.reserve(values_.max_vertices(element.count));
     for_each(element, [&] {
       Vec3& position = polygons_.vertices.emplace_back();
@@ -139,7 +139,7 @@ class PlyParser {
         if (axis_of[n] < 0)
           values_.skip(element.properties[n]);
         else
-          position[axis_of[n]] = values_.take(element.properties[n].value);
+          position[axis_of[n]] = values_.read(element.properties[n].value);
       }
     });
   }
@@ -151,7 +151,7 @@ class PlyParser {
       return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
     };
     if (element.count > 0 && std::count_if(element.properties.begin(), element.properties.end(), is_list) != 1)
-      throw Error("its elements " + in_quotes(element.name) + " must have one list of the name vertex_indices.");
+      throw Error("its elements " + in_quotes(element.name) + " must have one list named vertex_indices.");
     for_each(element, [&] {
       for (const PlyProperty& property : element.properties) {
         if (!is_list(property)) {
@@ -159,8 +159,8 @@ class PlyParser {
           continue;
         }
         list_.clear();
-        for (std::uint64_t left = values_.take_length(property); left > 0; --left)
-          list_.push_back(values_.take(property.value));
+        for (std::uint64_t left = values_.read_length(property); left > 0; --left)
+          list_.push_back(values_.read(property.value));
       }
       use();
     });
@@ -173,20 +173,21 @@ class PlyParser {
     faces_.corners.push_back(std::uint32_t(index));
   }
 
-  void take_face() {
+  void parse_face() {
     if (list_.size() < 3) values_.fail("has " + std::to_string(list_.size()) + " corners; at least 3 are needed.");
     for (const double index : list_) add_corner(index);
     faces_.ends.push_back(faces_.corners.size());
   }
 
-  /// Three neighbours of a strip are a triangle, every other one the other way round; -1 begins a new strip.
-  void take_strip() {
+  /// Three consecutive vertices of a strip are a triangle; every second triangle is reversed. -1 begins a new strip.
+  void parse_strip() {
     std::size_t begin = 0;
     for (std::size_t n = 0; n < list_.size(); ++n) {
       if (list_[n] == -1) begin = n + 1;
       if (n < begin + 2) continue;
-      const bool turned = (n - begin) % 2 == 1;
-      for (const double index : {list_[n - 2], list_[turned ? n : n - 1], list_[turned ? n - 1 : n]}) add_corner(index);
+      const bool reversed = (n - begin) % 2 == 1;
+      for (const double index : {list_[n - 2], list_[reversed ? n : n - 1], list_[reversed ? n - 1 : n]})
+        add_corner(index);
       faces_.ends.push_back(faces_.corners.size());
     }
   }

@@ -22,11 +22,11 @@ std::optional<ValueType> type_named(std::string_view name) {
   return type == nullptr ? std::nullopt : std::optional(*type);
 }
 
-/// Takes the lines of a header one by one.
+/// Parses the lines of a header.
 class PlyHeaderParser {
  public:
   /// @return false at the last line
-  bool take(std::string_view line) {
+  bool parse_line(std::string_view line) {
     ++header.lines;
     TextLines words(line);
     words.next_line();
@@ -36,13 +36,13 @@ class PlyHeaderParser {
       return false;
     }
     if (key == "format") {
-      take_format(words.word());
+      parse_format(words.word());
     } else if (key == "element") {
-      take_element(words);
+      parse_element(words);
     } else if (key == "property") {
-      take_property(words);
+      parse_property(words);
     } else if (!key.empty() && key != "comment" && key != "obj_info") {
-      fail(in_quotes(key) + " begins no line of such a header.");
+      fail(in_quotes(key) + " is not a keyword of a PLY header.");
     }
     return true;
   }
@@ -52,7 +52,7 @@ class PlyHeaderParser {
  private:
   [[noreturn]] void fail(const std::string& reason) const { fail_in_header(header.lines, reason); }
 
-  void take_format(std::string_view name) {
+  void parse_format(std::string_view name) {
     has_format_ = true;
     if (name == "ascii")
       header.format = PlyFormat::text;
@@ -62,32 +62,32 @@ class PlyHeaderParser {
       header.format = PlyFormat::big_endian;
     else
       fail("the format " + in_quotes(name) +
-           " is not known; there are ascii, binary_little_endian and binary_big_endian.");
+           " is unknown; the formats are ascii, binary_little_endian and binary_big_endian.");
   }
 
-  void take_element(TextLines& words) {
+  void parse_element(TextLines& words) {
     const std::string name(words.word());
     const std::string_view count = words.word();
     const std::optional<std::int64_t> number = parse_whole(count);
     if (!number || *number < 0)
       fail("the number " + in_quotes(count) + " of elements " + in_quotes(name) + " is not a whole number >= 0.");
     for (const PlyElement& other : header.elements)
-      if (other.name == name) fail("the element " + in_quotes(name) + " is there twice.");
+      if (other.name == name) fail("the element " + in_quotes(name) + " appears twice.");
     header.elements.push_back({name, std::uint64_t(*number), {}});
   }
 
-  void take_property(TextLines& words) {
-    if (header.elements.empty()) fail("a property stands before the first element.");
+  void parse_property(TextLines& words) {
+    if (header.elements.empty()) fail("a property precedes the first element.");
     PlyProperty property{};
     std::string_view type = words.word();
     if (type == "list") {
       const std::string_view length = words.word();
       property.length = type_named(length);
-      if (!property.length) fail(in_quotes(length) + " is no type of numbers.");
+      if (!property.length) fail(in_quotes(length) + " is not a type of numbers.");
       type = words.word();
     }
     const std::optional<ValueType> value = type_named(type);
-    if (!value) fail(in_quotes(type) + " is no type of numbers.");
+    if (!value) fail(in_quotes(type) + " is not a type of numbers.");
     property.value = *value;
     property.name = words.word();
     if (property.name.empty()) fail("a property has no name.");
@@ -100,8 +100,9 @@ class PlyHeaderParser {
 }  // namespace
 
 PlyHeader parse_ply_header(std::string_view file) {
-  const std::size_t begin = file.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of a text in UTF-8
-  // Its first line tells how lines end: the first value of a binary file may begin with the byte of a line feed.
+  const std::size_t begin = file.starts_with("\xef\xbb\xbf") ? 3 : 0;  // after the byte order mark of UTF-8
+  // The first line shows how lines end. Looking later is unsafe: the first value of a binary file may begin with a line
+  // feed byte.
   const std::size_t first = std::min(file.find_first_not_of(' ', begin + 3), file.size());
   const std::string_view line_end = file.substr(first, 2) == "\r\n" ? "\r\n" : file.substr(first, 1);
   if (!file.substr(begin).starts_with("ply") || (line_end != "\r\n" && line_end != "\n" && line_end != "\r"))
@@ -111,10 +112,10 @@ PlyHeader parse_ply_header(std::string_view file) {
   std::size_t at = first + line_end.size();
   for (;;) {
     const std::size_t end = file.find(line_end, at);
-    if (end == std::string_view::npos) throw Error("it ends before 'end_header'; it was cut off.");
+    if (end == std::string_view::npos) throw Error("it ends before 'end_header'; it is truncated.");
     const std::string_view line = file.substr(at, end - at);
     at = end + line_end.size();
-    if (!parser.take(line)) break;
+    if (!parser.parse_line(line)) break;
   }
   parser.header.size = at;
   return std::move(parser.header);

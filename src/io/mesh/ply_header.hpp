@@ -10,14 +10,14 @@
 #include "hapticut/io/volume/value_type.hpp"
 
 /// @file
-/// The header of a PLY file: a text that says of which elements the file is made, and of which properties each element.
+/// The header of a PLY file: a text that lists the elements of the file and the properties of each element.
 namespace hapticut {
 
 enum class PlyFormat : std::uint8_t { text, little_endian, big_endian };
 
 struct PlyProperty {
   std::string name;
-  std::optional<ValueType> length;  ///< of a list: how its length is written
+  std::optional<ValueType> length;  ///< type of the length of a list
   ValueType value;
 };
 
@@ -30,11 +30,11 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::text;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;   ///< [bytes] of the header; the values follow
+  std::size_t size = 0;   ///< [bytes] size of the header; the values follow
   std::size_t lines = 0;  ///< of the header
 };
 
-/// @throws Error that names the line that does not belong into a header
+/// @throws Error that names the invalid line
 [[nodiscard]] PlyHeader parse_ply_header(std::string_view file);
 
 }  // namespace hapticut

@@ -35,8 +35,8 @@ class Welder {
     TriangleMesh mesh;
     std::size_t begin = 0;
     for (const std::size_t end : object.ends) {
-      // Polygons become fans. Where a polygon is not convex its triangles overlap with opposite signs, so that volumes
-      // and winding numbers are right all the same.
+      // Polygons become fans. The triangles of a non-convex polygon overlap with opposite signs, so volumes and winding
+      // numbers stay correct.
       std::array<std::uint32_t, 3> triangle{};
       for (std::size_t n = begin; n < end; ++n) {
         const std::uint32_t v = weld(object.corners[n], mesh);
@@ -68,7 +68,7 @@ class Welder {
   const std::vector<Vec3>& vertices_;
   double unit_;
   std::vector<std::uint32_t> welded_;     // index in the mesh of object `object_of_`
-  std::vector<std::uint32_t> object_of_;  // the last object that used a vertex; no vertex is looked at without need
+  std::vector<std::uint32_t> object_of_;  // last object that used a vertex
   std::uint32_t object_ = 0;
   std::unordered_map<Place, std::uint32_t, HashOfPlace> index_;
 };

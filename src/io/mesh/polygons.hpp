@@ -9,15 +9,15 @@
 #include "hapticut/io/mesh/meshes.hpp"
 
 /// @file
-/// What a mesh file says before it becomes triangles. Each reader of a format makes one of these; what is the same for
-/// all formats (welding, fans, polygons without area) is done here once.
+/// The polygons of a mesh file, before they become triangles. Every format parser returns them; the steps common to all
+/// formats (welding, fans, polygons without area) are here.
 namespace hapticut {
 
 /// One object of a file, made of polygons.
 struct PolygonObject {
   std::string name;
-  std::vector<std::uint32_t> corners;  ///< of all polygons, one after the other: indices of `Polygons::vertices`
-  std::vector<std::size_t> ends;       ///< where each polygon ends in `corners`
+  std::vector<std::uint32_t> corners;  ///< corners of all polygons in order: indices of `Polygons::vertices`
+  std::vector<std::size_t> ends;       ///< end of each polygon in `corners`
 };
 
 struct Polygons {
@@ -25,8 +25,8 @@ struct Polygons {
   std::vector<PolygonObject> objects;
 };
 
-/// Welds vertices at the same place, cuts polygons into fans and drops triangles that have no three different corners.
-/// Objects without any triangle are left out.
+/// Welds vertices at the same place, splits polygons into fans and drops triangles without three different corners.
+/// Objects without a triangle are dropped.
 /// @pre every corner is an index of a vertex
 /// @param unit  [m] length of one unit of the file
 /// @throws Error when a vertex of a polygon has a coordinate that is not finite

@@ -18,7 +18,7 @@ bool is_word(std::string_view word, std::string_view expected) {
 }
 
 /// `solid name`, then per triangle `facet normal x y z outer loop`, three times `vertex x y z`, `endloop endfacet`, at
-/// last `endsolid`. In capital letters or not, in lines or not; `end solid` is as good.
+/// last `endsolid`. Upper or lower case, any line breaks; `end solid` is accepted too.
 class StlTextParser {
  public:
   explicit StlTextParser(std::string_view text) : lines_(text) {}
@@ -42,7 +42,8 @@ class StlTextParser {
     }
     if (!is_word(word, "facet")) fail_at(word, "facet");
     expect("normal");
-    // The normal follows from the vertices; that of a triangle without area need not be a number, or be there.
+    // The normal is ignored: it follows from the vertices. For a triangle without area it may be missing or not a
+    // number.
     std::string_view after = next();
     for (int n = 0; n < 3 && !is_word(after, "outer"); ++n) after = next();
     if (!is_word(after, "outer")) fail_at(after, "outer");
@@ -63,11 +64,11 @@ class StlTextParser {
 
   std::string_view next() {
     const std::string_view word = lines_.word_of_any_line();
-    if (word.empty()) throw Error("it ends before 'endsolid'; it was cut off.");
+    if (word.empty()) throw Error("it ends before 'endsolid'; it is truncated.");
     return word;
   }
 
-  /// Whether the word, or `end` and the next one, ends a part.
+  /// Whether the word, or `end` and the next word, ends a part.
   bool ends(std::string_view word, std::string_view part) {
     if (is_word(word, "end")) return is_word(next(), part);
     return word.size() == 3 + part.size() && is_word(word.substr(0, 3), "end") && is_word(word.substr(3), part);
@@ -79,20 +80,19 @@ class StlTextParser {
   }
 
   [[noreturn]] void fail_at(std::string_view word, std::string_view expected) const {
-    lines_.fail(in_quotes(word) + " stands where '" + std::string(expected) + "' should; the file is damaged.");
+    lines_.fail(in_quotes(word) + "  is in the place of '" + std::string(expected) + "'; the file is damaged.");
   }
 
   TextLines lines_;
   Polygons polygons_;
 };
 
-/// 0 where the file is too short for its header.
+/// 0 when the file is shorter than the header.
 std::uint64_t announced_triangles(std::string_view bytes) {
   return bytes.size() < kStlHeader ? 0 : number_in<std::uint32_t>(bytes.substr(kStlHeader - sizeof(std::uint32_t)));
 }
 
-/// Programs write binary files that begin with `solid`, too: the length of the file decides, then bytes that no text
-/// has.
+/// Some binary files begin with `solid` too. So the length of the file decides, then bytes that no text has.
 bool is_text_stl(std::string_view bytes) {
   if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + announced_triangles(bytes) * kStlTriangle)
     return false;
@@ -107,7 +107,7 @@ Polygons parse_binary(std::string_view bytes) {
   const std::uint64_t triangles = announced_triangles(bytes);
   if (bytes.size() < kStlHeader + triangles * kStlTriangle)
     throw Error("it announces " + std::to_string(triangles) + " triangles, but ends after " +
-                std::to_string((bytes.size() - kStlHeader) / kStlTriangle) + "; it was cut off.");
+                std::to_string((bytes.size() - kStlHeader) / kStlTriangle) + "; it is truncated.");
   Polygons polygons;
   polygons.vertices.reserve(3 * triangles);
   PolygonObject object;

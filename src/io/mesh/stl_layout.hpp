@@ -6,6 +6,6 @@
 namespace hapticut {
 
 inline constexpr std::size_t kStlHeader = 84;    ///< bytes of a binary STL file before its triangles
-inline constexpr std::size_t kStlTriangle = 50;  ///< bytes of one: normal, three vertices, two bytes that mean nothing
+inline constexpr std::size_t kStlTriangle = 50;  ///< bytes of one triangle: normal, three vertices, two unused bytes
 
 }  // namespace hapticut

@@ -7,7 +7,7 @@ namespace hapticut {
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
   throw Error("reading " + extension_in_lower_case(path) +
-              " files needs Assimp, which this build of hapticut is without; install libassimp-dev and build it with "
+              " files needs Assimp, which this build of hapticut lacks; install libassimp-dev and build it with "
               "HAPTICUT_WITH_ASSIMP=ON.");
 }
 

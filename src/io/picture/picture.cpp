@@ -18,7 +18,7 @@ namespace hapticut {
 namespace {
 
 constexpr int kSupersampling = 2;  // samples per pixel along each axis
-constexpr double kMargin = 0.06;   // of the picture, free on each side of the meshes
+constexpr double kMargin = 0.06;   // fraction of the picture that stays free on each side of the meshes
 constexpr double kAmbient = 0.24;  // light from everywhere
 constexpr double kKey = 0.74;      // from the upper left
 constexpr double kFill = 0.16;     // from the lower right
@@ -40,7 +40,7 @@ struct Image {
   [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
 };
 
-/// Orthographic: rows of `axes` are right, down and into the scene.
+/// Orthographic camera. The rows of `axes` point right, down and into the scene.
 struct Camera {
   Mat3 axes;
   double scale;  // [samples/m]
@@ -83,7 +83,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 
 /// @param normal  in camera axes (right, down, into)
 Rgb shade(const Rgb& color, Vec3 normal) {
-  if (normal.z() > 0) normal = -normal;  // the back of an open surface is lit like its front
+  if (normal.z() > 0) normal = -normal;  // the back of an open surface gets the light of its front
   static const Vec3 kKeyLight = Vec3(-0.55, -0.65, -0.75).normalized();
   static const Vec3 kFillLight = Vec3(0.7, 0.3, -0.6).normalized();
   static const Vec3 kHalfway = (kKeyLight + Vec3(0, 0, -1)).normalized();
@@ -148,10 +148,10 @@ void fill_rectangle(Image& image, int x, int y, int width, int height, const Rgb
 }
 
 void draw_scale_bar(double samples_per_m, Image& image) {
-  // The longest of 1, 2, 5 x 10^n millimetres that fits into a fifth of the width.
-  const double longest = image.width / 5.0 / (samples_per_m * units::mm);
-  const double decade = std::pow(10, std::floor(std::log10(longest)));
-  const double length = longest / decade >= 5 ? 5 * decade : longest / decade >= 2 ? 2 * decade : decade;
+  // The longest length of 1, 2 or 5 x 10^n millimetres that fits into a fifth of the width.
+  const double max_length = image.width / 5.0 / (samples_per_m * units::mm);
+  const double decade = std::pow(10, std::floor(std::log10(max_length)));
+  const double length = max_length / decade >= 5 ? 5 * decade : max_length / decade >= 2 ? 2 * decade : decade;
   const int point = std::max(1, image.height / 450);
   const Rgb ink = to_linear(Color{70, 74, 82});
   const int bar = int(std::lround(length * units::mm * samples_per_m));
@@ -215,7 +215,7 @@ Color material_color(std::string_view name) {
   for (const auto& [part, color] : kKnown)
     if (name.find(part) != std::string_view::npos) return color;
   static const Color kPalette[] = {{120, 156, 196}, {214, 150, 104}, {134, 176, 126}, {176, 142, 188}, {206, 186, 110}};
-  std::size_t sum = 0;  // the same name has the same colour everywhere
+  std::size_t sum = 0;  // a name has the same colour in every picture
   for (const char c : name) sum = 31 * sum + static_cast<unsigned char>(c);
   return kPalette[sum % std::size(kPalette)];
 }

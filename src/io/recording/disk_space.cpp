@@ -14,9 +14,9 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] asked for, so that it is not asked often
+constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] reserved at a time, to reserve rarely
 
-[[noreturn]] void fail(int error_number) { throw DiskSpace::Lacking(std::generic_category().message(error_number)); }
+[[noreturn]] void fail(int error_number) { throw DiskSpace::Shortage(std::generic_category().message(error_number)); }
 
 std::uint64_t length_of(int file) {
   struct stat status {};
@@ -32,7 +32,8 @@ DiskSpace::DiskSpace(const std::filesystem::path& path) : file_(::open(path.c_st
 
 DiskSpace::~DiskSpace() {
   struct stat status {};
-  // Setting the length that it has frees what lies beyond; where that is refused, the file is a little larger on disk.
+  // Truncating to the present length frees the reserved space beyond it. If that fails, the file only takes more disk
+  // space.
   if (::fstat(file_, &status) == 0) (void)!::ftruncate(file_, status.st_size);
   ::close(file_);
 }
@@ -41,17 +42,18 @@ void DiskSpace::require(std::uint64_t length) {
   if (length <= safe_) return;
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
-  const std::uint64_t longest = limit.rlim_cur == RLIM_INFINITY ? length + kBytesAtOnce : std::uint64_t(limit.rlim_cur);
-  if (length > longest) fail(EFBIG);
-  const std::uint64_t wanted = std::min(longest, length + kBytesAtOnce);
-  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, off_t(wanted)) != 0) {
+  const std::uint64_t max_length =
+      limit.rlim_cur == RLIM_INFINITY ? length + kBytesAtOnce : std::uint64_t(limit.rlim_cur);
+  if (length > max_length) fail(EFBIG);
+  const std::uint64_t reserved = std::min(max_length, length + kBytesAtOnce);
+  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, off_t(reserved)) != 0) {
     if (errno != EOPNOTSUPP && errno != ENOSYS) fail(errno);
-    struct statvfs disk {};  // this file system reserves nothing: see what is free
+    struct statvfs disk {};  // this file system cannot reserve: check the free space
     if (::fstatvfs(file_, &disk) != 0) fail(errno);
-    const std::uint64_t now = length_of(file_), growth = wanted - std::min(wanted, now);
+    const std::uint64_t now = length_of(file_), growth = reserved - std::min(reserved, now);
     if (std::uint64_t(disk.f_bavail) * disk.f_frsize < growth) fail(ENOSPC);
   }
-  safe_ = wanted;
+  safe_ = reserved;
 }
 
 }  // namespace hapticut

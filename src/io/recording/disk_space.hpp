@@ -8,29 +8,29 @@
 
 namespace hapticut {
 
-/// Asks for the disk space of a growing file before it is needed, for writers that cannot recover from a full disk.
-/// What was asked for beyond the end of the file is given back at the end.
+/// Reserves the disk space of a growing file in advance, for writers that cannot recover from a full disk. The
+/// destructor frees the space beyond the end of the file.
 class DiskSpace {
  public:
-  /// There is no room, or the file cannot be opened; in the words of the system.
-  class Lacking : public Error {
+  /// The disk is full, or the file cannot be opened; with the system's message.
+  class Shortage : public Error {
    public:
     using Error::Error;
   };
 
-  /// @throws Lacking
+  /// @throws Shortage
   explicit DiskSpace(const std::filesystem::path& path);
   ~DiskSpace();
   DiskSpace(const DiskSpace&) = delete;
   DiskSpace& operator=(const DiskSpace&) = delete;
 
-  /// Makes sure that the file can become so long.
-  /// @throws Lacking
+  /// Ensures that the file can grow to a length.
+  /// @throws Shortage
   void require(std::uint64_t length);
 
  private:
   int file_;
-  std::uint64_t safe_ = 0;  // [bytes] length
+  std::uint64_t safe_ = 0;  // [bytes] reserved length
 };
 
 }  // namespace hapticut

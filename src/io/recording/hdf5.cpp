@@ -10,7 +10,7 @@ namespace {
 
 constexpr hsize_t kMaxText = 1 << 20;  // [bytes]
 
-/// The innermost entry of HDF5's error stack is the reason; the others repeat who called whom.
+/// The innermost entry of HDF5's error stack is the reason; the others are the call chain.
 herr_t keep_first(unsigned n, const H5E_error2_t* entry, void* reason) {
   if (n == 0 && entry->desc != nullptr) *static_cast<std::string*>(reason) = entry->desc;
   return 0;
@@ -24,41 +24,41 @@ DataType text_type(std::size_t length) {
   return type;
 }
 
-/// A buffer for a text of fixed length of this type.
+/// A buffer for a text of this fixed-length type.
 std::string buffer_for(const DataType& type, const std::string& name) {
   const std::size_t length = H5Tget_size(type.get());
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 || length > kMaxText)
-    throw Failure("its '" + name + "' is no text");
+    throw Failure("its '" + name + "' is not a text");
   return std::string(length, '\0');
 }
 
-/// @throws Failure when there is nothing of this name, or it leads elsewhere
+/// @throws Failure when there is no such name, or it is a link
 void require_here(hid_t parent, const std::string& name) {
   H5L_info_t info;
-  checked(H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT), "looking for " + name);
+  checked(H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT), "finding  " + name);
   if (info.type != H5L_TYPE_HARD) throw Failure("its '" + name + "' is only a link to another place");
 }
 
 hsize_t size_of_file(hid_t object) {
-  const File file(H5Iget_file_id(object), "looking at the file");
+  const File file(H5Iget_file_id(object), "inspecting the file");
   hsize_t size = 0;
-  checked(H5Fget_filesize(file.get(), &size), "looking at the file");
+  checked(H5Fget_filesize(file.get(), &size), "inspecting the file");
   return size;
 }
 
 void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
-  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  const DataSpace space(H5Screate(H5S_SCALAR), "allocating  " + name);
   const Attribute attribute(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
                             "creating " + name);
   checked(H5Awrite(attribute.get(), type, value), "writing " + name);
 }
 
-/// @throws Failure when there is none, or it is more than one value
+/// @throws Failure when there is no such attribute, or it has several values
 std::pair<Attribute, DataType> open_attribute(hid_t object, const std::string& name, const char* what) {
   Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
-  DataType type(H5Aget_type(attribute.get()), "looking at " + name);
-  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
-  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no " + what);
+  DataType type(H5Aget_type(attribute.get()), "inspecting  " + name);
+  const DataSpace space(H5Aget_space(attribute.get()), "inspecting  " + name);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is not a " + what);
   return {std::move(attribute), std::move(type)};
 }
 
@@ -74,7 +74,7 @@ Quiet::Quiet() {
 Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
 
 void be_quiet_at_exit() {
-  // What is registered last runs first, so before HDF5's own end.
+  // The last registered function runs first, so before HDF5's own exit function.
   static const bool registered = std::atexit([] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }) == 0;
   (void)registered;
 }
@@ -83,7 +83,7 @@ void fail(const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
   H5Eclear2(H5E_DEFAULT);
-  reason.resize(std::min(reason.find(':'), reason.size()));  // what follows are variables of its code
+  reason.resize(std::min(reason.find(':'), reason.size()));  // the rest are variables of HDF5's code
   throw Failure(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")"));
 }
 
@@ -127,7 +127,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 
 std::uint64_t read_number_attribute(hid_t object, const std::string& name) {
   const auto [attribute, type] = open_attribute(object, name, "whole number");
-  if (H5Tget_class(type.get()) != H5T_INTEGER) throw Failure("its '" + name + "' is no whole number");
+  if (H5Tget_class(type.get()) != H5T_INTEGER) throw Failure("its '" + name + "' is not a whole number");
   std::uint64_t number = 0;
   checked(H5Aread(attribute.get(), type_of(ValueType::uint64), &number), "reading " + name);
   return number;
@@ -136,46 +136,46 @@ std::uint64_t read_number_attribute(hid_t object, const std::string& name) {
 bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
 
 std::vector<hsize_t> shape_of(hid_t data_set) {
-  const DataSpace space(H5Dget_space(data_set), "looking at a data set");
-  if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) throw Failure("one of its data sets holds nothing");
-  std::vector<hsize_t> shape(std::size_t(checked(H5Sget_simple_extent_ndims(space.get()), "looking at a data set")));
-  checked(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "looking at a data set");
+  const DataSpace space(H5Dget_space(data_set), "inspecting a data set");
+  if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) throw Failure("one of its data sets is empty");
+  std::vector<hsize_t> shape(std::size_t(checked(H5Sget_simple_extent_ndims(space.get()), "inspecting a data set")));
+  checked(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "inspecting a data set");
   return shape;
 }
 
 DataSet open_data_set(hid_t parent, const std::string& name) {
   require_here(parent, name);
   DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
-  const Properties made(H5Dget_create_plist(set.get()), "looking at " + name);
+  const Properties made(H5Dget_create_plist(set.get()), "inspecting  " + name);
   const H5D_layout_t layout = H5Pget_layout(made.get());
   if (layout == H5D_CHUNKED) {
     std::array<hsize_t, H5S_MAX_RANK> chunk{};
-    const int rank = checked(H5Pget_chunk(made.get(), int(chunk.size()), chunk.data()), "looking at " + name);
-    const DataType type(H5Dget_type(set.get()), "looking at " + name);
+    const int rank = checked(H5Pget_chunk(made.get(), int(chunk.size()), chunk.data()), "inspecting  " + name);
+    const DataType type(H5Dget_type(set.get()), "inspecting  " + name);
     auto bytes = double(H5Tget_size(type.get()));
     for (int n = 0; n < rank; ++n) bytes *= double(chunk[std::size_t(n)]);
-    require_room(bytes, size_of_file(set.get()), name);
+    require_size_in_file(bytes, size_of_file(set.get()), name);
   } else if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) || H5Pget_external_count(made.get()) != 0) {
-    throw Failure("its '" + name + "' lies in another file");
+    throw Failure("its '" + name + "' is stored in another file");
   }
   return set;
 }
 
 H5T_class_t number_class(hid_t data_set, const std::string& name) {
-  const DataType type(H5Dget_type(data_set), "looking at " + name);
+  const DataType type(H5Dget_type(data_set), "inspecting  " + name);
   const H5T_class_t kind = H5Tget_class(type.get());
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Tget_size(type.get()) > sizeof(double))
-    throw Failure("its '" + name + "' holds no numbers");
+    throw Failure("its '" + name + "' has no numbers");
   return kind;
 }
 
 Appender Appender::create(hid_t group, const std::string& name, ValueType type, const std::vector<hsize_t>& row_shape) {
   constexpr hsize_t kChunk = 256;  // rows
-  std::vector<hsize_t> now = row_shape, most = row_shape, chunk = row_shape;
+  std::vector<hsize_t> now = row_shape, max_shape = row_shape, chunk = row_shape;
   now.insert(now.begin(), 0);
-  most.insert(most.begin(), H5S_UNLIMITED);
+  max_shape.insert(max_shape.begin(), H5S_UNLIMITED);
   chunk.insert(chunk.begin(), kChunk);
-  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), most.data()), "making room for " + name);
+  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), max_shape.data()), "allocating  " + name);
   const Properties properties(H5Pcreate(H5P_DATASET_CREATE), "creating " + name);
   checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), "creating " + name);
   (void)DataSet(H5Dcreate2(group, name.c_str(), type_of(type), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
@@ -204,7 +204,7 @@ void Appender::append(const void* rows, std::size_t count) {
 
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {
   const DataType type = text_type(text.size());
-  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  const DataSpace space(H5Screate(H5S_SCALAR), "allocating  " + name);
   DataSet set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               "creating " + name);
   checked(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "writing " + name);
@@ -213,9 +213,9 @@ DataSet write_text(hid_t parent, const std::string& name, const std::string& tex
 
 std::string read_text(hid_t parent, const std::string& name) {
   const DataSet set = open_data_set(parent, name);
-  const DataType type(H5Dget_type(set.get()), "looking at " + name);
-  const DataSpace space(H5Dget_space(set.get()), "looking at " + name);
-  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no text");
+  const DataType type(H5Dget_type(set.get()), "inspecting  " + name);
+  const DataSpace space(H5Dget_space(set.get()), "inspecting  " + name);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is not a text");
   std::string text = buffer_for(type, name);
   checked(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "reading " + name);
   return until_null(text);

@@ -11,11 +11,11 @@
 #include "io/recording/recording_source.hpp"
 
 /// @file
-/// The C interface of HDF5 with owners for its identifiers and exceptions for its error codes. The C interface, because
-/// HDF5's own C++ layer lacks single-writer-multiple-reader, which recordings live on.
+/// Owners for the identifiers of HDF5's C interface, and exceptions for its error codes. HDF5's own C++ layer lacks
+/// single-writer-multiple-reader mode, which recordings need.
 namespace hapticut::hdf5 {
 
-/// Keeps HDF5 from printing to stderr in this thread, for as long as it lives.
+/// While it lives, HDF5 prints nothing to stderr in this thread.
 class Quiet {
  public:
   Quiet();
@@ -28,10 +28,10 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// Keeps HDF5 from printing when the program ends, where it closes what is left of a damaged file.
+/// Prevents HDF5 from printing when the program ends and HDF5 closes a damaged file.
 void be_quiet_at_exit();
 
-/// @throws Failure that says what was tried, and HDF5's reason
+/// @throws Failure that names the failed operation and HDF5's reason
 [[noreturn]] void fail(const std::string& what);
 
 template <class Code>
@@ -40,7 +40,7 @@ Code checked(Code code, const std::string& what) {
   return code;
 }
 
-/// Owns an identifier of HDF5.
+/// Owns an HDF5 identifier.
 template <herr_t (*kClose)(hid_t)>
 class Handle {
  public:
@@ -75,21 +75,21 @@ using Object = Handle<H5Oclose>;
 using Attribute = Handle<H5Aclose>;
 using Properties = Handle<H5Pclose>;
 
-/// What HDF5 calls numbers of a type, in a file as in memory, which is little-endian.
+/// The HDF5 type of numbers, in the file and in memory (little-endian).
 [[nodiscard]] hid_t type_of(ValueType type);
 
 [[nodiscard]] Group create_group(hid_t parent, const std::string& name);
 [[nodiscard]] Group open_group(hid_t parent, const std::string& name);
 
-/// Opens a group or data set that lies in the file itself.
-/// @throws Failure when there is none, or it is a link to another place
+/// Opens a group or data set inside the file.
+/// @throws Failure when it does not exist or is a link
 [[nodiscard]] Object open_object(hid_t parent, const std::string& name);
 [[nodiscard]] bool exists(hid_t parent, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::uint64_t number);
 
-/// @throws Failure when there is none, or it is of another kind
+/// @throws Failure when it does not exist or has another kind
 [[nodiscard]] std::string read_text_attribute(hid_t object, const std::string& name);
 [[nodiscard]] std::uint64_t read_number_attribute(hid_t object, const std::string& name);
 [[nodiscard]] bool has_attribute(hid_t object, const std::string& name);
@@ -97,31 +97,31 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 /// Lengths along the dimensions of a data set.
 [[nodiscard]] std::vector<hsize_t> shape_of(hid_t data_set);
 
-/// Opens a data set that lies in the file itself. HDF5 would follow a link, or a list of places, to any file or device.
-/// @throws Failure when there is none, or what it holds is elsewhere
+/// Opens a data set inside the file. HDF5 itself would follow a link or external storage to any file or device.
+/// @throws Failure when it does not exist or its data are elsewhere
 [[nodiscard]] DataSet open_data_set(hid_t parent, const std::string& name);
 
 /// H5T_INTEGER or H5T_FLOAT.
-/// @throws Failure when it holds anything else
+/// @throws Failure for any other type
 [[nodiscard]] H5T_class_t number_class(hid_t data_set, const std::string& name);
 
-/// A data set of a fixed number of rows.
+/// Writes a data set with a fixed number of rows.
 template <class Number>
 DataSet write_array(hid_t parent, const std::string& name, const Number* values, const std::vector<hsize_t>& shape) {
   const hid_t type = type_of(value_type_of<Number>());
-  const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "making room for " + name);
+  const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "allocating  " + name);
   DataSet set(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               "creating " + name);
   checked(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);
   return set;
 }
 
-/// A data set whose first dimension has no end.
+/// A data set with an unlimited first dimension.
 class Appender {
  public:
-  /// Creates an empty one.
+  /// Creates an empty data set.
   static Appender create(hid_t group, const std::string& name, ValueType type, const std::vector<hsize_t>& row_shape);
-  /// Opens one.
+  /// Opens an existing data set.
   Appender(hid_t group, const std::string& name, ValueType type);
 
   void append(const void* rows, std::size_t count);
@@ -134,7 +134,7 @@ class Appender {
   std::vector<hsize_t> shape_;
 };
 
-/// A text as a data set of its own.
+/// Writes a text as a data set.
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text);
 [[nodiscard]] std::string read_text(hid_t parent, const std::string& name);
 

@@ -10,10 +10,10 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kHead = 12;                             // [bytes] of a file that say what it is
-constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
+constexpr std::size_t kHead = 12;                             // [bytes] of the file header that identify the format
+constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] limit of a block query
 
-/// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
+/// Whether a writer has the file open, or was killed with the file open: a bit in the header (HDF5 File Format
 /// Specification, superblock version 3).
 bool has_writer(std::string_view head) {
   constexpr std::size_t kVersion = 8, kFlags = 11;
@@ -21,8 +21,8 @@ bool has_writer(std::string_view head) {
   return head.size() > kFlags && head[kVersion] == 3 && (unsigned(head[kFlags]) & kWriterWithReaders) != 0;
 }
 
-/// @param id    what HDF5 made of the file
-/// @param head  its first bytes
+/// @param id    HDF5's identifier of the file
+/// @param head  first bytes of the file
 hdf5::File require_open(hid_t id, std::string_view head) {
   hdf5::File file(id);
   if (file.valid()) return file;
@@ -36,7 +36,7 @@ std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
   const hdf5::Quiet quiet;
   const std::string head = first_bytes(path, kHead);
   const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
+  constexpr unsigned kAttempts = 12;  // retries while the writer changes metadata; HDF5's default of 100 takes minutes
   unsigned mode = H5F_ACC_RDONLY;
   if (has_writer(head)) {
     mode |= H5F_ACC_SWMR_READ;
@@ -44,13 +44,13 @@ std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
   }
   hdf5::File file = require_open(H5Fopen(path.c_str(), mode, access.get()), head);
   hsize_t size = 0;
-  hdf5::checked(H5Fget_filesize(file.get(), &size), "looking at the file");
+  hdf5::checked(H5Fget_filesize(file.get(), &size), "inspecting the file");
   return std::make_unique<Hdf5Source>(std::move(file), size);
 }
 
 Hdf5Source::~Hdf5Source() {
   const hdf5::Quiet quiet;
-  hdf5::be_quiet_at_exit();  // where HDF5 closes what is left of a damaged file
+  hdf5::be_quiet_at_exit();  // where HDF5 closes a damaged file
   data_sets_.clear();
   file_.reset();
 }
@@ -82,29 +82,29 @@ hid_t Hdf5Source::data_set_at(const std::string& place) {
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
-std::string Hdf5Source::answer(const Question& question, const std::string& place, const std::string& name) {
+std::string Hdf5Source::reply_to(const Query& query, const std::string& place, const std::string& name) {
   const hdf5::Quiet quiet;
   std::string content;
-  switch (question.ask) {
-    case Ask::open:
+  switch (query.kind) {
+    case QueryKind::open:
       break;
-    case Ask::exists:
+    case QueryKind::exists:
       append_bytes_of(content, hdf5::exists(holder_of(place).get(), name_at(place)));
       break;
-    case Ask::has_attribute:
+    case QueryKind::has_attribute:
       append_bytes_of(content, hdf5::has_attribute(object_at(place).get(), name));
       break;
-    case Ask::text_attribute:
+    case QueryKind::text_attribute:
       return hdf5::read_text_attribute(object_at(place).get(), name);
-    case Ask::number_attribute:
+    case QueryKind::number_attribute:
       append_bytes_of(content, hdf5::read_number_attribute(object_at(place).get(), name));
       break;
-    case Ask::text:
+    case QueryKind::text:
       return hdf5::read_text(holder_of(place).get(), name_at(place));
-    case Ask::layout:
+    case QueryKind::layout:
       return layout_at(place);
-    case Ask::block:
-      return block_of(question, place);
+    case QueryKind::block:
+      return block_of(query, place);
   }
   return content;
 }
@@ -117,7 +117,7 @@ std::string Hdf5Source::layout_at(const std::string& place) {
   return content;
 }
 
-std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
+std::string Hdf5Source::block_of(const Query& q, const std::string& place) {
   if (double(q.numbers) * double(q.count) > double(kMaxBlock)) throw std::bad_alloc();
   const std::string its = "its '" + name_at(place) + "'", what = "reading " + name_at(place);
   const hid_t set = data_set_at(place);
@@ -135,10 +135,11 @@ std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
   const hsize_t expected = q.numbers * q.count;
   if (hdf5::checked(H5Sget_select_npoints(source.get()), what) != hssize_t(expected))
     throw hdf5::Failure(its + " has another shape");
-  std::string bytes(expected * size_of(ValueType(q.kind)), '\0');
+  std::string bytes(expected * size_of(ValueType(q.value_type)), '\0');
   const hdf5::DataSpace target(H5Screate_simple(1, &expected, nullptr), what);
-  hdf5::checked(H5Dread(set, hdf5::type_of(ValueType(q.kind)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
-                what);
+  hdf5::checked(
+      H5Dread(set, hdf5::type_of(ValueType(q.value_type)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
+      what);
   return bytes;
 }
 

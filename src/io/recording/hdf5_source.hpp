@@ -11,31 +11,31 @@
 
 namespace hapticut {
 
-/// A recording that HDF5 reads in this process, which a damaged file may end: part of the program that the library
-/// asks, see RecordingProcess, and not of the library.
+/// Reads a recording with HDF5 in this process, which a damaged file can crash. Part of the reader program, not of the
+/// library: see RecordingProcess.
 class Hdf5Source final : public RecordingSource {
  public:
   Hdf5Source(hdf5::File file, std::uint64_t file_size) : RecordingSource(file_size), file_(std::move(file)) {}
   ~Hdf5Source() override;
 
-  std::string answer(const Question& question, const std::string& place, const std::string& name) override;
+  std::string reply_to(const Query& query, const std::string& place, const std::string& name) override;
 
  private:
-  /// A group inside the file itself; where HDF5 would follow a link, this throws.
+  /// A group inside the file; throws where HDF5 would follow a link.
   hdf5::Group group_at(const std::string& place) const;
-  /// The group that holds what is at a place.
+  /// The group that contains a place.
   hdf5::Group holder_of(const std::string& place) const;
   /// A group, a data set or the file.
   hdf5::Object object_at(const std::string& place) const;
   hid_t data_set_at(const std::string& place);
   [[nodiscard]] std::string layout_at(const std::string& place);
-  [[nodiscard]] std::string block_of(const Question& question, const std::string& place);
+  [[nodiscard]] std::string block_of(const Query& query, const std::string& place);
 
   hdf5::File file_;
-  std::map<std::string, hdf5::DataSet> data_sets_;  ///< that are open
+  std::map<std::string, hdf5::DataSet> data_sets_;  ///< open data sets
 };
 
-/// @throws hdf5::Failure when the file is no recording that can be opened
+/// @throws hdf5::Failure when the file is not a recording or cannot be opened
 [[nodiscard]] std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path);
 
 }  // namespace hapticut

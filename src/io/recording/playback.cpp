@@ -29,18 +29,18 @@ std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path,
   const std::uint64_t count = std::min(range.count, size - begin), end = begin + count;
   if (count == 0)
     throw Error("the recording '" + path.string() + "' has " + std::to_string(size) +
-                " steps, and none to play back from number " + std::to_string(range.first) + " on.");
+                " steps, but none to play back from number " + std::to_string(range.first) + " on.");
   if (count > kMaxPlayedSteps)
-    throw Error("the recording '" + path.string() + "' has " + std::to_string(count) +
-                " steps to play back, and at most " + std::to_string(kMaxPlayedSteps) +
+    throw Error("the recording '" + path.string() + "' has " + std::to_string(count) + " steps to play back; at most " +
+                std::to_string(kMaxPlayedSteps) +
                 " are held in memory; open a part of it with open_playback and a PlaybackRange.");
   std::vector<DeviceState> readings;
   readings.reserve(count);
   for (std::uint64_t first = begin; first < end; first += kStepsAtOnce)
     for (const RecordedStep& step : recording.read(first, std::min(kStepsAtOnce, end - first))) {
       const DeviceState reading = recording.has_device() ? step.device.state : reading_of_handle(step);
-      // Behind a coupling a fast tick makes several steps of one reading. A reading that came again in a later tick has
-      // a time of its own.
+      // With a coupling, a fast tick makes several steps from one reading. A repeated reading of a later tick has its
+      // own time.
       if (!readings.empty() && readings.back().sequence == reading.sequence && readings.back().time == reading.time)
         continue;
       readings.push_back(reading);

@@ -16,9 +16,9 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kHeadroom = 4 << 20;  // [bytes] more than a batch and the end of the recording need
+constexpr std::uint64_t kHeadroom = 4 << 20;  // [bytes] reserve for a batch and the end of the recording
 
-/// A step on its way to the writer, with the effects that were in force: the writer notes their changes.
+/// A step for the writer, with its effects; the writer records their changes.
 struct Message {
   RecordedStep step;
   EffectNumbers effects;
@@ -33,13 +33,13 @@ std::string now_as_text() {
   return text;
 }
 
-/// Where a recording grows: at its path, so that others can read it meanwhile; beside it where an older one is, which
-/// stays until the new one is complete.
+/// The path of the growing recording: its final path, so others can read it meanwhile. If an older recording exists
+/// there, a `.new` file next to it, and the older one stays until the new one is complete.
 std::filesystem::path growing_path(const std::filesystem::path& path) {
   std::error_code code;
   std::filesystem::path at = place_behind_links(path);
   if (!std::filesystem::exists(at, code)) return at;
-  constexpr std::size_t kMaxName = 251;  // [bytes] with what is put behind it
+  constexpr std::size_t kMaxName = 251;  // [bytes] with the suffix
   return at.parent_path() / (at.filename().string().substr(0, kMaxName) + ".new");
 }
 
@@ -58,40 +58,40 @@ struct Recorder::State {
   void flush();
   std::string end_writing();
 
-  std::filesystem::path path;     // where the recording is to be
-  std::filesystem::path growing;  // and where it is until it is complete
+  std::filesystem::path path;     // final path of the recording
+  std::filesystem::path growing;  // path until it is complete
   Simulation& simulation;
   RecorderOptions options;
 
-  // The loop's side.
-  Message message;               // being filled
-  bool has_device_tick = false;  // that the message holds
-  bool over = false;             // nothing can be recorded any more
+  // Used by the loop's thread.
+  Message message;               // the step being filled
+  bool has_device_tick = false;  // the message has device data
+  bool over = false;             // the recording has ended
   double time = 0;
   std::atomic<std::uint64_t> recorded{0}, lost{0};
   std::atomic<bool> ending_failed{false};
 
-  // The writer's side.
-  std::unique_ptr<DiskSpace> room;
+  // Used by the writer's thread.
+  std::unique_ptr<DiskSpace> disk_space;
   hdf5::File file;
   std::vector<const Column*> columns;
   std::vector<hdf5::Appender> appenders;
-  std::vector<hdf5::Appender> effects_appenders;  // numbers of the first steps, and the effects
+  std::vector<hdf5::Appender> effects_appenders;  // columns of first steps and effects
   EffectNumbers last_effects{};
   std::vector<std::byte> rows;
-  std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
+  std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still buffer
   std::uint64_t written = 0;    // steps
 
-  std::unique_ptr<BackgroundWriter<Message>> writer;  // between the two; the last to be made, the first to go
+  std::unique_ptr<BackgroundWriter<Message>> writer;  // connects the two threads; created last, destroyed first
 };
 
 Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
   require_between(double(options.steps), 16, 1e7, "RecorderOptions::steps");
   require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
   if (simulation.steps() > 0)
-    throw Error("the simulation to be recorded has made " + std::to_string(simulation.steps()) +
-                " steps, so a replay could not begin where it does; record from its first step, or reset it to a clone "
-                "of its workpiece first.");
+    throw Error("the simulation has already made " + std::to_string(simulation.steps()) +
+                "  steps, so a replay would lack its initial state; record from the first step, or reset the "
+                "simulation to a clone of its workpiece first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);
   State& s = *state_;
@@ -114,10 +114,10 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.note = options.note;
     write_recording_header(target.temporary_path(), info, simulation, s.options);
     target.commit();
-    s.room = std::make_unique<DiskSpace>(s.growing);
-    s.room->require(std::filesystem::file_size(s.growing) + kHeadroom);
+    s.disk_space = std::make_unique<DiskSpace>(s.growing);
+    s.disk_space->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
-    // From here on the file is in order at any moment: single writer, multiple readers.
+    // From here on the file is readable at any moment: single writer, multiple readers.
     s.file =
         hdf5::File(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
     const hdf5::Group steps = hdf5::open_group(s.file.get(), kStepsGroup);
@@ -131,7 +131,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     s.effects_appenders.emplace_back(effects.get(), kEffectValues, ValueType::float64);
   } catch (const hdf5::Failure& failure) {
     fail(path, failure.what());
-  } catch (const DiskSpace::Lacking& lacking) {
+  } catch (const DiskSpace::Shortage& lacking) {
     fail(path, lacking.what());
   }
   s.writer = std::make_unique<BackgroundWriter<Message>>(
@@ -146,7 +146,7 @@ Recorder::~Recorder() {
   if (state_->writer->running()) (void)state_->end_writing();
 }
 
-// --- the loop's side ------------------------------------------------------------------------------------------------
+// --- loop thread -----------------------------------------------------------------------------------------------------
 
 const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
   state_->message.step.device = device != nullptr ? *device : DeviceTick{};
@@ -207,7 +207,7 @@ bool Recorder::failed() const noexcept {
   return state_->writer->failed() || state_->ending_failed.load(std::memory_order_acquire);
 }
 
-// --- the writer's side ----------------------------------------------------------------------------------------------
+// --- writer thread ---------------------------------------------------------------------------------------------------
 
 void Recorder::State::flush() {
   const hdf5::Quiet quiet;
@@ -215,7 +215,8 @@ void Recorder::State::flush() {
   unflushed = 0;
 }
 
-/// Ends the writer's thread and closes the file.  @return what went wrong, or nothing
+/// Ends the writer thread and closes the file.
+/// @return the reason of a failure, or an empty text
 std::string Recorder::State::end_writing() {
   std::string failure = writer->stop();
   const hdf5::Quiet quiet;
@@ -229,12 +230,12 @@ std::string Recorder::State::end_writing() {
 void Recorder::State::write_batch(const std::vector<Message>& batch) {
   const hdf5::Quiet quiet;
   hsize_t length = 0;
-  hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
-  unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
-  room->require(length + unflushed + kHeadroom);
-  // Effects first: a reader of a step finds the effects that belong to it.
+  hdf5::checked(H5Fget_filesize(file.get(), &length), "getting its size");
+  unflushed += batch.size() * sizeof(RecordedStep);  // upper bound of their size in the file
+  disk_space->require(length + unflushed + kHeadroom);
+  // Effects first: a reader of a step then finds its effects.
   for (const Message& one : batch) {
-    if (one.effects == last_effects) continue;  // == is enough: no effect is not-a-number
+    if (one.effects == last_effects) continue;  // == is enough, because no effect is NaN
     last_effects = one.effects;
     effects_appenders[1].append(last_effects.data(), 1);
     effects_appenders[0].append(&one.step.number, 1);
@@ -251,7 +252,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
 void Recorder::close() {
   State& s = *state_;
   if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
-  s.over = true;  // later steps are lost, and do not wait
+  s.over = true;  // later steps are dropped without waiting
   const std::string failure = s.end_writing();
   const hdf5::Quiet quiet;
   try {
@@ -263,7 +264,7 @@ void Recorder::close() {
     s.ending_failed.store(true, std::memory_order_release);
     fail(s.path, failure.empty() ? error.what() : failure);
   }
-  s.room.reset();
+  s.disk_space.reset();
   if (!failure.empty())
     fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'");
   std::error_code code;

@@ -19,7 +19,7 @@ namespace hapticut {
 namespace {
 
 /// Runs a part of the reading.
-/// @throws Error  with the name of the file in front of whatever went wrong
+/// @throws Error with the name of the file before the message
 template <class Function>
 auto reading(const std::filesystem::path& path, const Function& function) {
   try {
@@ -37,8 +37,8 @@ auto reading(const std::filesystem::path& path, const Function& function) {
   }
 }
 
-/// Runs a part of the reading that builds what the settings in the file describe.
-/// @throws Error  that says so: the reader has no other place to look for them
+/// Runs a part of the reading that builds objects from the settings in the file.
+/// @throws Error whose message says that the settings are inside the file
 template <class Function>
 auto settings_in_file(const Function& function) {
   try {
@@ -56,7 +56,7 @@ RecordingInfo read_info(RecordingSource& source) {
   RecordingInfo info;
   info.format = source.number_attribute("", "format");
   if (info.format != kRecordingFormat)
-    throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads format " +
+    throw Error("it has format " + std::to_string(info.format) + "; this version of hapticut reads format " +
                 std::to_string(kRecordingFormat) + "; use " +
                 (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version"));
   for (const auto& [name, text] : kInfoTexts) info.*text = source.text_attribute("", name);
@@ -73,10 +73,11 @@ std::vector<RecordedEffects> read_effects(RecordingSource& source, double update
   const std::string names = source.text_attribute(places, "columns");
   const std::size_t width = std::size_t(std::count(names.begin(), names.end(), ',')) + 1;
   const std::vector<std::uint64_t> shape = source.layout(places).shape;
-  if (shape.size() != 2 || shape[1] != width) throw Error("its 'effects/values' has not as many columns as names");
-  // The writer may have been killed between the two.
+  if (shape.size() != 2 || shape[1] != width)
+    throw Error("the number of columns of its 'effects/values' differs from the number of names");
+  // The writer may have been killed between writing the two.
   const std::size_t count = std::min(first.size(), values.size() / width);
-  if (count == 0 || first[0] != 0) throw Error("its group 'effects' does not say what was in force at the first step");
+  if (count == 0 || first[0] != 0) throw Error("its group 'effects' lacks the effects of the first step");
   std::vector<RecordedEffects> effects(count);
   for (std::size_t n = 0; n < count; ++n) {
     effects[n] = {first[n], unpack(names, std::span(values).subspan(n * width, width))};
@@ -92,7 +93,7 @@ void read_rows(const OpenRecording& s, const Column& column, std::uint64_t first
   s.source->rows(place_of(column), column.kind, column.numbers, first, count, rows);
 }
 
-/// Looks for the columns, and checks that they are what this format says.
+/// Finds the columns and checks them against the format.
 void open_columns(OpenRecording& s) {
   RecordingSource& source = *s.source;
   if (!source.exists(kStepsGroup)) throw Error("it lacks the group 'steps'");
@@ -102,7 +103,7 @@ void open_columns(OpenRecording& s) {
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && s.info.device.empty()) continue;
     const std::string place = place_of(column);
-    if (!contains(listed, column.name)) continue;  // it came later: the steps have its default
+    if (!contains(listed, column.name)) continue;  // a newer column: the steps have its default
     ++known;
     if (!source.exists(place)) throw Error("it lacks the column '" + place + "'");
     const DataSetLayout layout = source.layout(place);
@@ -110,8 +111,8 @@ void open_columns(OpenRecording& s) {
     if (shape.size() != column.shape.size() + 1 ||
         !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
         layout.is_real != (column.kind == ValueType::float64))
-      throw Error("its column '" + place + "' has another shape or type than a recording's");
-    // A writer that was killed may have left some columns longer than others.
+      throw Error("its column '" + place + "' has a wrong shape or type");
+    // A killed writer may have left columns of different length.
     s.size = std::min(s.size, shape[0]);
     s.columns.push_back(&column);
   }
@@ -120,7 +121,7 @@ void open_columns(OpenRecording& s) {
   if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'");
 }
 
-/// Finds the first gap in the numbers of the steps.
+/// Finds the first gap in the step numbers.
 void find_gaps(OpenRecording& s) {
   constexpr std::uint64_t kStatusesAtOnce = 1 << 16;
   const Column& numbers = *s.columns.front();
@@ -149,8 +150,8 @@ void remark(RecordingInfo& info, std::uint64_t size) {
                            std::to_string(size) + " steps.");
   if (info.lost > 0)
     info.remarks.push_back(std::to_string(info.lost) +
-                           " steps are missing: the disk did not keep up, or workpiece, tool, materials, friction or "
-                           "removal were exchanged between steps. A replay ends before the first of them.");
+                           " steps are missing: the disk was too slow, or workpiece, tool, materials, friction or "
+                           "removal changed between steps. A replay ends before the first of them.");
 }
 
 }  // namespace
@@ -197,7 +198,7 @@ Workpiece Recording::workpiece() const {
     Workpiece workpiece = [&] {
       if (elsewhere) {
         source = from.text_attribute(kWorkpieceGroup, "file");
-        // The file may have been moved together with the recording.
+        // The file may have moved together with the recording.
         if (!std::filesystem::exists(source)) source = state_->path.parent_path() / source.filename();
         return load_vdb(source);
       }
@@ -206,7 +207,7 @@ Workpiece Recording::workpiece() const {
     }();
     workpiece.set_materials(state_->materials);
     if (full_hash(workpiece) != expected)
-      throw Error(elsewhere ? "the workpiece file '" + source.string() + "' is not the one that was recorded"
+      throw Error(elsewhere ? "the workpiece file '" + source.string() + "' differs from the recorded one"
                             : std::string("its workpiece is damaged"));
     return workpiece;
   });

@@ -8,7 +8,7 @@
 #include "io/recording/recording_columns.hpp"
 
 /// @file
-/// What a Recording is made of inside.
+/// Internals of a Recording.
 namespace hapticut {
 
 struct OpenRecording {
@@ -22,11 +22,11 @@ struct OpenRecording {
   DeviceCapabilities capabilities;
   std::vector<RecordedEffects> effects;
   std::vector<const Column*> columns;
-  std::uint64_t size = 0;              ///< rows that all columns have
-  std::uint64_t before_first_gap = 0;  ///< rows that can be made again
+  std::uint64_t size = 0;              ///< number of rows that all columns have
+  std::uint64_t before_first_gap = 0;  ///< number of rows that can be repeated
 };
 
-/// The door from export and replay to the columns.
+/// Gives export and replay access to the columns.
 struct RecordingAccess {
   static const OpenRecording& state(const Recording& recording) { return *recording.state_; }
 };

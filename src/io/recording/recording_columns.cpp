@@ -7,10 +7,10 @@
 namespace hapticut {
 namespace {
 
-/// A matrix row by row, as all programs but Eigen expect.
+/// A matrix in row-major order, as other programs expect it.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor | Eigen::DontAlign>;
 
-/// What a scalar or a matrix is stored as.
+/// Stored type of a scalar or a matrix.
 template <class T>
 struct StoredType {
   using type = T;
@@ -33,13 +33,13 @@ struct StoredType<T> {
   using type = std::underlying_type_t<T>;
 };
 
-/// From a step, for reading or for writing, to a member of a member of it.
+/// Accessor from a step (const or not) to a member of one of its members.
 template <class... Members>
 auto at(Members... members) {
   return [=](auto& s) -> auto& { return (s.*....*members); };
 }
 
-/// From a step to a member of what `access` leads to.
+/// Accessor from a step to a member of the object of `access`.
 template <class Access, class Member>
 auto part_of(Access access, Member member) {
   return [=](auto& s) -> auto& { return access(s).*member; };
@@ -49,8 +49,8 @@ class ColumnList {
  public:
   std::vector<Column> columns;
 
-  /// Adds a column, or the two of a pose, a velocity or a wrench.
-  /// @param access  from a step to the member that the column holds
+  /// Adds one column, or two for a pose, a velocity or a wrench.
+  /// @param access  accessor from a step to the member of the column
   template <class Access>
   void add(Column::Side side, const std::string& name, const char* unit, const char* frame, const std::string& meaning,
            Access access) {
@@ -85,9 +85,9 @@ class ColumnList {
     }
   }
 
-  /// Adds a column for each number of a struct that describes itself.
-  /// @param prefix  in front of their names: "energy_"
-  /// @param access  from a step to the struct
+  /// Adds a column for each number of a described struct.
+  /// @param prefix  prefix of their names: "energy_"
+  /// @param access  accessor from a step to the struct
   template <class Access>
   void add_fields(Column::Side side, const std::string& prefix, const char* frame, Access access) {
     using Struct = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;

@@ -13,7 +13,7 @@ std::string with_unit(const std::string& name, const char* unit) {
   return end.empty() ? name : name + "_" + end;
 }
 
-/// Visits the numbers of one field: `visit(name, value)`, where the name is made only when it is asked for.
+/// Visits the numbers of one field: `visit(name, value)`. `name` is a function, so the text is built only on demand.
 template <class Value, class Visit>
 void visit_numbers(const char* prefix, const char* field, const char* unit, Value& value, const Visit& visit) {
   const auto name = [=](const char* axis) { return with_unit(std::string(prefix) + field + axis, unit); };
@@ -24,14 +24,14 @@ void visit_numbers(const char* prefix, const char* field, const char* unit, Valu
     for (std::size_t axis = 0; axis < 3; ++axis) visit([&] { return name(kAxes[axis]); }, value[axis]);
 }
 
-/// Visits the numbers of one effect that is always there.
+/// Visits the numbers of an effect that is always present.
 template <class Part, class Visit>
 void visit_part(const char* prefix, Part& part, const Visit& visit) {
   for_each_field<std::remove_const_t<Part>>(
       [&](const auto& field) { visit_numbers(prefix, field.name, field.unit, part.*field.member, visit); });
 }
 
-/// The same of one that may be absent: first whether it is there, then its numbers, or their defaults.
+/// Visits the numbers of an optional effect: first whether it is present, then its numbers or their defaults.
 template <class Maybe, class Visit>
 requires std::is_same_v<std::remove_const_t<Maybe>, std::optional<typename Maybe::value_type>>
 void visit_part(const char* prefix, Maybe& part, const Visit& visit) {
@@ -43,7 +43,7 @@ void visit_part(const char* prefix, Maybe& part, const Visit& visit) {
   if constexpr (!std::is_const_v<Maybe>) part = is_there ? std::optional(value) : std::nullopt;
 }
 
-/// Goes over the numbers of the effects in their order.
+/// Visits the numbers of all effects in order.
 template <class AnyEffects, class Visit>
 void visit_effects(AnyEffects& effects, const Visit& visit) {
   visit_part("gravity_", effects.gravity, visit);
@@ -66,12 +66,13 @@ EffectNumbers pack(const Effects& effects) noexcept {
 
 Effects unpack(const std::string& names, std::span<const double> numbers) {
   const std::vector<std::string> given = parts_of(names);
-  if (given.size() != numbers.size()) throw Error("its 'effects/values' has not as many columns as names");
+  if (given.size() != numbers.size())
+    throw Error("the number of columns of its 'effects/values' differs from the number of names");
   std::size_t used = 0;
   Effects effects;
   visit_effects(effects, [&](const auto& name, auto& value) {
     const auto found = std::find(given.begin(), given.end(), name());
-    if (found == given.end()) return;  // it came later, and has its default
+    if (found == given.end()) return;  // a newer number keeps its default
     const double number = numbers[std::size_t(found - given.begin())];
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
       value = number != 0;

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Recordings for other programs: CSV and NumPy.
+// SPDX-License-Identifier: Apache-2.0 Export of recordings to CSV and NumPy.
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -36,7 +35,7 @@ void append_cell(std::string& line, const Column& column, const std::byte* row, 
 
 // --- NumPy ----------------------------------------------------------------------------------------------------------
 
-/// `<f8`, `|u1`: order of the bytes, kind and length.
+/// NumPy's type name, e.g. `<f8`, `|u1`: byte order, kind and length.
 std::string dtype_of(ValueType kind) {
   return with_value_type(kind, []<class Number>(Number) {
     const char* letter = std::is_floating_point_v<Number> ? "f" : std::is_signed_v<Number> ? "i" : "u";
@@ -44,7 +43,7 @@ std::string dtype_of(ValueType kind) {
   });
 }
 
-/// The head of a .npy file, format 1.0: magic, length, and a Python dictionary that ends on a multiple of 64 bytes.
+/// The header of a .npy file, format 1.0: magic, length, and a Python dictionary, padded to a multiple of 64 bytes.
 std::string npy_head(const Column& column, std::uint64_t rows) {
   std::string shape = std::to_string(rows) + ",";
   for (const hsize_t length : column.shape) shape += std::to_string(length) + ",";
@@ -61,7 +60,7 @@ std::string npy_head(const Column& column, std::uint64_t rows) {
   return head + dictionary;
 }
 
-/// An uncompressed .zip file: what NumPy calls .npz.
+/// Writes an uncompressed .zip file, NumPy's .npz.
 class ZipWriter {
  public:
   explicit ZipWriter(const std::filesystem::path& path) : archive_(archive_write_new(), archive_write_free) {

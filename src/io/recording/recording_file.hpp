@@ -9,7 +9,7 @@
 #include "io/recording/hdf5.hpp"
 
 /// @file
-/// What the writer and the reader of recordings share: the places in the file.
+/// Names in the file, shared by writer and reader of recordings.
 namespace hapticut {
 
 inline constexpr char kMagic[] = "hapticut recording";  // attribute `content` of the root
@@ -25,25 +25,25 @@ inline constexpr std::pair<const char*, std::string RecordingInfo::*> kInfoTexts
     {"cpu", &RecordingInfo::cpu},         {"begun", &RecordingInfo::begun},   {"device", &RecordingInfo::device},
     {"note", &RecordingInfo::note}};
 
-/// Access properties of a file in the newest format of this HDF5, which is what single-writer-multiple-reader needs.
+/// Access properties for the newest file format of this HDF5, which single-writer-multiple-reader mode needs.
 [[nodiscard]] hdf5::Properties newest_format();
 
-/// Writes everything that is known before the first step into a file that exists. Asks for the room first: HDF5 itself
+/// Writes everything known before the first step into an existing file. Reserves the disk space first, because HDF5
 /// cannot recover from a full disk.
 /// @throws Error when the file cannot be written
 void write_recording_header(const std::filesystem::path& path, const RecordingInfo& info, const Simulation& simulation,
                             const RecorderOptions& options);
 
-/// Notes that the recording is complete.
+/// Marks the recording as complete.
 void write_recording_end(hid_t file, std::uint64_t lost, std::uint64_t workpiece_hash);
 
-/// The result of a step as a row holds it.
+/// The result of a step in the form of a row.
 void note_result(const StepResult& result, RecordedStep& row) noexcept;
 
-/// The pose of the handle as a reading of a device whose base is the world, where nobody gave the device's own.
+/// The pose of the handle as the reading of a device whose base is the world, for steps without device data.
 [[nodiscard]] DeviceState reading_of_handle(const RecordedStep& step) noexcept;
 
-/// Workpiece::hash, and what else of it a force depends on: frame, materials and centroids.
+/// Workpiece::hash extended by frame, materials and centroids, on which forces depend too.
 [[nodiscard]] std::uint64_t full_hash(const Workpiece& workpiece);
 
 }  // namespace hapticut

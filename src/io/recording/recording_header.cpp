@@ -12,7 +12,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kHeaderRoom = 2 << 20;  // [bytes] more than all but the workpiece needs
+constexpr std::uint64_t kMaxHeaderBytes = 2 << 20;  // [bytes] upper bound of the header without the workpiece
 
 void write_info(hid_t file, const RecordingInfo& info) {
   hdf5::write_attribute(file, "content", kMagic);
@@ -80,7 +80,7 @@ void write_recording_header(const std::filesystem::path& path, const RecordingIn
                             const RecorderOptions& options) {
   std::string vdb;
   if (options.workpiece_file.empty()) vdb = vdb_bytes(simulation.workpiece());
-  DiskSpace(path).require(vdb.size() + kHeaderRoom);
+  DiskSpace(path).require(vdb.size() + kMaxHeaderBytes);
   hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newest_format().get()), "creating it");
   write_info(file.get(), info);
   write_settings(file.get(), simulation.config(), simulation.tool(), simulation.workpiece().materials());

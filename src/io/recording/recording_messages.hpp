@@ -4,43 +4,43 @@
 #include <cstdint>
 
 /// @file
-/// What is said between the library and the program that reads HDF5 for it. A question is a Question and two texts, an
-/// answer an Answer and its content: both run on one machine, so numbers go as they are in memory.
+/// Messages between the library and its HDF5 reader program. A query is a Query followed by two texts; a reply is a
+/// Reply followed by its content. Both programs run on one machine, so numbers are sent as in memory.
 namespace hapticut {
 
-enum class Ask : std::uint32_t {
+enum class QueryKind : std::uint32_t {
   open,              ///< place: path of the file; content: nothing
   exists,            ///< content: one byte, 0 or 1
-  has_attribute,     ///< the same
+  has_attribute,     ///< content: one byte, 0 or 1
   text_attribute,    ///< content: the text
   number_attribute,  ///< content: a std::uint64_t
   text,              ///< content: the text
-  layout,            ///< content: std::uint64_t of 1 for real numbers, else 0, and the lengths
+  layout,            ///< content: std::uint64_t numbers: 1 for real numbers, else 0, then the lengths
   block              ///< content: the rows
 };
 
-struct Question {
-  Ask ask = Ask::open;
-  std::uint32_t kind = 0;         ///< ValueType of a block
-  std::uint32_t place_bytes = 0;  ///< that follow
-  std::uint32_t name_bytes = 0;   ///< that follow those
-  std::uint64_t numbers = 0;      ///< of a row of a block
-  std::uint64_t first = 0;        ///< row of a block
-  std::uint64_t count = 0;        ///< rows of a block
+struct Query {
+  QueryKind kind = QueryKind::open;
+  std::uint32_t value_type = 0;   ///< ValueType of a block
+  std::uint32_t place_bytes = 0;  ///< length of the text that follows
+  std::uint32_t name_bytes = 0;   ///< length of the next text
+  std::uint64_t numbers = 0;      ///< numbers per row of a block
+  std::uint64_t first = 0;        ///< first row of a block
+  std::uint64_t count = 0;        ///< number of rows of a block
 };
 
-struct Answer {
+struct Reply {
   enum class Result : std::uint64_t { done, refused, no_memory };
 
   Result result = Result::done;
-  std::uint64_t bytes = 0;  ///< of the content that follows; of what was refused: the sentence
+  std::uint64_t bytes = 0;  ///< length of the content; if refused, the content is the message
 };
 
 inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]
-inline constexpr std::uint64_t kMaxAnswer = 1 << 20;       // [bytes] of what is no block
-inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] of it that are shown
+inline constexpr std::uint64_t kMaxReply = 1 << 20;        // [bytes] of a reply other than a block
+inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] of a message shown to users
 inline constexpr std::uint64_t kMaxDimensions = 32;        // of a data set
-inline constexpr unsigned kMaxReadingSeconds = 15;         // of processor time, and more for what is long
-inline constexpr std::uint64_t kBytesPerSecond = 4 << 20;  // that it has more for
+inline constexpr unsigned kMaxReadingSeconds = 15;         // [s] of processor time, plus time for long replies
+inline constexpr std::uint64_t kBytesPerSecond = 4 << 20;  // [bytes/s] that define the time for long replies
 
 }  // namespace hapticut

@@ -11,28 +11,28 @@
 
 namespace hapticut {
 
-/// A recording that the program `hapticut-recording-reader` reads: what HDF5 does to a file that was made to hurt, it
-/// does to that program. The program runs as long as this object lives, or until it dies of the file; then all
-/// functions throw. It may be asked from several threads, one after the other.
+/// Reads a recording through the program `hapticut-recording-reader`, so a malicious file can crash only that program.
+/// The program runs as long as this object, unless the file crashes it; then all functions throw. Several threads may
+/// call the functions; the calls run one after the other.
 class RecordingProcess final : public RecordingSource {
  public:
-  static constexpr std::chrono::seconds kPatience{20};
+  static constexpr std::chrono::seconds kMaxReplyTime{20};
 
   /// Opens a file.
-  /// @param patience  how long it may take over one answer
-  /// @throws hdf5::Failure when HDF5 refuses it, or the program dies of it
+  /// @param time_limit  maximum time of one reply
+  /// @throws hdf5::Failure when HDF5 refuses the file, or the file crashes the program
   /// @throws Error when the program is missing
   RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
-                   std::chrono::nanoseconds patience = kPatience);
+                   std::chrono::nanoseconds time_limit = kMaxReplyTime);
 
  private:
-  std::string answer(const Question& question, const std::string& place, const std::string& name) override;
+  std::string reply_to(const Query& query, const std::string& place, const std::string& name) override;
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void die();
 
-  std::chrono::nanoseconds patience_, left_{0};
+  std::chrono::nanoseconds time_limit_, time_left_{0};
   ChildProcess process_;
-  std::mutex one_question_;
+  std::mutex query_mutex_;
 };
 
 }  // namespace hapticut

@@ -10,7 +10,7 @@
 namespace hapticut {
 namespace {
 
-/// What is stored apart: the law cannot be, `law_is_default` tells of it; the effects are a table of their changes.
+/// Fields stored separately: the law cannot be stored, only `law_is_default`; the effects are a table of their changes.
 using StoredApart = Except<std::shared_ptr<const ForceLaw>, std::optional<DryFriction>, Effects>;
 
 // --- heads and handles ----------------------------------------------------------------------------------------------

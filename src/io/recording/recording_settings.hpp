@@ -12,13 +12,13 @@
 #include "io/recording/hdf5.hpp"
 
 /// @file
-/// Settings as data sets of their own, each with its unit: what a simulation was made of.
+/// Settings of a simulation as data sets, each with its unit.
 namespace hapticut {
 
 /// Writes the groups `simulation`, `tool` and `materials`.
 void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool, const MaterialTable& materials);
 
-/// @throws Error when something is missing or out of range
+/// @throws Error when a value is missing or out of range
 [[nodiscard]] SimulationConfig read_config(RecordingSource& source);  ///< without law and effects
 [[nodiscard]] bool read_default_law(RecordingSource& source);         ///< whether the law was FoundationLaw
 [[nodiscard]] Tool read_tool(RecordingSource& source);
@@ -28,11 +28,10 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
 void write_capabilities(hid_t file, const DeviceCapabilities& capabilities);
 [[nodiscard]] DeviceCapabilities read_capabilities(RecordingSource& source);
 
-/// Effects as a row of numbers, so that a change of them is one more row. What is absent is written with its
-/// defaults.
+/// Effects as a row of numbers; each change of the effects adds a row. An absent effect is written with its defaults.
 namespace detail {
 
-/// How many numbers a field of an effect has.
+/// Number of numbers in a field of an effect.
 template <class Type>
 inline constexpr std::size_t kNumbersOf = std::is_arithmetic_v<Type> ? 1 : 3;
 
@@ -52,11 +51,11 @@ inline constexpr std::size_t kEffectNumbers =
 using EffectNumbers = std::array<double, kEffectNumbers>;
 [[nodiscard]] EffectNumbers pack(const Effects& effects) noexcept;
 
-/// @param names  of the numbers, as `effect_names` of the hapticut that wrote them
+/// @param names  names of the numbers, from `effect_names` of the version that wrote the file
 /// @throws Error when a name is unknown
 [[nodiscard]] Effects unpack(const std::string& names, std::span<const double> numbers);
 
-/// What the numbers are, separated by commas.
+/// The names of the numbers, separated by commas.
 [[nodiscard]] std::string effect_names();
 
 }  // namespace hapticut

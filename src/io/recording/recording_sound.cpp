@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Recordings to listen to: WAV.
+// SPDX-License-Identifier: Apache-2.0 Export of recordings to WAV.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -39,10 +38,10 @@ class Listener {
  public:
   Listener(const Recording& recording, std::uint32_t rate) : rate_(rate), sound_(options_for(recording)) {}
 
-  /// The sound of a step.
+  /// Adds the sound of a step.
   std::span<const float> listen(const RecordedStep& step) {
     const double dissipated = step.energy.losses(), dt = step.input.dt;
-    const bool is_time = std::isfinite(dt) && dt > 0;  // a step whose input was refused may have any
+    const bool is_time = std::isfinite(dt) && dt > 0;  // a rejected step may have any dt
     SoundInput input;
     input.spindle_speed = step.spindle.speed;
     input.touching = step.contact.voxels > 0;
@@ -79,7 +78,7 @@ void write_wav(const Recording& recording, const std::filesystem::path& path, do
   require_within(sample_rate, Range::between(8000, 192'000), "the sample rate [Hz]");
   const auto rate = std::uint32_t(std::lround(sample_rate));
   write_atomically(path, [&](std::ostream& stream) {
-    stream << wav_head(rate, 0);  // the lengths follow
+    stream << wav_head(rate, 0);  // the lengths are written at the end
     Listener listener(recording, rate);
     std::string text;
     double bytes = 0;
@@ -92,7 +91,7 @@ void write_wav(const Recording& recording, const std::filesystem::path& path, do
         if (bytes > kMaxBytes)
           throw Error("'" + path.string() +
                       "' would be longer than the 4 GB that a WAV file can have; the recording is "
-                      "too long. Take a lower sample rate.");
+                      "too long. Choose a lower sample rate.");
         stream << text;
       }
     stream.seekp(0);

@@ -9,7 +9,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] that are asked for at once
+constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] per block query
 
 template <class Number>
 std::vector<Number> numbers_of(const void* bytes, std::size_t size) {
@@ -20,7 +20,7 @@ std::vector<Number> numbers_of(const void* bytes, std::size_t size) {
 
 template <class Number>
 Number only_number(const std::string& content) {
-  if (content.size() != sizeof(Number)) fail_of_reader();
+  if (content.size() != sizeof(Number)) fail_in_reader();
   return number_in<Number>(content);
 }
 
@@ -28,62 +28,61 @@ Number only_number(const std::string& content) {
 
 std::string name_at(const std::string& place) { return place.substr(place.rfind('/') + 1); }
 
-void require_room(double bytes, std::uint64_t file_size, const std::string& name) {
-  constexpr double kBestOfDeflate = 1032;  // times smaller
-  if (bytes > kBestOfDeflate * double(file_size))
+void require_size_in_file(double bytes, std::uint64_t file_size, const std::string& name) {
+  constexpr double kMaxDeflateRatio = 1032;  // times smaller
+  if (bytes > kMaxDeflateRatio * double(file_size))
     throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) + " bytes, more than the file can hold");
 }
 
-void fail_of_reader() {
+void fail_in_reader() {
   throw hdf5::Failure(
-      "it is a damaged HDF5 file: the program that reads it came to an end over it, or needed too long; get a complete "
-      "copy");
+      "it is a damaged HDF5 file: the program that reads it crashed or took too long; get a complete copy");
 }
 
-std::string RecordingSource::ask(Ask what, const std::string& place, const std::string& name) {
-  Question question;
-  question.ask = what;
-  return answer(question, place, name);
+std::string RecordingSource::ask(QueryKind what, const std::string& place, const std::string& name) {
+  Query query;
+  query.kind = what;
+  return reply_to(query, place, name);
 }
 
 bool RecordingSource::exists(const std::string& place) {
-  return only_number<std::uint8_t>(ask(Ask::exists, place)) != 0;
+  return only_number<std::uint8_t>(ask(QueryKind::exists, place)) != 0;
 }
 bool RecordingSource::has_attribute(const std::string& place, const std::string& name) {
-  return only_number<std::uint8_t>(ask(Ask::has_attribute, place, name)) != 0;
+  return only_number<std::uint8_t>(ask(QueryKind::has_attribute, place, name)) != 0;
 }
 std::string RecordingSource::text_attribute(const std::string& place, const std::string& name) {
-  return ask(Ask::text_attribute, place, name);
+  return ask(QueryKind::text_attribute, place, name);
 }
 std::uint64_t RecordingSource::number_attribute(const std::string& place, const std::string& name) {
-  return only_number<std::uint64_t>(ask(Ask::number_attribute, place, name));
+  return only_number<std::uint64_t>(ask(QueryKind::number_attribute, place, name));
 }
-std::string RecordingSource::text(const std::string& place) { return ask(Ask::text, place); }
+std::string RecordingSource::text(const std::string& place) { return ask(QueryKind::text, place); }
 
 DataSetLayout RecordingSource::layout(const std::string& place) {
-  const std::string content = ask(Ask::layout, place);
+  const std::string content = ask(QueryKind::layout, place);
   const auto numbers = numbers_of<std::uint64_t>(content.data(), content.size());
   if (numbers.empty() || numbers.size() > 1 + kMaxDimensions || content.size() % sizeof(std::uint64_t) != 0)
-    fail_of_reader();
+    fail_in_reader();
   return {numbers[0] != 0, {numbers.begin() + 1, numbers.end()}};
 }
 
 void RecordingSource::rows(const std::string& place, ValueType kind, std::uint64_t numbers, std::uint64_t first,
                            std::uint64_t count, std::vector<std::byte>& bytes) {
   const std::uint64_t row = numbers * size_of(kind);
-  require_room(double(numbers) * double(size_of(kind)) * double(count), file_size_, name_at(place));
+  require_size_in_file(double(numbers) * double(size_of(kind)) * double(count), file_size_, name_at(place));
   bytes.resize(count * row);
   if (bytes.empty()) return;
   const std::uint64_t at_once = std::max<std::uint64_t>(1, kBlock / row);
   for (std::uint64_t done = 0; done < count; done += at_once) {
-    Question question;
-    question.ask = Ask::block;
-    question.kind = std::uint32_t(kind);
-    question.numbers = numbers;
-    question.first = first + done;
-    question.count = std::min(at_once, count - done);
-    const std::string block = answer(question, place, "");
-    if (block.size() != question.count * row) fail_of_reader();
+    Query query;
+    query.kind = QueryKind::block;
+    query.value_type = std::uint32_t(kind);
+    query.numbers = numbers;
+    query.first = first + done;
+    query.count = std::min(at_once, count - done);
+    const std::string block = reply_to(query, place, "");
+    if (block.size() != query.count * row) fail_in_reader();
     std::memcpy(bytes.data() + done * row, block.data(), block.size());
   }
 }
@@ -91,9 +90,9 @@ void RecordingSource::rows(const std::string& place, ValueType kind, std::uint64
 template <class Number>
 std::vector<Number> RecordingSource::all(const std::string& place) {
   const std::vector<std::uint64_t> shape = layout(place).shape;
-  double total = 1;  // whose product does not run over
+  double total = 1;  // double, so the product cannot overflow
   for (const std::uint64_t length : shape) total *= double(length);
-  require_room(total * double(sizeof(Number)), file_size_, name_at(place));
+  require_size_in_file(total * double(sizeof(Number)), file_size_, name_at(place));
   std::uint64_t numbers = 1;
   for (std::size_t n = 1; n < shape.size(); ++n) numbers *= shape[n];
   std::vector<std::byte> result;

@@ -14,7 +14,7 @@ namespace hapticut {
 
 namespace hdf5 {
 
-/// Something that HDF5 refused, in its own words.
+/// A failure of HDF5, with its message.
 class Failure : public Error {
  public:
   using Error::Error;
@@ -22,16 +22,16 @@ class Failure : public Error {
 
 }  // namespace hdf5
 
-/// What a data set says of itself.
+/// Type and shape of a data set.
 struct DataSetLayout {
-  bool is_real = false;              ///< else its numbers are whole
+  bool is_real = false;              ///< true: real numbers, false: whole numbers
   std::vector<std::uint64_t> shape;  ///< lengths along its dimensions; empty: one number
 };
 
-/// What a reader of recordings asks of an HDF5 file. The file may have been made to hurt, so everything in it is asked
-/// for by its place, "" for the file itself, "steps/dt" for a data set, and what comes back is plain.
+/// Access to the content of an HDF5 file for the reader of recordings. The file may be malicious, so all content is
+/// queried by its place ("" for the file itself, "steps/dt" for a data set) and returned as plain data.
 ///
-/// All functions throw hdf5::Failure, without the name of the file, when something is missing or of another kind.
+/// All functions throw hdf5::Failure, without the file name, when the content is missing or of another kind.
 class RecordingSource {
  public:
   /// @param file_size  [bytes]
@@ -44,12 +44,12 @@ class RecordingSource {
   [[nodiscard]] bool has_attribute(const std::string& place, const std::string& name);
   [[nodiscard]] std::string text_attribute(const std::string& place, const std::string& name);
   [[nodiscard]] std::uint64_t number_attribute(const std::string& place, const std::string& name);
-  [[nodiscard]] std::string text(const std::string& place);      ///< a data set that is a text
-  [[nodiscard]] DataSetLayout layout(const std::string& place);  ///< of a data set of numbers
+  [[nodiscard]] std::string text(const std::string& place);      ///< content of a text data set
+  [[nodiscard]] DataSetLayout layout(const std::string& place);  ///< layout of a data set of numbers
 
-  /// Rows of a data set, one after the other.
-  /// @param kind     what its numbers become
-  /// @param numbers  of one row
+  /// Reads rows of a data set.
+  /// @param kind     type of the returned numbers
+  /// @param numbers  numbers per row
   void rows(const std::string& place, ValueType kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
             std::vector<std::byte>& bytes);
 
@@ -59,24 +59,24 @@ class RecordingSource {
   [[nodiscard]] std::vector<std::byte> bytes(const std::string& place);
 
  protected:
-  /// @return the content that `Ask` tells of
-  virtual std::string answer(const Question& question, const std::string& place, const std::string& name) = 0;
+  /// @return the content that `QueryKind` describes
+  virtual std::string reply_to(const Query& query, const std::string& place, const std::string& name) = 0;
 
  private:
-  [[nodiscard]] std::string ask(Ask what, const std::string& place, const std::string& name = "");
+  [[nodiscard]] std::string ask(QueryKind what, const std::string& place, const std::string& name = "");
   template <class Number>
   [[nodiscard]] std::vector<Number> all(const std::string& place);
 
   std::uint64_t file_size_;
 };
 
-/// The last part of a place: what messages call it.
+/// The last part of a place, used in messages.
 [[nodiscard]] std::string name_at(const std::string& place);
 
-/// @throws hdf5::Failure when a file of this size cannot hold so much
-void require_room(double bytes, std::uint64_t file_size, const std::string& name);
+/// @throws hdf5::Failure when a file of this size cannot hold so many bytes
+void require_size_in_file(double bytes, std::uint64_t file_size, const std::string& name);
 
-/// @throws hdf5::Failure that the program that reads the file died of it, hangs or makes no sense
-[[noreturn]] void fail_of_reader();
+/// @throws hdf5::Failure that says: the reader program crashed, hung or sent an invalid reply
+[[noreturn]] void fail_in_reader();
 
 }  // namespace hapticut

@@ -10,9 +10,9 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kReplayedAtOnce = 1024;  // steps
+constexpr std::uint64_t kStepsPerRead = 1024;  // steps
 
-/// Sets what was set between the steps of the recording.
+/// Applies the settings that changed between the recorded steps.
 void prepare(Simulation& simulation, const RecordedStep& step) {
   if (step.halted) simulation.halt_spindle();
   if (simulation.spindle_setting() != step.spindle_setting)
@@ -22,7 +22,7 @@ void prepare(Simulation& simulation, const RecordedStep& step) {
     simulation.reserve_blocks(std::size_t(step.reserved_blocks));
 }
 
-/// Answers what the coupling of the recording answered.
+/// Returns the recorded outputs of the coupling.
 class RecordedCoupling final : public HandCoupling {
  public:
   explicit RecordedCoupling(const RecordedStep& step) : step_(step) {}
@@ -41,7 +41,7 @@ const StepResult& step_again(Simulation& simulation, const RecordedStep& step) {
                          step.path == OutputPath::direct ? nullptr : &coupling);
 }
 
-/// The first bit of a step's result that is not what was recorded.
+/// The first number of a step's result that differs from the recorded one.
 std::optional<ReplayDifference> compare(const std::vector<const Column*>& columns, const RecordedStep& recorded,
                                         const RecordedStep& replayed) {
   std::array<std::byte, 9 * sizeof(double)> before, now;
@@ -64,14 +64,15 @@ std::optional<ReplayDifference> compare(const std::vector<const Column*>& column
 Simulation simulation_of(const Recording& recording, std::shared_ptr<const ForceLaw> law) {
   if (!recording.default_law() && !law)
     throw Error("the recording '" + recording.path().string() +
-                "' was made with another law than FoundationLaw, and no file can hold that; pass the same law to the "
-                "replay.");
+                "' was made with another law than FoundationLaw, and a file cannot store a law; pass the same law to "
+                "the replay.");
   SimulationConfig config = recording.config();
   const bool at_parts = config.quadrature == Quadrature::automatic || config.quadrature == Quadrature::sub_voxel;
   if (!law && !at_parts)
     throw Error("the recording '" + recording.path().string() +
-                "' is of a time when FoundationLaw took forces at points of voxels; it can be read, but not replayed.");
-  // A law that is passed is asked as it can be.
+                "' was made by a version whose FoundationLaw evaluated forces at points of voxels; it can be read, but "
+                "not replayed.");
+  // A passed law is used with the quadrature that it supports.
   if (law && !law->integrates_parts() && at_parts) config.quadrature = Quadrature::automatic;
   if (law) config.law = std::move(law);
   return Simulation(recording.workpiece(), recording.tool(), std::move(config));
@@ -83,8 +84,8 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
   ReplayReport report;
   report.left_out = recording.size() - steps;
   auto next_effects = recording.effects().begin() + 1;
-  for (std::uint64_t first = 0; first < steps; first += kReplayedAtOnce) {
-    for (const RecordedStep& recorded : recording.read(first, std::min(kReplayedAtOnce, steps - first))) {
+  for (std::uint64_t first = 0; first < steps; first += kStepsPerRead) {
+    for (const RecordedStep& recorded : recording.read(first, std::min(kStepsPerRead, steps - first))) {
       if (next_effects != recording.effects().end() && next_effects->first_step == recorded.number)
         simulation.set_effects((next_effects++)->effects);
       prepare(simulation, recorded);

@@ -16,16 +16,16 @@
 #include "io/text_lines.hpp"
 
 /// @file
-/// Settings as data sets of a group: a name, a unit and a value. Writer and reader take the same calls, so that one
-/// list of them serves both; of a struct that describes itself (core/description.hpp) its fields are that list.
+/// Settings as data sets of a group: name, unit and value. Writer and reader have the same call operator, so one list
+/// of calls serves both. For a described struct (core/description.hpp) the fields are that list.
 ///
-/// A group lists the names of what it holds in its attribute `fields`. So a reader knows whether a data set is missing,
-/// or belongs to a field that came later, which then has its default; and it refuses a field that it does not know.
+/// A group lists its names in the attribute `fields`. So a reader can distinguish a missing data set from a field that
+/// is newer than the file and keeps its default. The reader refuses unknown fields.
 namespace hapticut {
 
 inline constexpr char kFieldsAttribute[] = "fields";
 
-/// The names of what a group of a file should hold.
+/// The names that a group of a file should contain.
 [[nodiscard]] inline std::vector<std::string> fields_listed(RecordingSource& source, const std::string& group) {
   return parts_of(source.text_attribute(group, kFieldsAttribute));
 }
@@ -65,7 +65,7 @@ class SettingsWriter {
     if (value) (*this)(name, *value);
   }
 
-  /// Ends the group with the list of what it holds.
+  /// Ends the group by writing the list of its names.
   void close() { hdf5::write_attribute(group_, kFieldsAttribute, names_); }
 
  private:
@@ -79,7 +79,7 @@ class SettingsWriter {
   std::string names_;
 };
 
-/// Reads them back, by the same calls.
+/// Reads settings from a group, by the same calls as SettingsWriter.
 class SettingsReader {
  public:
   SettingsReader(RecordingSource& source, const std::string& group)
@@ -115,7 +115,7 @@ class SettingsReader {
     if (has(name)) (*this)(name, value.emplace());
   }
 
-  /// @throws Error when the group holds something that was not asked for
+  /// @throws Error when the group holds a field that was not read
   void close() const {
     for (const std::string& field : listed_)
       if (!contains(asked_, field))
@@ -124,8 +124,8 @@ class SettingsReader {
   }
 
  private:
-  /// Whether the group has this; where not, the value is left as it is.
-  /// @throws Error when it should have it
+  /// Whether the group has this field; if not, the value stays unchanged.
+  /// @throws Error when the list of fields names it
   bool has(const char* name) {
     asked_.emplace_back(name);
     if (source_.exists(at(name))) return true;
@@ -144,8 +144,8 @@ class SettingsReader {
   std::vector<std::string> listed_, asked_;
 };
 
-/// A field as data sets.
-/// @param name  its name with what stands in front of it: "spindle_speed"
+/// Writes or reads a field as data sets.
+/// @param name  name with prefix: "spindle_speed"
 template <class Archive, class Value>
 void visit_value(Archive& archive, const std::string& name, const char* unit, Value& value) {
   using Plain = std::remove_const_t<Value>;
@@ -168,8 +168,8 @@ void visit_value(Archive& archive, const std::string& name, const char* unit, Va
 template <class... Types>
 struct Except {};
 
-/// All fields of a struct, in their order.
-/// @param prefix  in front of their names: "spindle_"
+/// Visits all fields of a struct in order.
+/// @param prefix  prefix of their names: "spindle_"
 /// @param except  types of fields that are stored in another way
 template <class Archive, class S, class... Excepted>
 void visit_fields(Archive& archive, const std::string& prefix, S& s, Except<Excepted...> /*except*/ = Except<>{}) {
@@ -180,8 +180,8 @@ void visit_fields(Archive& archive, const std::string& prefix, S& s, Except<Exce
   });
 }
 
-/// The settings of a group of a file.
-/// @throws Error when it is missing
+/// The settings in a group of a file.
+/// @throws Error when the group is missing
 inline SettingsReader settings_of(RecordingSource& source, const char* name) {
   if (!source.exists(name)) throw Error(std::string("it lacks the group '") + name + "'");
   return {source, name};

@@ -23,7 +23,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kUnit = 1e-3;  // [m] the world unit of the files: OpenVDB refuses voxels below 14 um in metres
-constexpr int kFormat = 2;      // raised when another hapticut could misread a file; 1 was never released
+constexpr int kFormat = 2;      // increased when another version could misread a file; 1 was never released
 constexpr char kFormatKey[] = "hapticut_format";
 constexpr char kUnitKey[] = "hapticut_unit_m";
 constexpr char kVoxelSizeKey[] = "hapticut_voxel_size_m";
@@ -79,7 +79,7 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
   }
 }
 
-/// Writes with the table of offsets that lets other programs load grids one by one, through a checked stream of ours.
+/// Writes through a checked stream, with the table of offsets that lets other programs load single grids.
 class FileWriter : public openvdb::io::Stream {
  public:
   void write_file(std::ostream& stream, const openvdb::GridCPtrVec& grids) const {
@@ -90,7 +90,7 @@ class FileWriter : public openvdb::io::Stream {
 };
 
 /// Runs a part of the reading.
-/// @throws Error  whatever went wrong, as a sentence about "it"
+/// @throws Error whose message calls the file "it"
 template <class Function>
 auto reading(const Function& function) {
   try {
@@ -100,12 +100,12 @@ auto reading(const Function& function) {
   } catch (const std::bad_alloc&) {
     throw Error("there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    throw Error(std::string("it is damaged, or no .vdb file that can be read (OpenVDB: ") + error.what() +
+    throw Error(std::string("it is damaged, or not a supported .vdb file (OpenVDB:  ") + error.what() +
                 "); get a complete copy, or save it again with the program that wrote it.");
   }
 }
 
-/// What was read from a file: the grids that a workpiece can be made of, and the names of all.
+/// The content of a file: grids usable for a workpiece, and the names of all grids.
 struct VdbFile {
   openvdb::GridPtrVec grids;
   std::vector<VdbEntry> entries;
@@ -116,7 +116,7 @@ VdbFile read_grids(std::string bytes) {
   VdbFile file;
   file.entries = check_vdb(bytes);
   std::istringstream stream(std::move(bytes), std::ios_base::binary);
-  // OpenVDB itself does not look at the state of the stream after reading.
+  // OpenVDB does not check the state of the stream after reading.
   stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
   openvdb::io::Stream archive(stream, /*delayLoad=*/false);
   if (const auto grids = archive.getGrids()) file.grids = *grids;
@@ -134,7 +134,7 @@ typename Grid::Ptr require_grid(const VdbFile& file, const char* name) {
   for (const auto& grid : file.grids)
     if (grid && grid->getName() == name && grid->isType<Grid>()) return openvdb::gridPtrCast<Grid>(grid);
   throw Error(std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
-              list_of(file) + ". A file of another program needs VdbImport::material, which says what it is made of.");
+              list_of(file) + ". A file of another program needs VdbImport::material.");
 }
 
 template <class Value>
@@ -158,8 +158,8 @@ void read_meta(const openvdb::MetaMap& meta, const std::string& key, std::option
     throw Error("its '" + key + "' is \"" + name + "\"; it must be one of " + list_of_names<Value>() + ", or empty.");
 }
 
-/// The fields that a file has of each material.
-/// @throws Error when one of them is unknown here
+/// The fields of each material in a file.
+/// @throws Error when a field is unknown
 std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
   std::vector<std::string> names = parts_of(require_meta<std::string>(meta, kFieldsKey));
   for (const std::string& name : names) {
@@ -167,7 +167,7 @@ std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
     for_each_field<Material>([&](const auto& field) { known |= name == field.name; });
     if (!known)
       throw Error("its materials have a '" + name +
-                  "', which this version of hapticut does not know; use a newer one.");
+                  "', which this version of hapticut does not know; use a newer version.");
   }
   return names;
 }
@@ -175,7 +175,7 @@ std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
 MaterialTable read_materials(const openvdb::MetaMap& meta) {
   const auto count = require_meta<std::int32_t>(meta, kMaterialsKey);
   if (count < 1 || count > kMaxMaterials)
-    throw Error("it names " + std::to_string(count) + " materials; 1 to 255 are possible.");
+    throw Error("it names " + std::to_string(count) + " materials; 1 to 255 are allowed.");
   const std::vector<std::string> fields = fields_in(meta);
   MaterialTable materials;
   for (int id = 1; id <= count; ++id) {
@@ -189,14 +189,14 @@ MaterialTable read_materials(const openvdb::MetaMap& meta) {
   return materials;
 }
 
-/// The exact frame as it was saved, unless the grid was moved or scaled since.
+/// The exact saved frame, unless another program has moved or scaled the grid.
 GridFrame read_frame(const openvdb::GridBase& grid) {
   GridFrame saved;
   saved.voxel_size = require_meta<double>(grid, kVoxelSizeKey);
   saved.X_WV = pose_of(require_meta<openvdb::Mat4d>(grid, kPoseKey));
   const double unit = require_meta<double>(grid, kUnitKey);
   const GridFrame now = frame_of(grid.transform(), unit);
-  const double tolerance = 1e-9;  // of rounding in the transform
+  const double tolerance = 1e-9;  // rounding of the transform
   const bool same = std::abs(now.voxel_size - saved.voxel_size) <= tolerance * saved.voxel_size &&
                     (now.X_WV.rotation - saved.X_WV.rotation).cwiseAbs().maxCoeff() <= tolerance &&
                     (now.X_WV.translation - saved.X_WV.translation).norm() <=
@@ -253,7 +253,7 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   const VdbFile file = read_grids(std::move(bytes));
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
-  std::map<std::string, int> floats;  // how many there are of each name
+  std::map<std::string, int> floats;  // number of grids of each name
   for (const auto& grid : file.grids) {
     if (!grid || !grid->isType<openvdb::FloatGrid>()) continue;
     ++floats[grid->getName()];
@@ -268,13 +268,13 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
     throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
                 (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
                 (can_name         ? ". Name a float grid (level set or fog volume) with VdbImport::grid."
-                 : floats.empty() ? ". Save a level set or fog volume in it whose values are of type float."
+                 : floats.empty() ? ". Save a level set or fog volume with values of type float in it."
                                   : ". Give its float grids different names in the program that wrote it."));
   }
   const openvdb::GridClass says = chosen->getGridClass();
   if (options.kind == VdbImport::Kind::from_class && says != openvdb::GRID_LEVEL_SET &&
       says != openvdb::GRID_FOG_VOLUME)
-    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; say it by VdbImport::kind: " +
+    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; set VdbImport::kind:  " +
                 "fog_volume for filled fractions, level_set for distances.");
   GridImport import;
   import.unit = options.unit_mm * 1e-3;
@@ -283,7 +283,7 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   return workpiece_from_grid(*chosen, options.material, import);
 }
 
-/// Calls `write` with what writes the grids of a workpiece to a stream.
+/// Calls `write` with a function that writes the grids of a workpiece to a stream.
 template <class Write>
 void with_grids(const Workpiece& workpiece, const Write& write) {
   openvdb::initialize();

@@ -7,15 +7,15 @@
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
-/// Workpieces as the bytes of a .vdb file, for what keeps them within a file of its own.
+/// Workpieces as the bytes of a .vdb file, for storage inside another file.
 namespace hapticut {
 
 [[nodiscard]] std::string vdb_bytes(const Workpiece& workpiece);
 
-/// @throws Error a sentence that begins with "it" or "its", when the bytes are no file that `save_vdb` writes
+/// @throws Error whose message begins with "it" or "its", when the bytes are not a file of `save_vdb`
 [[nodiscard]] Workpiece workpiece_of_vdb(std::string bytes);
 
-/// The same of a file of another program.
+/// The workpiece in the bytes of another program's file.
 [[nodiscard]] Workpiece workpiece_of_vdb(std::string bytes, const VdbImport& options);
 
 }  // namespace hapticut

@@ -10,13 +10,13 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint32_t kOldestFormat = 222;  // of 2012; before it, a node was stored in another way
+constexpr std::uint32_t kOldestFormat = 222;  // of 2012; older files store nodes differently
 constexpr char kDelayedLoading[] = "__delayedload";
 constexpr char kHalf[] = "_HalfFloat";
 
-std::string_view take_string(ByteReader& in) { return in.take(in.take<std::uint32_t>()); }
+std::string_view read_string(ByteReader& in) { return in.read(in.read<std::uint32_t>()); }
 
-/// OpenVDB stops at the first character that does not belong there, and takes the rest for what follows.
+/// OpenVDB stops at the first invalid character and misreads the rest as the following data.
 bool is_unique_id(std::string_view id) {
   for (std::size_t n = 0; n < id.size(); ++n) {
     const bool dash = n == 8 || n == 13 || n == 18 || n == 23;
@@ -25,39 +25,39 @@ bool is_unique_id(std::string_view id) {
   return true;
 }
 
-/// @return whether the file has a table of offsets
+/// @return true when the file has a table of offsets
 bool check_header(ByteReader& in) {
-  if (in.take<std::int64_t>() != openvdb::OPENVDB_MAGIC) throw Error("it is not a .vdb file.");
-  const auto format = in.take<std::uint32_t>();
-  // OpenVDB only prints a warning about a format that it does not know, and then reads on.
+  if (in.read<std::int64_t>() != openvdb::OPENVDB_MAGIC) throw Error("it is not a .vdb file.");
+  const auto format = in.read<std::uint32_t>();
+  // OpenVDB only warns about an unknown format and continues.
   if (format < kOldestFormat || format > openvdb::OPENVDB_FILE_VERSION)
     throw Error("it has version " + std::to_string(format) + " of the OpenVDB format; " +
                 std::to_string(kOldestFormat) + " to " + std::to_string(openvdb::OPENVDB_FILE_VERSION) +
-                " can be read. Save it again with another version of the program that wrote it.");
-  in.take(8);  // version of the library
-  const auto offsets = in.take<std::uint8_t>();
+                " are supported. Save it again with another version of the program that wrote it.");
+  in.skip(8);  // version of the library
+  const auto offsets = in.read<std::uint8_t>();
   if (offsets > 1) damaged_vdb("header is unreadable");
-  if (!is_unique_id(in.take(36))) damaged_vdb("unique id is unreadable");
+  if (!is_unique_id(in.read(36))) damaged_vdb("unique id is unreadable");
   return offsets == 1;
 }
 
-/// A list of metadata.
-/// @param[in,out] bytes  the file; hints for delayed loading get a type that OpenVDB does not know, and skips
-/// @return whether it says that real numbers are stored with 16 bits
+/// Checks a list of metadata.
+/// @param[in,out] bytes  the file; hints for delayed loading get an unknown type, which OpenVDB skips
+/// @return true when real numbers are stored with 16 bits
 bool check_metadata(ByteReader& in, std::string& bytes) {
   bool half = false;
-  const auto count = in.take<std::uint32_t>();
+  const auto count = in.read<std::uint32_t>();
   for (std::uint32_t n = 0; n < count; ++n) {
-    const std::string_view name = take_string(in);
-    const std::string type(take_string(in));
+    const std::string_view name = read_string(in);
+    const std::string type(read_string(in));
     const std::size_t end_of_type = in.position();
-    const std::string_view value = take_string(in);
+    const std::string_view value = read_string(in);
     if (name == openvdb::GridBase::META_SAVE_HALF_FLOAT) {
       if (type != "bool") damaged_vdb("metadata have an entry of the wrong type");
       half = !value.empty() && value[0] != 0;
     }
     if (type == kDelayedLoading) {
-      // Lengths inside this entry are not checked by OpenVDB either, and its hints are of no use here.
+      // OpenVDB does not check the lengths inside this entry, and its hints are not needed here.
       bytes[end_of_type - 1] = '_';
     } else if (type != "string" && openvdb::Metadata::isRegisteredType(type)) {
       if (value.size() != openvdb::Metadata::createMetadata(type)->size())
@@ -69,20 +69,20 @@ bool check_metadata(ByteReader& in, std::string& bytes) {
   return half;
 }
 
-/// @param nested  whether it is a part of another one
+/// @param nested  whether the map is part of another one
 void check_transform(ByteReader& in, bool nested = false) {
   constexpr std::uint64_t kVector = 24, kMatrix = 128;  // [bytes]
-  const std::string_view type = take_string(in);
+  const std::string_view type = read_string(in);
   if (type == "AffineMap" || type == "UnitaryMap")
-    in.take(kMatrix);
+    in.skip(kMatrix);
   else if (type == "ScaleMap" || type == "UniformScaleMap")
-    in.take(5 * kVector);
+    in.skip(5 * kVector);
   else if (type == "TranslationMap")
-    in.take(kVector);
+    in.skip(kVector);
   else if (type == "ScaleTranslateMap" || type == "UniformScaleTranslateMap")
-    in.take(6 * kVector);
+    in.skip(6 * kVector);
   else if (type == "NonlinearFrustumMap" && !nested) {
-    in.take(2 * kVector + 2 * sizeof(double));
+    in.skip(2 * kVector + 2 * sizeof(double));
     check_transform(in, true);
   } else
     damaged_vdb("transform is of an unknown kind");
@@ -108,23 +108,23 @@ std::vector<VdbEntry> check_vdb(std::string& bytes) {
   const bool has_offsets = check_header(in);
   check_metadata(in, bytes);
   const std::size_t at_count = in.position();
-  const auto count = in.take<std::int32_t>();
+  const auto count = in.read<std::int32_t>();
   if (count < 0) damaged_vdb("number of grids is negative");
 
   std::vector<VdbEntry> entries;
-  std::vector<std::pair<std::size_t, std::size_t>> unusable;  // first and last + 1 byte of grids to take out
+  std::vector<std::pair<std::size_t, std::size_t>> unusable;  // first byte and end of grids to remove
   for (std::int32_t n = 0; n < count; ++n) {
     const std::size_t begin = in.position();
-    const std::string_view name = take_string(in);
-    const std::string_view type = take_string(in);
-    const bool is_instance = !take_string(in).empty();
-    in.take(2 * sizeof(std::int64_t));  // where its data begin
-    const auto end = in.take<std::uint64_t>();
-    // A grid whose name is taken has a number behind a separator.
+    const std::string_view name = read_string(in);
+    const std::string_view type = read_string(in);
+    const bool is_instance = !read_string(in).empty();
+    in.skip(2 * sizeof(std::int64_t));  // position of its data
+    const auto end = in.read<std::uint64_t>();
+    // A repeated grid name has a separator and a number appended.
     entries.push_back({std::string(name.substr(0, name.find('\x1e'))), type_of_value(type)});
     if (is_usable(type)) {
       VdbStorage storage;
-      storage.compression = in.take<std::uint32_t>();
+      storage.compression = in.read<std::uint32_t>();
       storage.half = check_metadata(in, bytes) && entries.back().type == "float";
       check_transform(in);
       if (!is_instance) check_vdb_tree(in, storage);
@@ -138,7 +138,7 @@ std::vector<VdbEntry> check_vdb(std::string& bytes) {
   }
   const auto left = std::int32_t(std::size_t(count) - unusable.size());
   std::memcpy(bytes.data() + at_count, &left, sizeof left);
-  for (; !unusable.empty(); unusable.pop_back())  // from behind, so that places before it stay
+  for (; !unusable.empty(); unusable.pop_back())  // from the end, so earlier positions stay valid
     bytes.erase(unusable.back().first, unusable.back().second - unusable.back().first);
   return entries;
 }

@@ -7,38 +7,37 @@
 #include "io/byte_reader.hpp"
 
 /// @file
-/// A walk of our own through the bytes of a .vdb file. OpenVDB believes the lengths and the tables of a file, so that a
-/// single damaged byte can make it write outside its buffers, ask for all memory or wait for ever; nothing reaches
-/// OpenVDB before this walk has gone from one end of the file to the other.
+/// Checks the bytes of a .vdb file before OpenVDB reads them. OpenVDB trusts the lengths and tables of a file: one
+/// damaged byte can make it write outside its buffers, allocate all memory or hang. So this check walks through the
+/// whole file first.
 namespace hapticut {
 
-/// A grid as its file announces it.
+/// Description of a grid in its file.
 struct VdbEntry {
   std::string name;  ///< may be empty
-  std::string type;  ///< type of a value: "float", "int32", "vec3s", "ptdataidx32" ...
+  std::string type;  ///< type of its values: "float", "int32", "vec3s", "ptdataidx32" ...
 };
 
-/// Checks the bytes of a .vdb file and leaves in them only what a workpiece can be made of: grids of float and of
-/// int32.
-/// @param bytes  the whole file; other grids and hints for delayed loading are taken out or made unreadable
-/// @return all grids of the file, also those that were taken out
-/// @throws Error  what is wrong with the file, as a sentence that begins with "it" or "its"
+/// Checks the bytes of a .vdb file and keeps only the grids that a workpiece can use: float and int32.
+/// @param bytes  the whole file; other grids and hints for delayed loading are removed or made unreadable
+/// @return all grids of the file, including the removed ones
+/// @throws Error whose message begins with "it" or "its"
 std::vector<VdbEntry> check_vdb(std::string& bytes);
 
-/// @param what  "tree is not in order"
-/// @throws Error  that it is so, and the file damaged
+/// Throws the error of a damaged file.
+/// @param what  the problem: "tree is not in order"
 [[noreturn]] inline void damaged_vdb(const std::string& what) {
   throw Error("its " + what + ": it is damaged. Get a complete copy.");
 }
 
-/// How the values of one grid are stored.
+/// Storage format of the values of one grid.
 struct VdbStorage {
   std::uint32_t compression = 0;  ///< flags of openvdb::io
   bool half = false;              ///< real values as 16 bits
 };
 
 /// Walks through the nodes and values of a tree of float or int32 with the usual 32^3, 16^3 and 8^3 branches.
-/// @throws Error  as above
+/// @throws Error whose message begins with "it" or "its", when the tree is damaged
 void check_vdb_tree(ByteReader& in, const VdbStorage& storage);
 
 }  // namespace hapticut

@@ -11,18 +11,18 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kValueSize = 4;           // [bytes] of a float and of an int32
-constexpr std::uint64_t kUpper = 32 * 32 * 32;  // entries of a node of the upper level
-constexpr std::uint64_t kLower = 16 * 16 * 16;  // and of the lower level
-constexpr std::uint64_t kLeaf = 8 * 8 * 8;      // voxels of a leaf
-constexpr std::int32_t kUpperEdge = 4096;       // [voxels] of a node of the upper level
-constexpr std::int32_t kFarthest = 1 << 30;     // [voxels] leaves room for sums of indices
-constexpr std::size_t kMinBytesOfBlosc = 16;    // length of its header
+constexpr std::size_t kValueSize = 4;             // [bytes] of a float and of an int32
+constexpr std::uint64_t kUpper = 32 * 32 * 32;    // entries of a node of the upper level
+constexpr std::uint64_t kLower = 16 * 16 * 16;    // entries of a node of the lower level
+constexpr std::uint64_t kLeaf = 8 * 8 * 8;        // voxels of a leaf
+constexpr std::int32_t kUpperEdge = 4096;         // [voxels] of a node of the upper level
+constexpr std::int32_t kMaxCoordinate = 1 << 30;  // [voxels] keeps sums of indices in range
+constexpr std::size_t kMinBytesOfBlosc = 16;      // length of its header
 
 /// A bit per entry of a node.
 class Mask {
  public:
-  Mask(ByteReader& in, std::uint64_t entries) : bytes_(in.take(entries / 8)) {}
+  Mask(ByteReader& in, std::uint64_t entries) : bytes_(in.read(entries / 8)) {}
 
   [[nodiscard]] std::uint64_t count() const {
     std::uint64_t on = 0;
@@ -50,19 +50,19 @@ class TreeWalk {
   TreeWalk(ByteReader& in, const VdbStorage& storage) : in_(in), storage_(storage) {}
 
   void walk() {
-    if (in_.take<std::int32_t>() != 1) damaged_vdb("tree has an unknown number of buffers");
-    in_.take(kValueSize);  // background
-    const auto tiles = in_.take<std::uint32_t>();
-    const auto children = in_.take<std::uint32_t>();
+    if (in_.read<std::int32_t>() != 1) damaged_vdb("tree has an unknown number of buffers");
+    in_.skip(kValueSize);  // background
+    const auto tiles = in_.read<std::uint32_t>();
+    const auto children = in_.read<std::uint32_t>();
     for (std::uint32_t n = 0; n < tiles; ++n) {
-      take_origin();
-      in_.take(kValueSize);
-      if (in_.take<std::uint8_t>() > 1) damaged_vdb("tree has a region that is neither on nor off");
+      read_origin();
+      in_.skip(kValueSize);
+      if (in_.read<std::uint8_t>() > 1) damaged_vdb("tree has a region that is neither on nor off");
     }
     std::array<std::int32_t, 3> last{};
     for (std::uint32_t n = 0; n < children; ++n) {
-      const auto origin = take_origin();
-      // OpenVDB reads the nodes in the order of the file, but their values in the order of their places.
+      const auto origin = read_origin();
+      // OpenVDB reads the nodes in file order, but their values in the order of their positions.
       if (n > 0 && origin <= last) damaged_vdb("tree is not in order");
       last = origin;
       walk_upper();
@@ -74,11 +74,11 @@ class TreeWalk {
   }
 
  private:
-  std::array<std::int32_t, 3> take_origin() {
+  std::array<std::int32_t, 3> read_origin() {
     std::array<std::int32_t, 3> origin{};
     for (auto& coordinate : origin) {
-      coordinate = in_.take<std::int32_t>();
-      if (coordinate % kUpperEdge != 0 || coordinate < -kFarthest || coordinate > kFarthest)
+      coordinate = in_.read<std::int32_t>();
+      if (coordinate % kUpperEdge != 0 || coordinate < -kMaxCoordinate || coordinate > kMaxCoordinate)
         damaged_vdb("tree has a region at an impossible place");
     }
     return origin;
@@ -97,58 +97,58 @@ class TreeWalk {
     const std::uint64_t children = walk_node(kUpper);
     for (std::uint64_t n = 0; n < children; ++n) {
       const std::uint64_t leaves = walk_node(kLower);
-      in_.take(leaves * kLeaf / 8);
+      in_.skip(leaves * kLeaf / 8);
       leaves_ += leaves;
     }
   }
 
   void walk_values(std::uint64_t entries, const Mask& active) {
     using namespace openvdb::io;
-    const int kind = in_.take<std::uint8_t>();
+    const int kind = in_.read<std::uint8_t>();
     if (kind > NO_MASK_AND_ALL_VALS) damaged_vdb("values have an unknown encoding");
-    if (kind == NO_MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_ONE_INACTIVE_VAL) in_.take(kValueSize);
-    if (kind == MASK_AND_TWO_INACTIVE_VALS) in_.take(2 * kValueSize);
+    if (kind == NO_MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_ONE_INACTIVE_VAL) in_.skip(kValueSize);
+    if (kind == MASK_AND_TWO_INACTIVE_VALS) in_.skip(2 * kValueSize);
     if (kind == MASK_AND_NO_INACTIVE_VALS || kind == MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_TWO_INACTIVE_VALS)
-      in_.take(entries / 8);
+      in_.skip(entries / 8);
     const bool all = (storage_.compression & COMPRESS_ACTIVE_MASK) == 0 || kind == NO_MASK_AND_ALL_VALS;
     const std::uint64_t count = all ? entries : active.count();
     if (storage_.half && count == 0) return;
     walk_chunk(count * (storage_.half ? 2 : kValueSize), entries != kLeaf);
   }
 
-  /// @param size     [bytes] when it is not compressed
-  /// @param in_node  false: in a leaf
+  /// @param size     [bytes] uncompressed
+  /// @param in_node  true: node, false: leaf
   void walk_chunk(std::uint64_t size, bool in_node) {
     using namespace openvdb::io;
     const bool blosc = (storage_.compression & COMPRESS_BLOSC) != 0;
     if (!blosc && (storage_.compression & COMPRESS_ZIP) == 0) {
-      in_.take(size);
+      in_.skip(size);
       return;
     }
-    const auto length = in_.take<std::int64_t>();  // negative: not compressed
+    const auto length = in_.read<std::int64_t>();  // negative: uncompressed
     if (length <= 0) {
       if (std::uint64_t(0) - std::uint64_t(length) != size) damaged_vdb("values have an impossible length");
-      in_.take(size);
+      in_.skip(size);
       return;
     }
-    const std::string_view packed = in_.take(std::uint64_t(length));
+    const std::string_view packed = in_.read(std::uint64_t(length));
     if (blosc) check_head_of_blosc(packed, size);
     if (in_node) unpack(packed, size, blosc);
   }
 
-  /// Versions and flags; bytes after and before decompression, between them the size of a block.
+  /// Header: versions and flags, uncompressed size, block size, compressed size.
   static void check_head_of_blosc(std::string_view packed, std::uint64_t size) {
     if (packed.size() < kMinBytesOfBlosc) damaged_vdb("compressed values are too short");
     ByteReader head(packed);
-    head.take(4);
-    const auto unpacked_bytes = head.take<std::uint32_t>();
-    head.take(4);
-    const auto packed_bytes = head.take<std::uint32_t>();
+    head.skip(4);
+    const auto unpacked_bytes = head.read<std::uint32_t>();
+    head.skip(4);
+    const auto packed_bytes = head.read<std::uint32_t>();
     if (unpacked_bytes != size || packed_bytes != packed.size())
       damaged_vdb("compressed values have an impossible length");
   }
 
-  /// OpenVDB loses the memory of a node whose values it cannot unpack, 270 kB each time; that of a leaf it does not.
+  /// OpenVDB leaks 270 kB for each node whose values it cannot unpack; leaves do not leak.
   static void unpack(std::string_view packed, std::uint64_t size, bool blosc) {
     const auto length = std::int64_t(packed.size());
     std::string chunk(reinterpret_cast<const char*>(&length), sizeof length);

@@ -16,7 +16,7 @@ using Mask = Volume<std::uint8_t>;
 using MaskImage = itk::Image<std::uint8_t, 3>;
 using DistanceImage = itk::Image<float, 3>;
 
-/// Distance [m] of every sample from the nearest one of the mask; zero or less within.
+/// [m] Distance of every sample from the nearest sample of the mask; 0 or negative inside.
 DistanceImage::Pointer distance_from(const Mask& mask) {
   const auto filter = itk::SignedMaurerDistanceMapImageFilter<MaskImage, DistanceImage>::New();
   filter->SetInput(image_view(mask));
@@ -28,16 +28,15 @@ DistanceImage::Pointer distance_from(const Mask& mask) {
   return filter->GetOutput();
 }
 
-/// The mask closed by a ball: what a ball rolled around the outside cannot reach is added.
-/// @pre the mask is further than the radius from its border
+/// Closes the mask: adds the samples that a ball rolled around the outside cannot reach.
+/// @pre the distance of the mask from its border exceeds the radius
 void close(Mask& mask, double radius) {
-  // Distances come in single precision; a sample exactly on the ball belongs to it.
+  // Distances have single precision; a sample exactly on the ball belongs to it.
   const auto reach = float(radius * (1 + 1e-5));
   {
     const auto distance = distance_from(mask);
     const float* d = distance->GetBufferPointer();
-    for (std::size_t n = 0; n < mask.values.size(); ++n)
-      mask.values[n] = d[n] <= reach ? 0 : 1;  // what is left outside
+    for (std::size_t n = 0; n < mask.values.size(); ++n) mask.values[n] = d[n] <= reach ? 0 : 1;  // 1: outside
   }
   const auto distance = distance_from(mask);
   const float* d = distance->GetBufferPointer();
@@ -49,7 +48,7 @@ void close(Mask& mask, double radius) {
 LabelVolume close_gaps(LabelVolume volume, double radius, std::uint16_t label) {
   require_positive(radius, "radius of a closing [m]");
   const IndexBox body = box_around(volume);
-  // Room for the ball on every side; the body may touch the border of the volume.
+  // Adds a margin for the ball on every side, because the body may touch the border of the volume.
   VoxelIndex from;
   Mask mask;
   mask.spacing = volume.spacing;

@@ -12,57 +12,57 @@
 #include "io/volume/raw_image.hpp"
 
 /// @file
-/// One reader per format. Each checks what the header claims against the size of the file before it allocates.
+/// One parser per format. Each checks the claims of the header against the size of the file before it allocates.
 namespace hapticut {
 
-/// What the names of files end in that read_grey_volume and read_label_volume read, in lower case.
+/// The extensions that read_grey_volume and read_label_volume support, in lower case.
 [[nodiscard]] std::vector<std::string_view> volume_endings();
 
-/// Gives the content of a file that a header names.
+/// Returns the content of a file that a header names.
 using DataFile = std::function<std::string(const std::string& name)>;
 
 /// @param bytes  the whole file
-/// @throws Error a sentence that begins with "it" or "its"
+/// @throws Error whose message begins with "it" or "its"
 [[nodiscard]] RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file);
 [[nodiscard]] RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file);
 
-/// NIfTI-1 or NIfTI-2 in one file.
-/// @param bytes  the whole file, packed by gzip or not
-/// @throws Error as above
+/// Parses NIfTI-1 or NIfTI-2 in one file.
+/// @param bytes  the whole file, compressed by gzip or not
+/// @throws Error whose message begins with "it" or "its"
 [[nodiscard]] RawImage parse_nifti(std::string_view bytes);
 
-/// @throws Error as above
+/// @throws Error whose message begins with "it" or "its"
 [[nodiscard]] RawImage parse_invesalius(std::string_view bytes);
 
-/// A file with several frames.
+/// Reads a DICOM file with several frames.
 [[nodiscard]] RawImage read_dicom_file(const std::filesystem::path& path);
 
-/// Whether it begins like one, whatever its ending.
+/// Whether a file begins like DICOM, independent of its extension.
 [[nodiscard]] bool is_dicom_file(const std::filesystem::path& path);
 
-/// A folder with one file per slice, or with a single file of several frames.
-/// @param series  its Series Instance UID, or empty: the only one
-/// @return nothing where no file of the folder is a DICOM picture
+/// Reads a DICOM folder: one file per slice, or a single file with several frames.
+/// @param series  Series Instance UID; empty: the only series
+/// @return nullopt when the folder has no DICOM picture
 [[nodiscard]] std::optional<RawImage> read_dicom_series(const std::filesystem::path& folder, const std::string& series);
 
-/// A folder of PNG or TIFF slices of one channel; the spacing is left at zero.
+/// Reads a folder of PNG or TIFF slices with one channel. The spacing stays 0.
 [[nodiscard]] RawImage read_slices(const std::filesystem::path& folder);
 
 /// Whether a folder has PNG or TIFF files.
 [[nodiscard]] bool has_slices(const std::filesystem::path& folder);
 
-/// How many times smaller a compression can make data at best.
+/// Maximum compression ratio of a format.
 inline constexpr double kNotCompressed = 1;
 inline constexpr double kDeflate = 1032;
-inline constexpr double kAnyCompression = 1e5;  ///< of runs of one value by Zstandard: 2^15; JPEG 2000 stays below
+inline constexpr double kAnyCompression = 1e5;  ///< Zstandard reaches 2^15 on runs of one value; JPEG 2000 is below
 
-/// @param best_ratio  [1] of needed to available bytes
-/// @throws Error when there is less than a header claims, even at the best ratio of its compression: a sentence that
-///         begins with "its"
+/// @param best_ratio  [1] maximum ratio of needed to available bytes
+/// @throws Error whose message begins with "its", when the available bytes are fewer than the header needs at this
+///         ratio
 void require_bytes(double needed, double available, double best_ratio);
 
-/// @throws Error when there is more than a header claims, e.g. because it was written by hand and names another type or
-///         another size: a sentence that begins with "its"
+/// @throws Error whose message begins with "its", when there are more bytes than the header claims, e.g. because a
+///         hand-written header has a wrong type or size
 void require_no_more(std::uint64_t claimed, std::uint64_t available);
 
 }  // namespace hapticut

@@ -14,7 +14,7 @@
 namespace hapticut {
 namespace {
 
-/// What an InVesalius project says of its grey values, by path of keys: `matrix/shape` -> "108 256 256 ".
+/// The properties of an InVesalius project, by path of keys: `matrix/shape` -> "108 256 256 ".
 class PropertyList {
  public:
   explicit PropertyList(std::string_view xml) {
@@ -66,7 +66,7 @@ class PropertyList {
   int depth_ = 0;
 };
 
-/// The tar.gz that a project is.
+/// The tar.gz archive of a project.
 class ProjectArchive {
  public:
   explicit ProjectArchive(std::string_view bytes) : archive_(archive_read_new(), archive_read_free) {
@@ -75,9 +75,9 @@ class ProjectArchive {
     if (archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) fail();
   }
 
-  /// Reads the file of that name, in whatever folder of the archive it is.
-  /// @param largest  [bytes] a larger one is refused
-  std::string read(const std::string& name, double largest) {
+  /// Reads the file of a name, in any folder of the archive.
+  /// @param max_bytes  [bytes] larger files are refused
+  std::string read(const std::string& name, double max_bytes) {
     archive_entry* entry = nullptr;
     for (;;) {
       const int status = archive_read_next_header(archive_.get(), &entry);
@@ -87,10 +87,10 @@ class ProjectArchive {
         break;
     }
     const auto size = double(archive_entry_size(entry));
-    if (!(size >= 0 && size <= largest))
-      throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(largest) +
-                  " are read.");
-    // The archive may claim more than it holds: grow as data arrive.
+    if (!(size >= 0 && size <= max_bytes))
+      throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(max_bytes) +
+                  " are allowed.");
+    // The archive may claim more than it holds, so the buffer grows as data arrive.
     std::string bytes, buffer(1U << 20U, '\0');
     for (;;) {
       const auto count = archive_read_data(archive_.get(), buffer.data(), buffer.size());
@@ -98,7 +98,7 @@ class ProjectArchive {
       if (count == 0) break;
       bytes.append(buffer, 0, std::size_t(count));
     }
-    if (double(bytes.size()) != size) throw Error("its file '" + name + "' is cut short.");
+    if (double(bytes.size()) != size) throw Error("its file '" + name + "' is truncated.");
     return bytes;
   }
 
@@ -118,7 +118,7 @@ RawImage parse_invesalius(std::string_view bytes) {
   constexpr double kMaxList = 1e6;  // [bytes]
   const PropertyList list(ProjectArchive(bytes).read("main.plist", kMaxList));
   if (list.get("matrix/dtype") != "int16")
-    throw Error("its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
+    throw Error("its values are of type '" + list.get("matrix/dtype") + "'; only int16 is supported.");
 
   RawImage image;
   image.type = ValueType::int16;

@@ -2,8 +2,8 @@
 #pragma once
 
 /// @file
-/// Included before everything else when clang compiles files that use ITK. Debian's ITK knows the compiler that it was
-/// built with and stops every other one in a header that only says which features of C++11 there are: all of them.
+/// Included first when clang compiles files that use ITK. Debian's ITK has a header with the C++11 features of the
+/// compiler that built it, and an error for all other compilers. This header replaces it: all features are present.
 #define ITK_COMPILER_DETECTION_H
 #define ITK_COMPILER_IS_Clang 1
 #define ITK_COMPILER_IS_AppleClang 0

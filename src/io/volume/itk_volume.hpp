@@ -10,7 +10,7 @@
 #include "hapticut/core/volume.hpp"
 
 /// @file
-/// Volumes as images of ITK's filters, and back. Filters see the grid's own axes; the pose stays outside.
+/// Converts volumes to images of ITK's filters and back. Filters work on the axes of the grid, without the pose.
 namespace hapticut {
 
 /// While it lives, ITK prints nothing.
@@ -25,10 +25,10 @@ class QuietItk {
   bool warned_;
 };
 
-/// The sentence of an ITK exception that says what is wrong.
+/// The sentence of an ITK exception that states the problem.
 [[nodiscard]] std::string reason_of(const itk::ExceptionObject& exception);
 
-/// An image that reads the values of a volume in place; the volume must outlive it.
+/// An image that uses the values of a volume in place; the volume must outlive it.
 template <class Value>
 typename itk::Image<Value, 3>::Pointer image_view(const Volume<Value>& volume) {
   using Image = itk::Image<Value, 3>;
@@ -41,12 +41,12 @@ typename itk::Image<Value, 3>::Pointer image_view(const Volume<Value>& volume) {
   }
   image->SetRegions(size);
   image->SetSpacing(spacing);
-  // Filters only read their input; ITK has no type for that.
+  // Filters only read their input, but ITK has no const type for it.
   image->GetPixelContainer()->SetImportPointer(const_cast<Value*>(volume.values.data()), volume.values.size(), false);
   return image;
 }
 
-/// Runs filters with ITK quiet; what they throw becomes an Error that says what was being done.
+/// Runs filters without ITK's output. Their exceptions become an Error that names the operation.
 template <class Work>
 auto with_filters(const std::string& doing, const Work& work) {
   try {

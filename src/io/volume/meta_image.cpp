@@ -14,7 +14,7 @@ namespace {
 /// The header of a MetaImage file, up to the name of its data file.
 struct MetaHeader {
   std::map<std::string, std::string> fields;
-  std::uint64_t end = 0;  ///< where data in the same file begin
+  std::uint64_t end = 0;  ///< [bytes] position of the data in the same file
 
   [[nodiscard]] std::string get(const std::string& name, const std::string& otherwise) const {
     const auto found = fields.find(name);
@@ -26,15 +26,15 @@ struct MetaHeader {
   }
 };
 
-// ITK reads this format too, but the parser behind it prints to stderr when a header is damaged and stops the program
-// on some that are not headers at all. The format is a list of `name = value`, so it is read here.
+// ITK's parser of this format prints to stderr on damaged headers and stops the program on some files that are no
+// headers. The format is a list of `name = value`, so it is parsed here.
 
 bool is_local(std::string_view data_file) {
   return data_file == "LOCAL" || data_file == "Local" || data_file == "local";
 }
 
-/// Takes lines of plain text, whatever their names: up to the one behind which the values begin, or to the end of a
-/// header whose values are elsewhere.
+/// Reads the lines of the header: up to the line before the values, or to the end of a header whose values are in
+/// another file.
 MetaHeader parse_meta_header(std::string_view bytes) {
   constexpr std::size_t kMaxHeader = 1 << 20;  // [bytes]
   const std::string_view text = bytes.substr(0, kMaxHeader);
@@ -52,12 +52,12 @@ MetaHeader parse_meta_header(std::string_view bytes) {
       throw Error("it is not a MetaImage file, or its header is damaged at " + in_quotes(line) + ".");
     const std::string name(trimmed(line.substr(0, equals)));
     const std::string& value = header.fields[name] = trimmed(line.substr(equals + 1));
-    // Behind a list stand the names of files; it is refused.
+    // A list is followed by file names; it is refused later.
     if (name == "ElementDataFile" && (is_local(value) || value.starts_with("LIST"))) return header;
   }
   if (text.size() < bytes.size()) throw Error("its header is longer than " + std::to_string(kMaxHeader) + " bytes.");
   if (!header.fields.contains("ElementDataFile"))
-    throw Error("it is not a MetaImage file, or its header is cut short: it has no ElementDataFile.");
+    throw Error("it is not a MetaImage file, or its header is truncated: it has no ElementDataFile.");
   return header;
 }
 
@@ -69,10 +69,10 @@ ValueType type_of_meta(const std::string& name) {
       {"MET_LONG_LONG", int64}, {"MET_DOUBLE", float64}};
   if (const ValueType* type = found_in(kTypes, name)) return *type;
   throw Error("its values are of type " + in_quotes(name) +
-              ", which is not read; save them as MET_SHORT, MET_INT or MET_FLOAT.");
+              ", which is not supported; save them as MET_SHORT, MET_INT or MET_FLOAT.");
 }
 
-/// The numbers of a field that has several names; `otherwise` when it is absent.
+/// The numbers of a field with several possible names; `otherwise` when it is absent.
 std::vector<double> numbers(const MetaHeader& header, const std::vector<std::string>& names,
                             std::vector<double> otherwise) {
   for (const std::string& name : names) {
@@ -87,7 +87,7 @@ std::vector<double> numbers(const MetaHeader& header, const std::vector<std::str
   return otherwise;
 }
 
-/// Each row of the file's matrix is the direction of one axis. Axes behind the third have one sample.
+/// Each row of the file's matrix is the direction of one axis. Axes after the third have one sample.
 FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
   const auto dims = numbers(header, {"DimSize"}, std::vector<double>(dimensions, 0));
   require_sane_dims({dims[0], dims[1], dims[2]});
@@ -114,7 +114,7 @@ FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
   return geometry;
 }
 
-/// [bytes] before the values in a file of their own; -1: they are its last ones.
+/// [bytes] Offset of the values in a separate file; -1: the values are at its end.
 std::int64_t header_size(const MetaHeader& header, bool local) {
   const std::string text = header.get("HeaderSize", "0");
   const std::optional<std::int64_t> skip = parse_whole(text);
@@ -126,7 +126,7 @@ std::int64_t header_size(const MetaHeader& header, bool local) {
   return *skip;
 }
 
-void take_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
+void read_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
   const std::string name = header.get("ElementDataFile", "");
   const bool local = is_local(name);
   const std::string elsewhere = local ? std::string() : data_file(name);
@@ -141,7 +141,7 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
     image.bytes = unpack_gzip(data, count);
   else
     image.bytes = data.substr(skip == -1 ? data.size() - count : std::size_t(skip), count);
-  if (image.bytes.size() != count) throw Error("its compressed data are damaged or cut short.");
+  if (image.bytes.size() != count) throw Error("its compressed data are damaged or truncated.");
   if (header.is_true("BinaryDataByteOrderMSB") || header.is_true("ElementByteOrderMSB")) swap_bytes(image);
 }
 
@@ -155,7 +155,7 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   if (channels != "1") throw Error("it has " + in_quotes(channels) + " values per sample; a volume has one.");
   if (numbers(header, {"ElementToIntensityFunctionSlope"}, {1}) != std::vector<double>{1} ||
       numbers(header, {"ElementToIntensityFunctionOffset"}, {0}) != std::vector<double>{0})
-    throw Error("its values are to be scaled (ElementToIntensityFunctionSlope); save them as they are meant.");
+    throw Error("its values have a scale (ElementToIntensityFunctionSlope); save the scaled values.");
   const ValueType type = type_of_meta(header.get("ElementType", "none"));
   const std::string data = header.get("ElementDataFile", "");
   if (data.empty() || data.rfind("LIST", 0) == 0 || data.find('%') != std::string::npos)
@@ -166,7 +166,7 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   RawImage image;
   image.geometry = geometry_in(header, std::size_t(dimensions));
   image.type = type;
-  take_values(header, bytes, data_file, image);
+  read_values(header, bytes, data_file, image);
   return image;
 }
 

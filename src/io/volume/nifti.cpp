@@ -14,21 +14,21 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kNifti1 = 348, kNifti2 = 540;  // [bytes] of the headers
-constexpr std::size_t kExtensions = 4;               // [bytes] behind it, which say whether there are any
+constexpr std::size_t kExtensions = 4;  // [bytes] after the header, which tell whether there are extensions
 
-/// What a NIfTI header says, in the units of the file.
+/// A NIfTI header, in the units of the file.
 struct NiftiHeader {
   bool swapped = false;
   std::array<double, 8> dim{}, pixdim{};  ///< [0]: number of dimensions; handedness of the quaternion
   int type = 0;
-  double offset = 0;  ///< [bytes] of the values
+  double offset = 0;  ///< [bytes] position of the values
   double slope = 0, intercept = 0;
   int units = 0, qform = 0, sform = 0;  ///< codes
-  std::array<double, 6> quaternion{};   ///< b, c, d, and where the first sample lies
+  std::array<double, 6> quaternion{};   ///< b, c, d, and the position of the first sample
   Eigen::Matrix<double, 3, 4, Eigen::RowMajor | Eigen::DontAlign> rows;
 };
 
-/// Takes the fields of a header by their places.
+/// Reads the fields of a header by their positions.
 class NiftiFields {
  public:
   NiftiFields(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
@@ -39,7 +39,7 @@ class NiftiFields {
   }
 
   template <class Number, class Numbers>
-  void take(std::size_t place, Numbers& numbers) const {
+  void read(std::size_t place, Numbers& numbers) const {
     for (auto& number : numbers) {
       number = double(at<Number>(place));
       place += sizeof(Number);
@@ -51,7 +51,7 @@ class NiftiFields {
   bool swapped_;
 };
 
-/// By its standard less stands for the least that is possible: 0, or 348, for 352.
+/// By the NIfTI standard, an offset below the minimum means the minimum, e.g. 0 or 348 mean 352.
 double at_least(double offset, std::size_t least) { return offset < double(least) ? double(least) : offset; }
 
 NiftiHeader parse_nifti_header(std::string_view bytes) {
@@ -66,32 +66,32 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
       const std::string_view magic = bytes.substr(344, 4);
       if (magic == std::string_view("ni1\0", 4)) throw Error("its values are in another file; save both as one .nii.");
       if (magic != std::string_view("n+1\0", 4)) throw Error("it has the header of an ANALYZE file; save it as NIfTI.");
-      fields.take<std::int16_t>(40, h.dim);
+      fields.read<std::int16_t>(40, h.dim);
       h.type = fields.at<std::int16_t>(70);
-      fields.take<float>(76, h.pixdim);
+      fields.read<float>(76, h.pixdim);
       h.offset = at_least(double(fields.at<float>(108)), kNifti1 + kExtensions);
       h.slope = double(fields.at<float>(112));
       h.intercept = double(fields.at<float>(116));
       h.units = fields.at<std::uint8_t>(123);
       h.qform = fields.at<std::int16_t>(252);
       h.sform = fields.at<std::int16_t>(254);
-      fields.take<float>(256, h.quaternion);
-      fields.take<float>(280, rows);
+      fields.read<float>(256, h.quaternion);
+      fields.read<float>(280, rows);
       return h;
     }
     if (length == std::int32_t(kNifti2) && bytes.size() >= kNifti2) {
       if (bytes.substr(4, 4) != std::string_view("n+2\0", 4))
         throw Error("its values are in another file, or its header is damaged; save it as one .nii.");
       h.type = fields.at<std::int16_t>(12);
-      fields.take<std::int64_t>(16, h.dim);
-      fields.take<double>(104, h.pixdim);
+      fields.read<std::int64_t>(16, h.dim);
+      fields.read<double>(104, h.pixdim);
       h.offset = at_least(double(fields.at<std::int64_t>(168)), kNifti2 + kExtensions);
       h.slope = fields.at<double>(176);
       h.intercept = fields.at<double>(184);
       h.qform = fields.at<std::int32_t>(344);
       h.sform = fields.at<std::int32_t>(348);
-      fields.take<double>(352, h.quaternion);
-      fields.take<double>(400, rows);
+      fields.read<double>(352, h.quaternion);
+      fields.read<double>(400, rows);
       h.units = fields.at<std::int32_t>(500);
       return h;
     }
@@ -106,19 +106,19 @@ ValueType type_of_nifti(int code) {
                                                          {1024, int64}, {1280, uint64}};
   if (const ValueType* type = found_in(kTypes, code)) return *type;
   throw Error("its values are of type " + std::to_string(code) +
-              ", which is not read; save it as grey values or labels.");
+              ", which is not supported; save it as grey values or labels.");
 }
 
 Mat3 rotation_of(const NiftiHeader& h) {
   const double b = h.quaternion[0], c = h.quaternion[1], d = h.quaternion[2];
   const double square = b * b + c * c + d * d;
-  // Rounding may leave a little more than 1, of half a turn.
+  // Rounding may give slightly more than 1 for a rotation by 180 degrees.
   const Eigen::Quaterniond q(std::sqrt(std::max(0.0, 1 - square)), b, c, d);
   return q.normalized().toRotationMatrix();
 }
 
-/// Where the grid lies: by the affine map where the file has one that is not zero, else by the quaternion, else along
-/// the axes of the patient with the first sample at the origin.
+/// The pose of the grid: from the affine map if the file has a nonzero one, else from the quaternion, else along the
+/// axes of the patient with the first sample at the origin.
 FileGeometry geometry_of_nifti(const NiftiHeader& h) {
   FileGeometry geometry;
   for (std::size_t axis = 0; axis < 3; ++axis) geometry.dims[axis] = int(h.dim[axis + 1]);
@@ -132,7 +132,7 @@ FileGeometry geometry_of_nifti(const NiftiHeader& h) {
       axes = rotation_of(h) * Vec3(pixdim.x(), pixdim.y(), h.pixdim[0] < 0 ? -pixdim.z() : pixdim.z()).asDiagonal();
       geometry.origin_mm = Vec3(h.quaternion[3], h.quaternion[4], h.quaternion[5]);
     }
-    // Files have x to the right and y to the front.
+    // In files, x points right and y to the front.
     const Vec3 signs(-1, -1, 1);
     geometry.set_axes(signs.asDiagonal() * axes);
     geometry.origin_mm = signs.cwiseProduct(geometry.origin_mm).eval();
@@ -151,7 +151,7 @@ double bytes_needed(const NiftiHeader& h) {
   return h.offset + h.dim[1] * h.dim[2] * h.dim[3] * double(size_of(type_of_nifti(h.type)));
 }
 
-/// Values of which the file says how they are scaled; a slope of 0 means that they are not.
+/// Applies the scale of the file; a slope of 0 means no scale.
 void scale(const NiftiHeader& h, RawImage& image) {
   if (h.slope == 0 || !std::isfinite(h.slope) || (h.slope == 1 && h.intercept == 0)) return;
   if (!std::isfinite(h.intercept)) throw Error("the offset of its values is not a finite number.");
@@ -186,7 +186,7 @@ RawImage parse_nifti(std::string_view bytes) {
   if (!bytes.starts_with("\x1f\x8b")) return parse_unpacked(bytes);
   const double needed = bytes_needed(parse_nifti_header(start_of_gzip(bytes, kNifti2)));
   require_bytes(needed, double(bytes.size()), kDeflate);
-  constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] that may follow the values
+  constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] allowed after the values
   return parse_unpacked(unpack_gzip(bytes, std::uint64_t(needed) + kMore));
 }
 

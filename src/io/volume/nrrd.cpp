@@ -15,17 +15,17 @@
 namespace hapticut {
 namespace {
 
-// The library that other programs read this format with copies lines of a header into a buffer of fixed length, and
-// takes `left-anterior-superior` for `right-anterior-superior`'s mirror image; so the format is read here.
+// The common NRRD library copies header lines into a buffer of fixed length, and treats `left-anterior-superior` as the
+// mirror image of `right-anterior-superior`. So the format is parsed here.
 
-/// Whether unpacked data begin with the header of a NIfTI file, and where its values start.
+/// Position of the values when unpacked data begin with the header of a NIfTI file; else 0.
 std::uint64_t nifti_header_in(const std::string& data) {
   if (data.size() < 352 || data.compare(344, 4, "n+1", 4) != 0) return 0;
   const auto offset = number_in<float>(std::string_view(data).substr(108));
   return offset >= 348 && offset < 1e9F ? std::uint64_t(offset) : 0;
 }
 
-/// Where the values begin among `total` unpacked bytes.
+/// Position of the values within `total` unpacked bytes.
 std::uint64_t values_offset(const NrrdHeader& header, std::uint64_t nifti, std::uint64_t total, std::uint64_t needed) {
   if (header.byte_skip > 0) return std::uint64_t(header.byte_skip);
   if (header.byte_skip < 0) {
@@ -33,7 +33,7 @@ std::uint64_t values_offset(const NrrdHeader& header, std::uint64_t nifti, std::
     const std::uint64_t before_end = needed + std::uint64_t(-(header.byte_skip + 1));
     return before_end < total ? total - before_end : 0;
   }
-  // A data file that is a whole NIfTI file: its own header is not part of the values.
+  // The data file is a whole NIfTI file: its header is not part of the values.
   return nifti + needed == total ? nifti : 0;
 }
 
@@ -41,17 +41,17 @@ std::size_t after_lines(std::string_view data, std::int64_t count) {
   std::size_t at = 0;
   for (; count > 0; --count) {
     const std::size_t end = data.find('\n', at);
-    if (end == std::string_view::npos) throw Error("it has fewer lines than it says to skip.");
+    if (end == std::string_view::npos) throw Error("it has fewer lines than its header says to skip.");
     at = end + 1;
   }
   return at;
 }
 
-/// Numbers as text, in the type that the header names.
+/// Parses numbers in text form, in the type of the header.
 template <class Value>
 void append_value(double number, std::string& bytes) {
   if constexpr (std::is_integral_v<Value>) {
-    const double end = std::ldexp(1.0, std::numeric_limits<Value>::digits);  // the first that does not fit
+    const double end = std::ldexp(1.0, std::numeric_limits<Value>::digits);  // first value that does not fit
     if (!(number >= double(std::numeric_limits<Value>::min()) && number < end && number == std::floor(number)))
       throw Error("it has the value " + format_number(number) + ", which does not fit its type.");
   }
@@ -100,9 +100,10 @@ std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, s
   if (header.encoding == "hex") values = unpacked = from_hex(data);
   if (header.encoding == "gzip" || header.encoding == "bzip2") {
     require_bytes(double(needed), double(data.size()), kDeflate);
-    // A header or what is to be skipped may stand before the values.
-    const std::uint64_t most = 2 * needed + std::uint64_t(std::max<std::int64_t>(header.byte_skip, 0)) + (1U << 20U);
-    values = unpacked = header.encoding == "gzip" ? unpack_gzip(data, most) : unpack_bzip2(data, most);
+    // A header or skipped bytes may precede the values.
+    const std::uint64_t max_bytes =
+        2 * needed + std::uint64_t(std::max<std::int64_t>(header.byte_skip, 0)) + (1U << 20U);
+    values = unpacked = header.encoding == "gzip" ? unpack_gzip(data, max_bytes) : unpack_bzip2(data, max_bytes);
   }
   const std::uint64_t nifti = header.encoding == "raw" ? 0 : nifti_header_in(unpacked);
   const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);
@@ -120,7 +121,8 @@ RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
   image.geometry = header.geometry;
   const std::uint64_t samples = image.needed() / size_of(image.type),
                       files = std::max<std::size_t>(1, header.data_files.size());
-  if (samples % files != 0) throw Error("its samples cannot be shared among its " + std::to_string(files) + " files.");
+  if (samples % files != 0)
+    throw Error("its samples cannot be divided among its  " + std::to_string(files) + " files.");
   if (header.data_files.empty()) image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
   for (const std::string& name : header.data_files)
     image.bytes += parse_nrrd_values(header, data_file(name), samples / files);

@@ -17,7 +17,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kMaxNrrdHeader = 1 << 20;
-constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header; a list of data files has a line for each
+constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header line; a list of data files has one line for each
 constexpr std::size_t kMaxNrrdFiles = 1 << 16;
 
 std::optional<ValueType> type_of_nrrd(std::string_view name) {
@@ -38,18 +38,18 @@ std::optional<ValueType> type_of_nrrd(std::string_view name) {
   return std::nullopt;
 }
 
-/// Three of the axes of a file: those of space.
+/// The three spatial axes of a file.
 using NrrdAxes = std::array<std::size_t, 3>;
 
 struct NrrdUnit {
   double mm = 1;
-  std::string unknown = {};  ///< what it is called, where nobody knows how long it is
+  std::string unknown = {};  ///< name of an unknown unit
   bool operator==(const NrrdUnit&) const = default;
 };
 
-/// A unit by any of its usual names; none is the millimetre.
+/// A unit by its common names; an empty name means millimetre.
 NrrdUnit unit_named(std::string_view text) {
-  // Greek mu stands at two places of Unicode, and at one of Latin-1.
+  // Greek mu has two code points in Unicode and one in Latin-1.
   static constexpr std::pair<std::string_view, double> kUnits[] = {
       {"", 1},      {"m", 1e3},           {"meter", 1e3},      {"metre", 1e3},       {"cm", 10},
       {"mm", 1},    {"centimeter", 10},   {"centimetre", 10},  {"millimeter", 1},    {"millimetre", 1},
@@ -61,7 +61,7 @@ NrrdUnit unit_named(std::string_view text) {
   return mm == nullptr ? NrrdUnit{1, std::string(text)} : NrrdUnit{*mm};
 }
 
-/// The unit that these axes have, e.g. `"mm" "mm" "mm"`.
+/// The unit of the spatial axes, e.g. `"mm" "mm" "mm"`.
 NrrdUnit unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
   std::optional<NrrdUnit> unit;
   std::size_t from = 0;
@@ -79,11 +79,10 @@ NrrdUnit unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
   return unit.value_or(NrrdUnit{});
 }
 
-/// Whether a `space` has time for its fourth axis: `left-posterior-superior-time`, `LPST`.
+/// Whether the fourth axis of a `space` is time: `left-posterior-superior-time`, `LPST`.
 bool has_time(std::string_view space) { return space.ends_with("-time") || (space.size() == 4 && space[3] == 't'); }
 
-/// What the axes of `space` are in those of the patient: x to the left, y to the back, z to the head. Time behind them
-/// does not count.
+/// The axes of `space` in patient axes: x to the left, y to the back, z to the head. A time axis is ignored.
 Vec3 signs_of_space(std::string name) {
   if (has_time(name)) name.resize(name.size() == 4 ? 3 : name.find("-time"));
   static const std::pair<std::string_view, Vec3> kSigns[] = {
@@ -92,22 +91,22 @@ Vec3 signs_of_space(std::string name) {
       {"left-posterior-superior", Vec3(1, 1, 1)},   {"lps", Vec3(1, 1, 1)}};
   if (const Vec3* signs = found_in(kSigns, name)) return *signs;
   throw Error("its field 'space' is " + in_quotes(name) +
-              ", which does not say where left, back and head of the patient are; write left-posterior-superior, "
-              "right-anterior-superior or left-anterior-superior, whichever it is, into its header.");
+              ", which does not define left, back and head of the patient; write the matching one of "
+              "left-posterior-superior, right-anterior-superior or left-anterior-superior into its header.");
 }
 
-/// The lines of a header, and what they say before it is put together.
+/// The fields of a header.
 class NrrdFields {
  public:
   explicit NrrdFields(std::string_view bytes) : bytes_(bytes.substr(0, kMaxNrrdHeader)) {
     if (!bytes.starts_with("NRRD000")) throw Error("it is not an NRRD file.");
     bool ended = false;
     while (!ended && at_ < bytes_.size()) {
-      const std::string_view line = take_line();
+      const std::string_view line = next_line();
       ended = line.empty();
-      take(line);
+      add_field(line);
       if (!ended && fields_.contains("data file") && is_list()) {
-        take_list();
+        read_list();
         ended = true;
       }
     }
@@ -133,15 +132,15 @@ class NrrdFields {
     return *number;
   }
 
-  /// Numbers between blanks.
+  /// Numbers separated by blanks.
   [[nodiscard]] std::vector<double> numbers(const char* name, std::size_t count) const {
     const std::optional<std::vector<double>> numbers = numbers_in(get(name), " \t");
     if (!numbers || numbers->size() != count) fail(name, std::to_string(count) + " numbers");
     return *numbers;
   }
 
-  /// Vectors of three numbers, or of four where the space has time: `(1,0,0) (0,1,0) (0,0,1)`. An axis that has none is
-  /// `none`: not a number.
+  /// Vectors of three numbers, or of four if the space has time: `(1,0,0) (0,1,0) (0,0,1)`. `none` stands for an axis
+  /// without a vector and becomes NaN.
   [[nodiscard]] std::vector<Vec3> vectors(const char* name, std::size_t count) const {
     std::vector<Vec3> found;
     std::string_view text = get(name);
@@ -166,7 +165,7 @@ class NrrdFields {
   [[nodiscard]] std::size_t end() const { return at_; }
 
  private:
-  std::string_view take_line() {
+  std::string_view next_line() {
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     if (end - at_ > kMaxNrrdLine)
       throw Error("a line of its NRRD header is longer than " + std::to_string(kMaxNrrdLine) + " bytes.");
@@ -175,7 +174,7 @@ class NrrdFields {
     return line;
   }
 
-  void take(std::string_view line) {
+  void add_field(std::string_view line) {
     if (line.starts_with('#')) return;
     const std::size_t colon = line.find(": ");
     if (colon == std::string_view::npos || line.find(":=") < colon) return;
@@ -187,12 +186,12 @@ class NrrdFields {
     std::string name = lower_case(line.substr(0, colon));
     if (const char* const* other = found_in(kOtherNames, name)) name = *other;
     if (!fields_.emplace(name, trimmed(line.substr(colon + 2))).second)
-      throw Error("its field " + in_quotes(name) + " is there twice.");
+      throw Error("its field " + in_quotes(name) + " appears twice.");
   }
 
-  void take_list() {
+  void read_list() {
     while (at_ < bytes_.size() && list_.size() < kMaxNrrdFiles)
-      if (const std::string_view line = take_line(); !line.empty()) list_.emplace_back(line);
+      if (const std::string_view line = next_line(); !line.empty()) list_.emplace_back(line);
   }
 
   std::string_view bytes_;
@@ -201,7 +200,7 @@ class NrrdFields {
   std::vector<std::string> list_;
 };
 
-/// `slice%03d.raw 1 30 1`: a name, the first number, the last one, the step.
+/// `slice%03d.raw 1 30 1`: name, first number, last number, step.
 std::vector<std::string> numbered_files(const NrrdFields& fields) {
   constexpr const char* kMustBe = "a name with one %d, its first number, the last one and the step";
   const std::string_view value = fields.get("data file");
@@ -227,8 +226,7 @@ std::vector<std::string> numbered_files(const NrrdFields& fields) {
   return files;
 }
 
-/// The axes of space: all, or what is left where others of one sample (time, values) are taken away, the last one
-/// first.
+/// The spatial axes: all axes, without those of one sample (time, values), which are removed from the last one.
 NrrdAxes axes_of_space(const NrrdFields& fields, std::size_t dimensions) {
   const std::vector<double> sizes = fields.numbers("sizes", dimensions);
   std::vector<Vec3> directions(dimensions, Vec3::Zero());
@@ -239,8 +237,8 @@ NrrdAxes axes_of_space(const NrrdFields& fields, std::size_t dimensions) {
     if (sizes[n] == 1 && !(directions[n].norm() > 0)) axes.erase(axes.begin() + std::ptrdiff_t(n));
   if (axes.size() != 3)
     throw Error("it has " + std::to_string(dimensions) +
-                " dimensions; a volume has three, and more only of one sample. Take one volume out of it, or put its "
-                "slices together.");
+                " dimensions; a volume has three, and further axes may have only one sample. Extract one volume from "
+                "it, or combine its slices.");
   if (!fields.has("kinds")) return {axes[0], axes[1], axes[2]};
   std::istringstream kinds{std::string(fields.get("kinds"))};
   std::string kind;
@@ -248,7 +246,7 @@ NrrdAxes axes_of_space(const NrrdFields& fields, std::size_t dimensions) {
     if (std::ranges::find(axes, n) != axes.end() && sizes[n] > 1 && kind != "domain" && kind != "space" &&
         kind != "none" && kind != "???")
       throw Error("its axis " + std::to_string(n + 1) + " is of the kind " + in_quotes(kind) +
-                  ", so it is no axis of a volume: take one of its " + format_number(sizes[n]) + " parts out of it.");
+                  ", so it is not an axis of a volume: extract one of its " + format_number(sizes[n]) + " parts.");
   return {axes[0], axes[1], axes[2]};
 }
 
@@ -275,7 +273,7 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
       geometry.origin_mm = three("axis mins");
       for (int axis = 0; axis < 3; ++axis)
         if (std::isnan(geometry.origin_mm[axis])) geometry.origin_mm[axis] = 0;
-      // The smallest place of an axis is the edge of its first sample, unless it says that it is its middle.
+      // The minimum of an axis is the edge of its first sample, unless the header says that it is its centre.
       if ((!fields.has("centerings") || fields.get("centerings").find("node") == std::string_view::npos) &&
           is_finite(geometry.spacing_mm))
         geometry.origin_mm += geometry.spacing_mm / 2;

@@ -9,7 +9,7 @@
 #include "io/volume/raw_image.hpp"
 
 /// @file
-/// The header of an NRRD file: a text of `field: value` up to an empty line.
+/// The header of an NRRD file: lines of `field: value` up to an empty line.
 namespace hapticut {
 
 struct NrrdHeader {
@@ -19,13 +19,14 @@ struct NrrdHeader {
   bool big_endian = false;
   std::int64_t byte_skip = 0;  ///< negative: counted from the end of the data
   std::int64_t line_skip = 0;
-  std::vector<std::string> data_files;  ///< names beside the header, in order of the slowest axis; empty: this file
-  std::size_t end = 0;                  ///< [bytes] where data in the same file begin
+  std::vector<std::string>
+      data_files;       ///< file names relative to the header, in order of the slowest axis; empty: this file
+  std::size_t end = 0;  ///< [bytes] position of the data in the same file
 };
 
 /// @param bytes  the beginning of a file
-/// @throws Error a sentence that begins with "it" or "its", when this is no header of a volume with three axes and one
-/// value per sample
+/// @throws Error whose message begins with "it" or "its", when it is not the header of a volume with three axes and one
+///         value per sample
 [[nodiscard]] NrrdHeader parse_nrrd_header(std::string_view bytes);
 
 }  // namespace hapticut

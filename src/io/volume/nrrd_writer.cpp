@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header below says that the values are little-endian");
 
-/// The header for values that follow in gzip format. Plain numbers in the classic locale, with all their digits.
+/// The header of values in gzip format. Numbers are in the classic locale, with all digits.
 template <class Value>
 std::string header_of(const Volume<Value>& volume, const char* type) {
   std::ostringstream text;
@@ -39,7 +39,7 @@ std::string header_of(const Volume<Value>& volume, const char* type) {
 
 /// Writes bytes in gzip format.
 void write_gzip(std::ostream& stream, const void* data, std::size_t size) {
-  constexpr int kFast = 3;  // twice as fast as the default for a few per cent more bytes
+  constexpr int kFast = 3;  // twice as fast as the default, a few per cent larger
   z_stream zip{};
   if (deflateInit2(&zip, kFast, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&zip, deflateEnd);
@@ -48,7 +48,7 @@ void write_gzip(std::ostream& stream, const void* data, std::size_t size) {
   const auto* in = static_cast<const Bytef*>(data);
   for (bool last = false; !last;) {
     const std::size_t give = std::min(kPiece, size);
-    zip.next_in = const_cast<Bytef*>(in);  // zlib does not write to it
+    zip.next_in = const_cast<Bytef*>(in);  // zlib does not modify it
     zip.avail_in = uInt(give);
     in += give;
     size -= give;
@@ -87,7 +87,7 @@ Volume<Value> volume_around(const Workpiece& workpiece) {
   return volume;
 }
 
-/// Calls `set(value of the volume, block, place in the block)` for every voxel that is not empty.
+/// Calls `set(value of the volume, block, index in the block)` for every voxel that is not empty.
 template <class Value, class Set>
 void copy_voxels(const Workpiece& workpiece, Volume<Value>& volume, const Set& set) {
   const IndexBox box = workpiece.bounds();

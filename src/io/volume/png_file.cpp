@@ -14,7 +14,7 @@
 namespace hapticut {
 namespace {
 
-/// libpng, reading from memory. It leaves by longjmp when something is wrong.
+/// libpng, reading from memory. It reports errors by longjmp.
 class PngReader {
  public:
   PngReader(const std::filesystem::path& path, const std::string& file)
@@ -60,10 +60,10 @@ class PngReader {
   }
 
  private:
-  /// @param calls  of libpng; nothing in them may need a destructor
+  /// @param calls  calls of libpng; they may not create objects with destructors
   template <class Calls>
   void checked(const Calls& calls) {
-    if (setjmp(png_jmpbuf(png_)) != 0) cannot_read(path_, "it is damaged or cut short (" + std::string(reason_) + ").");
+    if (setjmp(png_jmpbuf(png_)) != 0) cannot_read(path_, "it is damaged or truncated (" + std::string(reason_) + ").");
     calls();
   }
 
@@ -92,8 +92,7 @@ class PngReader {
 
 PictureFile read_png(const std::filesystem::path& path) {
   const std::string file = bytes_of_file(path);
-  if (!file.starts_with("\x89PNG\r\n\x1a\n"))
-    cannot_read(path, "it is not a picture of the format that its name says.");
+  if (!file.starts_with("\x89PNG\r\n\x1a\n")) cannot_read(path, "its format differs from its extension.");
   return naming(path, [&] { return PngReader(path, file).read(); });
 }
 

@@ -16,7 +16,7 @@
 namespace hapticut {
 namespace {
 
-/// Converts value by value; `convert` may throw.
+/// Converts each value; `convert` may throw.
 template <class Value, class Convert>
 void convert_values(const RawImage& image, std::vector<Value>& values, const Convert& convert) {
   with_value_type(image.type, [&](auto zero) {
@@ -30,18 +30,18 @@ void convert_values(const RawImage& image, std::vector<Value>& values, const Con
   });
 }
 
-/// Gives padding a value that is no material: that of air in Hounsfield units, or the lowest of the scan where that is
-/// lower. Labels are 0 already.
+/// Sets padding to a value without material: air in Hounsfield units, or the lowest value of the scan if that is lower.
+/// Padded labels are 0 already.
 void fill_padding(const RawImage& image, GreyVolume& volume) {
   float air = -1000;
   for (std::size_t n = 0; n < volume.values.size(); ++n)
-    if (!image.is_padding(n)) air = std::min(air, volume.values[n]);  // not what is no number
+    if (!image.is_padding(n)) air = std::min(air, volume.values[n]);  // NaN compares false
   for (std::size_t n = 0; n < volume.values.size(); ++n)
     if (image.is_padding(n)) volume.values[n] = air;
 }
 
-/// @throws Error unless the directions of the axes are perpendicular and of length 1, but for rounding, which is taken
-/// away
+/// @throws Error unless the directions of the axes are perpendicular unit vectors, apart from rounding. Removes the
+///         rounding.
 Mat3 directions_in(const FileGeometry& geometry, const std::filesystem::path& path) {
   const Vec3 lengths = geometry.direction.colwise().norm();
   const Mat3 unit = geometry.direction * lengths.cwiseInverse().asDiagonal();
@@ -53,7 +53,7 @@ Mat3 directions_in(const FileGeometry& geometry, const std::filesystem::path& pa
   return orthonormalized(unit);
 }
 
-/// Turns a left-handed grid round along z: the last slice becomes the first, and nothing moves.
+/// Reverses a left-handed grid along z: the last slice becomes the first, and no sample moves.
 template <class Value>
 void turn_round_z(Volume<Value>& volume, FileGeometry& geometry) {
   const int last = volume.dims[2] - 1;
@@ -71,23 +71,23 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
     cannot_read(path, "its unit " + in_quotes(geometry.unknown_unit) +
                           " is not known; write m, cm, mm, um or nm into its header, or set "
                           "VolumeReadOptions::spacing.");
-  // The spacing of the caller also says how long an unknown unit is.
+  // The caller's spacing also defines the length of an unknown unit.
   if (!geometry.unknown_unit.empty()) geometry.origin_mm *= spacing->norm() / units::mm / geometry.spacing_mm.norm();
   if (spacing) geometry.spacing_mm = *spacing / units::mm;
   if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
-    cannot_read(path, "it does not say how far apart its samples are (" + format_number(geometry.spacing_mm.x()) +
-                          " x " + format_number(geometry.spacing_mm.y()) + " x " +
-                          format_number(geometry.spacing_mm.z()) + " mm); set VolumeReadOptions::spacing.");
+    cannot_read(path, "it lacks the spacing of its samples (" + format_number(geometry.spacing_mm.x()) + " x " +
+                          format_number(geometry.spacing_mm.y()) + " x " + format_number(geometry.spacing_mm.z()) +
+                          " mm); set VolumeReadOptions::spacing.");
   if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
     cannot_read(path, "its origin or direction is not finite. Check its header.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
-  constexpr double kLongest = 1e5;  // [mm]
-  if (!(extent.maxCoeff() <= kLongest))
+  constexpr double kMaxLength = 1e5;  // [mm]
+  if (!(extent.maxCoeff() <= kMaxLength))
     cannot_read(path, "it is " + format_number(extent.maxCoeff() * 1e-3) + " m long; at most " +
-                          format_number(kLongest * 1e-3) + " m are allowed. Check its spacing, or give another one.");
-  constexpr double kFarthest = 1e9;  // [mm]
-  if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kFarthest))
-    cannot_read(path, "its origin is more than " + format_number(kFarthest * 1e-3) + " m away. Check its header.");
+                          format_number(kMaxLength * 1e-3) + " m are allowed. Check its spacing, or set another one.");
+  constexpr double kMaxDistance = 1e9;  // [mm]
+  if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kMaxDistance))
+    cannot_read(path, "its origin is more than " + format_number(kMaxDistance * 1e-3) + " m away. Check its header.");
   geometry.direction = directions_in(geometry, path);
 
   Volume<Value> volume;
@@ -113,25 +113,25 @@ void require_sane_dims(const std::array<double, 3>& dims) {
                   " samples; there must be a whole number of them along every axis, at least 1.");
   if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
     throw Error("it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
-                " are read. Crop or downsample it first.");
+                "  are supported. Crop or downsample it first.");
 }
 
-void require_dimensions(double dimensions, double most) {
-  if (!(dimensions >= 3 && dimensions <= most))
+void require_dimensions(double dimensions, double max_dimensions) {
+  if (!(dimensions >= 3 && dimensions <= max_dimensions))
     throw Error("it has " + format_number(dimensions) +
-                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
+                " dimensions; a volume has three. Extract one volume from it, or combine its slices.");
 }
 
 void require_one_volume(double samples) {
   if (samples != 1)
-    throw Error("it has " + format_number(samples) + " volumes or values per sample; take one volume out of it first.");
+    throw Error("it has " + format_number(samples) + " volumes or values per sample; extract one volume first.");
 }
 
 void require_bytes(double needed, double available, double best_ratio) {
   const bool compressed = best_ratio > kNotCompressed;
   if (needed > available * best_ratio + (compressed ? 1024 : 0))
     throw Error("its header claims " + format_number(needed) + " bytes of data, but there are only " +
-                format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
+                format_number(available) + (compressed ? " compressed ones." : ".") + " Is it truncated?");
 }
 
 void require_no_more(std::uint64_t claimed, std::uint64_t available) {

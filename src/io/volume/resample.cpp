@@ -18,7 +18,7 @@ namespace {
 using GreyImage = itk::Image<float, 3>;
 using LabelImage = itk::Image<std::uint16_t, 3>;
 
-/// The grid of cubic samples that begins at the same corner; no values yet.
+/// The grid of cubic samples with the same lower corner, without values.
 template <class Value>
 Volume<Value> cubic_grid(const Volume<Value>& volume, double size) {
   require_valid(volume);
@@ -58,7 +58,7 @@ void fill_from(const itk::Image<Value, 3>* image, itk::InterpolateImageFunction<
   filter->SetOutputSpacing(spacing);
   filter->SetOutputOrigin(origin);
   filter->SetInterpolator(interpolator);
-  // The last samples may reach beyond the volume: they continue it.
+  // The last samples may extend beyond the volume; they continue its border values.
   filter->SetExtrapolator(itk::NearestNeighborExtrapolateImageFunction<Image, double>::New());
   filter->Update();
   const Value* values = filter->GetOutput()->GetBufferPointer();
@@ -71,7 +71,7 @@ GreyVolume resample(const GreyVolume& volume, double voxel_size) {
   GreyVolume target = cubic_grid(volume, voxel_size);
   return with_filters("resampling a volume", [&] {
     GreyImage::Pointer image = image_view(volume);
-    // Where several samples fall into a new one, take their mean before interpolating.
+    // If several samples fall into a new one, average them before interpolating.
     itk::BinShrinkImageFilter<GreyImage, GreyImage>::ShrinkFactorsType factors;
     bool shrink = false;
     for (unsigned axis = 0; axis < 3; ++axis) {

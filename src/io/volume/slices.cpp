@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 enum class SliceFormat : std::uint8_t { kPng, kTiff };
 
-/// Nothing for what is no slice, such as the notes `._name` that macOS leaves beside a file.
+/// Format of a slice; nullopt for other files, such as the `._name` files of macOS.
 std::optional<SliceFormat> format_of(const fs::path& path) {
   if (path.filename().string().starts_with("._")) return std::nullopt;
   const std::string ending = lower_case(path.extension().string());
@@ -28,14 +28,14 @@ std::optional<SliceFormat> format_of(const fs::path& path) {
 }
 
 struct SliceNumber {
-  std::string before;  ///< all of the name that stands before it
+  std::string before;  ///< text of the name before the number
   std::uint64_t value = 0;
 };
 
 struct SliceFile {
   fs::path path;
   SliceFormat format;
-  std::vector<SliceNumber> numbers = {};  ///< of its name
+  std::vector<SliceNumber> numbers = {};  ///< numbers in its name
 };
 
 PictureFile read_picture(const SliceFile& file) {
@@ -51,18 +51,19 @@ std::vector<SliceNumber> numbers_of_name(const fs::path& path) {
     if (end - begin <= 18) numbers.push_back({name.substr(0, begin), std::stoull(name.substr(begin, end - begin))});
   }
   if (numbers.empty())
-    cannot_read(path, "slices are ordered by the numbers in their names, and this one has none. Move it elsewhere.");
+    cannot_read(path,
+                "slices are ordered by the numbers in their names, but this name has none. Move the file elsewhere.");
   return numbers;
 }
 
 void require_follows(const fs::path& folder, const SliceFile& before, const SliceFile& file, bool does) {
   if (!does)
     cannot_read(folder, "its slices '" + before.path.filename().string() + "' and '" + file.path.filename().string() +
-                            "' do not follow each other; one is missing, there twice, or of another series.");
+                            "' are not consecutive; one is missing, duplicated, or of another series.");
 }
 
-/// The slices of a folder by the last number in their names that changes along them, which need not be padded with
-/// zeros.
+/// The slices of a folder, ordered by the last number in their names that differs between them. The numbers need no
+/// leading zeros.
 std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   std::vector<SliceFile> files;
   std::error_code code;
@@ -70,7 +71,7 @@ std::vector<SliceFile> ordered_slices(const fs::path& folder) {
     if (const auto format = format_of(entry.path())) files.push_back({entry.path(), *format});
   if (code) cannot_read(folder, code.message() + ".");
   if (files.size() < 2) {
-    for (const SliceFile& file : files) (void)read_picture(file);  // refuses several pages
+    for (const SliceFile& file : files) (void)read_picture(file);  // throws when a file has several pages
     cannot_read(folder, "it has fewer than two PNG or TIFF slices; a volume needs two.");
   }
   for (SliceFile& file : files) file.numbers = numbers_of_name(file.path);
@@ -88,7 +89,7 @@ std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   return files;
 }
 
-/// Reads the slices one by one and checks that they are alike.
+/// Reads the slices and checks that they have the same format.
 template <class Use>
 std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
   const std::vector<SliceFile> files = ordered_slices(folder);
@@ -147,7 +148,7 @@ LabelVolume read_color_slices(const fs::path& folder, const std::map<Color, std:
     for (std::size_t at = 0; at < picture.bytes.size(); at += channels) {
       const auto channel = [&](std::size_t n) { return std::uint8_t(picture.bytes[at + n]); };
       const Color color = {channel(0), channel(1), channel(2)};
-      if (!known || color != last) {  // neighbours are mostly alike
+      if (!known || color != last) {  // neighbours are usually equal
         const auto entry = label_of.find(color);
         label = entry == label_of.end() ? std::uint16_t(0) : entry->second;
         last = color;

@@ -27,7 +27,7 @@ class TiffReader {
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &TiffReader::note_error, this);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &TiffReader::ignore, nullptr);
     tiff_.reset(TIFFOpenExt(path.c_str(), "rm", options.get()));
-    if (!tiff_) fail("it is not a picture of the format that its name says");
+    if (!tiff_) fail("its format differs from its extension");
   }
 
   PictureFile read() {
@@ -39,10 +39,10 @@ class TiffReader {
     PictureFile picture{{int(width), int(height)}, field(TIFFTAG_SAMPLESPERPIXEL), value_type(), {}};
     if (picture.channels < 1 || picture.channels > 4) fail("it has more than four channels");
     const auto layout = field(TIFFTAG_PLANARCONFIG), meaning = field(TIFFTAG_PHOTOMETRIC);
-    if (picture.channels > 1 && layout != PLANARCONFIG_CONTIG) fail("its channels are stored one by one");
+    if (picture.channels > 1 && layout != PLANARCONFIG_CONTIG) fail("its channels are stored separately");
     if (meaning != PHOTOMETRIC_MINISBLACK && meaning != PHOTOMETRIC_RGB)
-      fail("its values are neither grey, zero being black, nor red, green and blue; save it as one of these");
-    if (field(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT) fail("it is stored turned or mirrored; save it upright");
+      fail("its values are neither grey (0 = black) nor RGB; save it as one of these");
+    if (field(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT) fail("it is stored rotated or mirrored; save it upright");
     const std::size_t row = std::size_t(width) * picture.channels * size_of(picture.type);
     require_bytes(double(row) * height, available_, kAnyCompression);
     picture.bytes.resize(row * height);
@@ -67,15 +67,15 @@ class TiffReader {
     if (bits == 16 && format == SAMPLEFORMAT_UINT) return ValueType::uint16;
     if (bits == 16 && format == SAMPLEFORMAT_INT) return ValueType::int16;
     if (bits == 32 && format == SAMPLEFORMAT_IEEEFP) return ValueType::float32;
-    fail("its values are of a type that is not read; save 8 or 16 bits per pixel");
+    fail("its type of values is not supported; save 8 or 16 bits per pixel");
   }
 
   void read_rows(PictureFile& picture, std::size_t row) {
     if (TIFFScanlineSize64(tiff_.get()) != row || TIFFStripSize64(tiff_.get()) > std::uint64_t(kMaxPiece))
-      fail("its strips do not fit it");
+      fail("its strips do not match its size");
     for (std::size_t y = 0; y < std::size_t(picture.dims[1]); ++y)
       if (TIFFReadScanline(tiff_.get(), picture.bytes.data() + y * row, std::uint32_t(y), 0) != 1)
-        fail("it is damaged or cut short");
+        fail("it is damaged or truncated");
   }
 
   void read_tiles(PictureFile& picture, std::size_t row) {
@@ -84,14 +84,14 @@ class TiffReader {
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &tile_height);
     const std::uint64_t size = TIFFTileSize64(tiff_.get()), tile_row = TIFFTileRowSize64(tiff_.get());
     if (tile_width < 1 || tile_height < 1 || size > std::uint64_t(kMaxPiece) || size < tile_row * tile_height)
-      fail("its tiles do not fit it");
+      fail("its tiles do not match its size");
     const std::size_t pixel = picture.channels * size_of(picture.type);
-    if (tile_row < tile_width * pixel) fail("its tiles do not fit it");
+    if (tile_row < tile_width * pixel) fail("its tiles do not match its size");
     std::vector<std::byte> tile(static_cast<std::size_t>(size));
     const auto width = std::uint32_t(picture.dims[0]), height = std::uint32_t(picture.dims[1]);
     for (std::uint32_t y = 0; y < height; y += tile_height)
       for (std::uint32_t x = 0; x < width; x += tile_width) {
-        if (TIFFReadTile(tiff_.get(), tile.data(), x, y, 0, 0) < 0) fail("it is damaged or cut short");
+        if (TIFFReadTile(tiff_.get(), tile.data(), x, y, 0, 0) < 0) fail("it is damaged or truncated");
         const std::size_t count = pixel * std::min(tile_width, width - x);
         for (std::uint32_t line = 0; line < std::min(tile_height, height - y); ++line)
           std::memcpy(picture.bytes.data() + (y + line) * row + x * pixel, tile.data() + line * tile_row, count);
@@ -109,13 +109,13 @@ class TiffReader {
     reason = text;
     reason.erase(reason.find_last_not_of(" .\n") + 1);
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    return 1;  // libtiff passes it on to no other handler
+    return 1;  // libtiff calls no other handler
   }
   static int ignore(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
   const std::filesystem::path& path_;
   double available_;    // bytes in the file
-  std::string reason_;  // libtiff's last one
+  std::string reason_;  // last message of libtiff
   std::unique_ptr<TIFF, void (*)(TIFF*)> tiff_{nullptr, TIFFClose};
 };
 

@@ -6,18 +6,18 @@
 #include <string_view>
 
 /// @file
-/// Compressed data in memory. What is damaged, cut short or grows beyond a limit is an Error, a sentence that begins
-/// with "its".
+/// Unpacks compressed data in memory. Throws an Error whose message begins with "its" when the data are damaged,
+/// truncated or exceed a limit.
 namespace hapticut {
 
-/// Unpacks gzip or zlib data; several gzip members make one whole.
-/// @param most  [bytes] that may come out
-[[nodiscard]] std::string unpack_gzip(std::string_view packed, std::uint64_t most);
+/// Unpacks gzip or zlib data; several gzip members are concatenated.
+/// @param max_bytes  [bytes] limit of the unpacked size
+[[nodiscard]] std::string unpack_gzip(std::string_view packed, std::uint64_t max_bytes);
 
-/// The first unpacked bytes, at most `count`.
+/// The first unpacked bytes, up to `count`.
 [[nodiscard]] std::string start_of_gzip(std::string_view packed, std::size_t count);
 
-/// @param most  [bytes] that may come out
-[[nodiscard]] std::string unpack_bzip2(std::string_view packed, std::uint64_t most);
+/// @param max_bytes  [bytes] limit of the unpacked size
+[[nodiscard]] std::string unpack_bzip2(std::string_view packed, std::uint64_t max_bytes);
 
 }  // namespace hapticut

@@ -19,24 +19,22 @@ namespace fs = std::filesystem;
 void require_no_series(const fs::path& path, const VolumeReadOptions& options) {
   if (!options.dicom_series.empty())
     cannot_read(path,
-                "it is no folder of DICOM files, so it has no series to choose; leave "
-                "VolumeReadOptions::dicom_series out.");
+                "it is not a folder of DICOM files, so it has no series; leave VolumeReadOptions::dicom_series out.");
 }
 
 RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
-  // Pictures beside DICOM files are previews of them.
+  // Pictures next to DICOM files are previews.
   if (std::optional<RawImage> scan = read_dicom_series(path, options.dicom_series)) return *std::move(scan);
   if (!has_slices(path))
     cannot_read(path,
-                "the folder has neither a DICOM series nor PNG or TIFF slices; pass the folder that they lie in "
-                "themselves, and save pictures of another format (JPEG, BMP) as PNG.");
+                "the folder has neither a DICOM series nor PNG or TIFF slices; name the folder that contains them "
+                "directly, and save other pictures (JPEG, BMP) as PNG.");
   require_no_series(path, options);
-  if (!options.spacing)
-    cannot_read(path, "PNG and TIFF slices do not say how far apart they are; set VolumeReadOptions::spacing.");
+  if (!options.spacing) cannot_read(path, "PNG and TIFF slices have no spacing; set VolumeReadOptions::spacing.");
   return read_slices(path);
 }
 
-/// Gives the content of files beside the one that names them.
+/// Reads data files relative to the file that names them.
 DataFile data_files_beside(const fs::path& path) {
   return [folder = path.parent_path()](const std::string& name) {
     const fs::path file = folder / name;
@@ -57,11 +55,11 @@ RawImage read_with_data_files(const fs::path& path) {
 }
 
 struct VolumeFormat {
-  std::string_view ending;  ///< of a file's name, in lower case
+  std::string_view ending;  ///< extension, in lower case
   RawImage (*read)(const fs::path& path);
 };
 
-/// All that are read by the ending of a file's name.
+/// The formats that the extension identifies.
 constexpr VolumeFormat kVolumeFormats[] = {{".nrrd", read_with_data_files<parse_nrrd>},
                                            {".nhdr", read_with_data_files<parse_nrrd>},
                                            {".nii", read_alone<parse_nifti>},
@@ -82,17 +80,16 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
     if (name.ends_with(format.ending)) return format.read(path);
   (void)readable_size(path);
   if (name.ends_with(".raw"))
-    cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
+    cannot_read(path, "a raw file has no header; use read_raw_grey_volume or read_raw_label_volume.");
   if (name.ends_with(".png") || name.ends_with(".tif") || name.ends_with(".tiff"))
-    cannot_read(path,
-                "a picture is one slice, also where it has several pages; save each page as a file of its own, and "
-                "give their folder.");
-  if (name.ends_with(".h5"))
-    cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording.");
+    cannot_read(
+        path,
+        "a picture is one slice, even with several pages; save each page as a separate file and name the folder.");
+  if (name.ends_with(".h5")) cannot_read(path, "it is a recording by its extension, not a volume; use read_recording.");
   if (is_dicom_file(path)) return read_dicom_file(path);
-  cannot_read(path, "its ending is not that of a format that is read: " + in_one_line(volume_endings()) +
-                        ", or a folder with a DICOM series or with PNG or TIFF slices; as a mesh " +
-                        in_one_line(kMeshEndings) + ", as a workpiece .vdb.");
+  cannot_read(path, "its extension is not supported; volumes are " + in_one_line(volume_endings()) +
+                        ", or a folder with a DICOM series or PNG or TIFF slices; meshes are " +
+                        in_one_line(kMeshEndings) + "; workpieces are .vdb.");
 }
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {
@@ -105,7 +102,7 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
   const std::uint64_t needed = image.needed();
   const std::uint64_t size = readable_size(path);
   if (size < layout.skip || size - layout.skip != needed)
-    cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout asks for " +
+    cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout requires " +
                           std::to_string(layout.skip + needed) +
                           ". Check RawLayout::dims, RawLayout::type and RawLayout::skip.");
   image.bytes = bytes_of_file(path);

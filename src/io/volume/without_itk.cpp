@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What stands in the library for everything that needs ITK, where it was built without it.
+// SPDX-License-Identifier: Apache-2.0 Replaces the functions that need ITK in a library built without it.
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
 
@@ -7,7 +6,7 @@ namespace hapticut {
 namespace {
 
 const std::string kNeedsItk =
-    " needs ITK, which this build of hapticut is without; install libinsighttoolkit5-dev and build it with "
+    " needs ITK, which this build of hapticut lacks; install libinsighttoolkit5-dev and build it with "
     "HAPTICUT_WITH_ITK=ON.";
 
 [[noreturn]] void cannot_do(const std::string& what) { throw Error(what + kNeedsItk); }

@@ -38,7 +38,7 @@ TEST_F(Complaint, OfADeviceThatThisBuildLacksNamesNoFunctionToCall) {
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
-  expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Numbers of one flag are joined by commas");
+  expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Separate the numbers of one flag by commas");
   expect("drill --feed 4", kWrongUsage, "there is no --feed. Did you mean --feed_mm_per_s?");
   expect("drill --to 1,3,2.5", kWrongUsage, "there is no --to. Did you mean --to_mm?");
   expect("drill --radius 1", kWrongUsage, "there is no --radius. Did you mean --radius_mm?");
@@ -134,7 +134,7 @@ TEST_F(SettingsFile, ThatIsWrongOrNotThereIsRefused) {
     expect("drill --settings " + path("s.toml"), kFailed, "hapticut: " + path("s.toml") + part);
   }
   expect("drill --settings " + path("none.toml"), kFailed, "there is no such settings file");
-  expect("drill --settings /", kFailed, "it is a folder; give the settings file in it.");
+  expect("drill --settings /", kFailed, "it is a folder; name the settings file in it.");
 }
 
 TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
@@ -152,8 +152,8 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
   expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
-  expect(source + "--label dentin=2", kFailed, "leave them out with --unclaimed_labels leave_out.");
-  expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "goes with labels");
+  expect(source + "--label dentin=2", kFailed, "leave them out by --unclaimed_labels leave_out.");
+  expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "needs labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
   const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
@@ -187,11 +187,11 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
   expect("stability --json " + nowhere, kFailed, "cannot write");
   expect("calibrate tests.csv --json " + nowhere, kFailed, "cannot write");
-  expect("convert molar " + path("x.doc"), kFailed, "must end in");
+  expect("convert molar " + path("x.doc"), kFailed, "extension must be");
   for (const char* flag : {"--json", "--save", "--steps_csv"})
     expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
-  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "must end in");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "extension must be");
   if (::geteuid() != 0) {  // nothing is forbidden to root
     std::filesystem::create_directory(folder / "closed");
     std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);

@@ -224,7 +224,7 @@ TEST_F(Inspect, ReadsAFileWithoutAHeader) {
        {std::pair("", "needs all of workpiece.raw_dims"), std::pair("--raw_dims 4,3,2 --raw_type uint16", "spacing_mm"),
         std::pair("--raw_dims 4,3,2 --raw_type short --spacing_mm 1,1,1", "must be one of uint8"),
         std::pair("--raw_dims 4,3,2.5 --raw_type int8 --spacing_mm 1,1,1", "whole numbers"),
-        std::pair("--raw_dims 4,3,2 --raw_type int8 --spacing_mm 1,1,1 --dicom-series 1.2", "no series to choose"),
+        std::pair("--raw_dims 4,3,2 --raw_type int8 --spacing_mm 1,1,1 --dicom-series 1.2", "has no series"),
         std::pair("--raw_dims 40,30,20 --raw_type int8 --spacing_mm 1,1,1", "v.raw")})
     expect_refused("inspect " + path("v.raw") + " " + arguments, {part});
 }
@@ -276,7 +276,7 @@ TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {
     slice.set(0x0020000e, "UI", n < 2 ? "1.2.3" : "1.2.4");
     write_bytes(folder / "scan" / slice_name(n), dicom_file(slice));
   }
-  expect_refused("inspect " + path("scan"), {"Choose one by --dicom_series."});
+  expect_refused("inspect " + path("scan"), {"Choose one with --dicom_series."});
   EXPECT_EQ(run("inspect " + path("scan") + " --dicom-series 1.2.4").code, 0);
   write_bytes(folder / "v.mha",
               "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n12345678");
@@ -298,7 +298,7 @@ TEST_F(Inspect, SaysWhereAVolumeIs) {
   EXPECT_NEAR(report["box"]["min_mm"][1].get<double>(), 20 - 0.5, 1e-9);
   EXPECT_NEAR(report["box"]["max_mm"][1].get<double>(), 20 + 1.5, 1e-9);
   EXPECT_NEAR(report["box"]["max_mm"][2].get<double>(), 30 + 10.5, 1e-9);
-  EXPECT_NE(read_bytes(folder / "stdout").find("axes turned"), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "stdout").find("axes rotated"), std::string::npos);
 }
 
 TEST_F(Convert, TurnsAGridOfAnotherProgramIntoAWorkpiece) {

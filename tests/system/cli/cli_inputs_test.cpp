@@ -91,7 +91,7 @@ TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
   write_bytes(folder / "b.vdb", bytes);
   const std::string source = path("b.vdb") + " --material cortical_bone";
   expect_refused("inspect " + source,
-                 {"b.vdb", "'density' does not say what its values mean; say it by --grid-kind: fog"});
+                 {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
   EXPECT_NEAR(volume(source + " --grid-kind fog_volume"), 8, 1e-3);
   expect_refused("inspect " + source + " --grid other", {"'density' (float)", "with --grid"});
   expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"workpiece.material is missing"});

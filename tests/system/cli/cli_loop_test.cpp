@@ -26,7 +26,7 @@ TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
   for (const char* pointer :
        {"/device/model", "/rate_Hz", "/missed_ticks", "/end", "/wake_up_us/p99", "/compute_us/p999",
         "/compute_us/buckets", "/deadline_misses", "/safety_events/engaged", "/safety_log/0/event", "/graphics/frames",
-        "/force_N/max_applied", "/most_in_a_tick/newton_steps", "/workpiece/dims/2", "/build/version", "/warnings"})
+        "/force_N/max_applied", "/max_per_tick/newton_steps", "/workpiece/dims/2", "/build/version", "/warnings"})
     EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
   EXPECT_EQ(report["ticks"], 4001);
   EXPECT_EQ(report["steps"], 4001);

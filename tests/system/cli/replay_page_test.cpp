@@ -185,7 +185,7 @@ TEST_F(WrittenReplay, IsAFolderForAServer) {
 
 TEST_F(WrittenReplay, IsRefusedInASentenceWhereThePageIsNotThere) {
   page("index.html", "<html></html>");
-  expect_refused("of another version than this program");
+  expect_refused("another version than this program");
   std::filesystem::remove(folder / "index.html");
   expect_refused("index.html' cannot be read; build the page again");
 }

@@ -183,7 +183,7 @@ TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   panel.turn("tool/Length", 4);
   ASSERT_EQ(panel.set("tool/Head", 9), Change::tool);  // a round end needs a length of half the diameter and more
   EXPECT_THROW((void)panel.controls.tool(), Error);
-  panel.controls.take_back();
+  panel.controls.revert();
   EXPECT_EQ(panel.control("tool/Head").value, 0);
   EXPECT_NO_THROW((void)panel.controls.tool());
 }
@@ -192,7 +192,7 @@ TEST(ViewControls, OfAButtonThatFailedAreWhatTheyWere) {
   Panel panel;
   panel.turn("tool/Diameter", 2);
   ASSERT_EQ(panel.set("application/Reset", 1), Change::reset);
-  panel.controls.take_back();
+  panel.controls.revert();
   EXPECT_EQ(panel.control("tool/Diameter").value, 2);
 }
 

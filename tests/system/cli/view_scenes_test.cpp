@@ -67,7 +67,7 @@ TEST(ViewScenes, ThatDoNotExistAreRefusedInASentence) {
     (void)make_view_scene("mollar");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("there is no scene 'mollar'. Name clay, molar or skull"),
+    EXPECT_NE(std::string(error.what()).find("there is no scene 'mollar'. Choose clay, molar or skull"),
               std::string::npos);
   }
 }

@@ -268,7 +268,7 @@ TEST(Viewer, ALoadWhileOneIsUnderWayIsRefusedInASentence) {
   maker.set_slow(true);
   page.write(load("second"));
   page.write(load("third"));
-  EXPECT_TRUE(soon([&] { return listener.count("second is still being loaded") == 1; }));
+  EXPECT_TRUE(soon([&] { return listener.count("second is still loading") == 1; }));
   maker.set_slow(false);
   EXPECT_TRUE(soon([&] { return listener.count("second is ready") == 1; }));
   EXPECT_EQ(maker.made, 2);

@@ -43,14 +43,14 @@ TEST(WatchedModel, TellsTheForceOfEachTickOnce) {
   for (const int ticks : {450, 250}) {
     const std::size_t first = cut.forces.size();
     cut.run(ticks);
-    const WatchedModel::Trace trace = cut.watched.take_trace();
+    const WatchedModel::Trace trace = cut.watched.drain_trace();
     EXPECT_EQ(trace.first, first);
     ASSERT_EQ(trace.samples.size(), std::size_t(ticks));
     for (std::size_t n = 0; n < trace.samples.size(); ++n)
       for (Eigen::Index axis = 0; axis < 3; ++axis)
         ASSERT_EQ(trace.samples[n].force[std::size_t(axis)], float(cut.forces[first + n][axis]));
   }
-  EXPECT_TRUE(cut.watched.take_trace().samples.empty());
+  EXPECT_TRUE(cut.watched.drain_trace().samples.empty());
   EXPECT_GT(cut.forces[449].norm(), 0);
   EXPECT_EQ(cut.forces.back().norm(), 0) << "the second run begins in the material, and the guard holds its force back";
 }
@@ -58,11 +58,11 @@ TEST(WatchedModel, TellsTheForceOfEachTickOnce) {
 TEST(WatchedModel, KeepsTheOldestTicksWhileNobodyLooks) {
   Cut cut;
   cut.run(int(WatchedModel::kTicks) + 10);
-  const WatchedModel::Trace trace = cut.watched.take_trace();
+  const WatchedModel::Trace trace = cut.watched.drain_trace();
   EXPECT_EQ(trace.first, 0U);
   EXPECT_EQ(trace.samples.size(), WatchedModel::kTicks);
   cut.run(1);
-  EXPECT_EQ(cut.watched.take_trace().samples.size(), 1U);
+  EXPECT_EQ(cut.watched.drain_trace().samples.size(), 1U);
 }
 
 TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {

@@ -106,7 +106,7 @@ TEST(Assimp, RefusalsAreOfOurOwnWords) {
   (void)export_ball("gltf2", folder / "ball.gltf");
   std::filesystem::remove(folder / "ball.bin");
   test::expect_part(refusal(folder / "ball.gltf"),
-                    "the file 'ball.bin' that it needs cannot be read; keep them together");
+                    "the file 'ball.bin' that it refers to cannot be read; keep the files together");
   for (const char* text :
        {"{", "no gltf", "{\"asset\":{\"version\":\"2.0\"}}", "{\"asset\":{\"version\":\"2.0\"},\"meshes\":3}"}) {
     test::write_bytes(folder / "bad.gltf", text);
@@ -144,7 +144,7 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
     for (const char* extension : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "VENDOR_shape"}) {
       test::expect_part(
           refusal_with(std::string(R"("extensionsRequired" : ["KHR_materials_unlit", ")") + extension + "\"]"),
-          std::string("it needs the glTF extension '") + extension + "', which is not read; export");
+          std::string("it needs the glTF extension '") + extension + "', which is not supported; export");
     }
     test::expect_part(refusal_with(R"("extensionsUsed":["EXT_mesh_gpu_instancing"])"), "_gpu_");
     // Whatever the encoding of its names.

@@ -77,15 +77,15 @@ TEST(DicomFrames, OfAnEnhancedFileWithoutFunctionalGroupsGetNoPlaceByASpacing) {
 
 TEST(DicomFrames, ThatAreMissingOrThereTwiceAreNamed) {
   expect_part(error_of(frames_at({2, 0, 0.5, 1})), "frame 4 and frame 1 are 1 mm apart, the others 0.5 mm");
-  expect_part(error_of(frames_at({0, 1, 0.5, 1.5, 0.5})), "frame 3 and frame 5 lie at the same place");
+  expect_part(error_of(frames_at({0, 1, 0.5, 1.5, 0.5})), "frame 3 and frame 5 are at the same place");
   expect_part(error_of(frames_at({0, 0.5, 1.2, 1.7})), "frame 2 and frame 3 are 0.7 mm apart, the others 0.5 mm");
-  expect_part(error_of(frames_at({3, 3})), "frame 1 and frame 2 lie at the same place");
+  expect_part(error_of(frames_at({3, 3})), "frame 1 and frame 2 are at the same place");
 }
 
 TEST(DicomFrames, OfWhichNotAllSayWhereTheyLieAreRefused) {
   DicomElements e = frames_at({0, 0.5, 1});
   e.set(0x00280008, "IS", "4").set(0x7fe00010, "OW", test::little(std::vector<std::int16_t>(4)));
-  expect_part(error_of(e), "of its 4 frames only 3 say where they lie");
+  expect_part(error_of(e), "only 3 of its 4 frames have a position");
 }
 
 TEST(DicomFrames, InDifferentDirectionsAreRefused) {
@@ -102,7 +102,7 @@ TEST(DicomFrames, InDifferentDirectionsAreRefused) {
 TEST(DicomFrames, WithoutPositionsAreNotAsFarApartAsTheyAreThick) {
   DicomElements e = test::dicom_picture(1, 1, {1, 2, 3});
   e.set(0x00280008, "IS", "3").set(0x00180050, "DS", "0.9");
-  expect_part(error_of(e), "it does not say how far apart its samples are (0.1 x 0.2 x 0 mm); set Vol");
+  expect_part(error_of(e), "it lacks the spacing of its samples (0.1 x 0.2 x 0 mm); set Vol");
   EXPECT_NEAR(read(e, {.spacing = Vec3(1, 2, 3) * mm}).spacing.z(), 3 * mm, 1e-12);
   EXPECT_NEAR(read(e.set(0x00180088, "DS", "0.5")).spacing.z(), 0.5 * mm, 1e-12);
 }
@@ -133,9 +133,9 @@ class DicomSlices : public testing::Test {
 TEST_F(DicomSlices, ThatAreMissingFarAwayOrThereTwiceAreNamed) {
   const std::pair<std::vector<double>, const char*> series[] = {
       {{0, 0.5, 1, 1.5, 2.5, 3, 3.5, 4, 4.5, 5},
-       "'s3' and 's4' are 1 mm apart, the others 0.5 mm; what lies between them is missing"},
+       "'s3' and 's4' are 1 mm apart, the others 0.5 mm; planes between them are missing"},
       {{0, 1, 1.5, 2}, "'s0' and 's1' are 1 mm apart, the others 0.5 mm"},
-      {{0, 0.5, 1, 1, 1.5, 2}, "'s2' and 's3' lie at the same place; one is there twice"},
+      {{0, 0.5, 1, 1, 1.5, 2}, "'s2' and 's3' are at the same place; one is a duplicate"},
       {{0, 0.01, 0.02, 0.04, 0.05}, "'s2' and 's3' are 0.02 mm apart, the others 0.01 mm"}};  // of a micro scanner
   for (const auto& [heights, part] : series) {
     for (int n = 0; n < 10; ++n) std::filesystem::remove(folder_ / test::slice_name(n));
@@ -189,7 +189,7 @@ TEST_F(DicomSlices, WithoutAPlaceAreRefused) {
   e.values.erase(kPosition);
   test::write_bytes(folder_ / "s0", test::dicom_file(e));
   test::write_bytes(folder_ / "s1", test::dicom_file(e));
-  expect_refused("it does not say where it lies");
+  expect_refused("it has no position");
   expect_refused("Export the series with positions, or save it in one NRRD");
 }
 

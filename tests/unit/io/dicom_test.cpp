@@ -66,14 +66,14 @@ TEST(Dicom, PicturesOfOtherSeriesThatAreNoneOfAVolumeAreLeftOut) {
     EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = chosen}).dims, (std::array<int, 3>{4, 3, 3}));
   EXPECT_THROW((void)read_grey_volume(folder / "", {.dicom_series = "1.2.3.4"}), Error);
   for (const char* name : {"more", "still more"}) write_bytes(folder / name, test::dicom_file(colour));
-  test::expect_part(error_of(folder / ""), "beside it; choose that");
+  test::expect_part(error_of(folder / ""), "; choose it with");
   EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = "1.2.3.6"}).dims, (std::array<int, 3>{4, 3, 3}));
   for (const char* name : {"more", "still more"}) std::filesystem::remove(folder / name);
   of_series("1.2.3.6");
   test::expect_part(error_of(folder / ""), "other': it has several values per sample");
   write_bytes(folder / "other", slice(4).substr(0, 300));
   const std::string refusal = error_of(folder / "");
-  test::expect_part(refusal, "If it is not of the series, take it out of the folder.");
+  test::expect_part(refusal, "If it is not of the series, remove it from the folder.");
   for (int n = 1; n <= 3; ++n) std::filesystem::remove(folder / slice_name(n));
   test::expect_part(error_of(folder / ""), "other': ");
 }
@@ -244,7 +244,7 @@ TEST(Dicom, ADecoderThatWasNotBuiltIsSaidToNeedItk) {
   unbuilt.installed = "";
   unbuilt.built = "";
   EXPECT_EQ(test::refusal([&] { ChildProcess(unbuilt).start(); }),
-            "its values are compressed and must be unpacked, which needs ITK; this build of hapticut is without it. "
+            "its values are compressed and must be unpacked, which needs ITK; this build of hapticut lacks it. "
             "Install libinsighttoolkit5-dev and build it with HAPTICUT_WITH_ITK=ON, or save the file uncompressed.");
 }
 

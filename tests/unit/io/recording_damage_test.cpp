@@ -64,7 +64,7 @@ void replace(hid_t file, const std::string& name, hid_t type, const std::vector<
 
 // A list of texts was read into the room of one.
 TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
-  expect_refused("'note' is no text", [](hid_t file) {
+  expect_refused("'note' is not a text", [](hid_t file) {
     const hsize_t many = 1000;
     hdf5::checked(H5Adelete(file, "note"), "deleting");
     const hdf5::DataSpace space(H5Screate_simple(1, &many, nullptr), "changing");
@@ -84,7 +84,7 @@ TEST(DamagedRecording, IsReadOnlyFromItself) {
     remove(file, "steps/dt");
     hdf5::checked(H5Lcreate_soft("/steps/time", file, "steps/dt", H5P_DEFAULT, H5P_DEFAULT), "linking");
   });
-  expect_refused("'dt' lies in another file", [](hid_t file) {
+  expect_refused("'dt' is stored in another file", [](hid_t file) {
     replace(file, "steps/dt", H5T_IEEE_F64LE, {kSteps},
             [](hid_t properties) { H5Pset_external(properties, "/dev/zero", 0, kSteps * sizeof(double)); });
   });
@@ -107,7 +107,7 @@ TEST(DamagedRecording, MayNotClaimMoreThanItHolds) {
   expect_refused("'dt' claims", [&](hid_t file) {
     replace(file, "steps/dt", H5T_IEEE_F64LE, {hsize_t(1) << 29U}, chunks_of({hsize_t(1) << 28U}));
   });
-  expect_refused("holds nothing", [](hid_t file) {
+  expect_refused("is empty", [](hid_t file) {
     remove(file, "simulation/max_sweep");
     const hdf5::DataSpace space(H5Screate(H5S_NULL), "replacing");
     const hdf5::DataSet set(
@@ -163,7 +163,7 @@ TEST(BadRecording, IsNamedInOneSentence) {
     };
   };
   expect_refused("reads format 3; use a newer version", of_format(kRecordingFormat + 1));
-  expect_refused("it has format 2, and this version of hapticut reads format 3; use the version that wrote it",
+  expect_refused("it has format 2; this version of hapticut reads format 3; use the version that wrote it",
                  of_format(kRecordingFormat - 1));
   for (const auto& [name, part] : {std::pair{"steps/force", "steps/force"},
                                    {"steps", "'steps'"},

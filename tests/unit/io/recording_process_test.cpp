@@ -48,11 +48,11 @@ std::string script(const TemporaryFolder& folder, const std::string& text) {
   return (folder / "reader").string();
 }
 
-/// An answer as the reader gives it, in the notation of printf(1).
-std::string octal(const Answer& answer) {
+/// An reply as the reader gives it, in the notation of printf(1).
+std::string octal(const Reply& reply) {
   std::string text;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&answer);
-  for (std::size_t n = 0; n < sizeof answer; ++n) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&reply);
+  for (std::size_t n = 0; n < sizeof reply; ++n) {
     text += "\\";
     for (const int shift : {6, 3, 0}) text += char('0' + ((bytes[n] >> shift) & 7));
   }
@@ -129,7 +129,7 @@ TEST(RecordingProcess, DiesOfAFileWhoseChecksumsFitAndIsOneSentence) {
   ::waitpid(child, &status, 0);
   const std::string refusal = complaint_about(folder / "hurts.h5");
   test::expect_part(refusal, "damaged");
-  if (WIFSIGNALED(status)) test::expect_part(refusal, "came to an end");
+  if (WIFSIGNALED(status)) test::expect_part(refusal, "crashed or took too long");
   EXPECT_EQ(complaint_about(folder / "a.h5"), "");
 }
 
@@ -138,20 +138,20 @@ TEST(RecordingProcess, ThatIsMissingOrEndsOrLiesIsOneSentence) {
   const std::filesystem::path path = recorded(folder);
   {
     const OtherReader missing("/no/such/program");
-    test::expect_part(complaint_about(path), "'/no/such/program' that does it cannot be started");
+    test::expect_part(complaint_about(path), "'/no/such/program' cannot be started");
   }
   for (const std::string& program :
        {std::string("/bin/false"), script(folder, "kill -SEGV $$"),
         // More than was asked for, and a sentence of any length.
-        script(folder, "printf '" + octal({Answer::Result::done, 1ULL << 40U}) + "' >&0; sleep 9"),
-        script(folder, "printf '" + octal({Answer::Result::refused, 1ULL << 40U}) + "' >&0; sleep 9"),
-        script(folder, "printf '" + octal({Answer::Result(7), 0}) + "' >&0; sleep 9")}) {
+        script(folder, "printf '" + octal({Reply::Result::done, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Reply::Result::refused, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Reply::Result(7), 0}) + "' >&0; sleep 9")}) {
     SCOPED_TRACE(program);
     const OtherReader other(program);
-    test::expect_part(complaint_about(path), "came to an end");
+    test::expect_part(complaint_about(path), "crashed or took too long");
   }
   const OtherReader tells(
-      script(folder, "printf '" + octal({Answer::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
+      script(folder, "printf '" + octal({Reply::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
   test::expect_part(complaint_about(path), "a?b?");
 }
 
@@ -160,7 +160,7 @@ TEST(RecordingProcess, ThatHangsIsNotWaitedForLonger) {
   const std::filesystem::path path = recorded(folder);
   const OtherReader hangs(script(folder, "exec sleep 60"));
   EXPECT_THROW(RecordingProcess(path, std::filesystem::file_size(path), std::chrono::milliseconds(50)), hdf5::Failure);
-  EXPECT_LE(RecordingProcess::kPatience, std::chrono::seconds(20));
+  EXPECT_LE(RecordingProcess::kMaxReplyTime, std::chrono::seconds(20));
 }
 
 /// The one child of this process; 0: none.

@@ -98,19 +98,19 @@ TEST(Slices, OfTiffThatAreTurnedAreRefused) {
   turned.replace(turned.find(entry(kSamples, 1)), 12, entry(kOrientation, 3));
   const TemporaryFolder folder;
   write_slices(folder, ".tif", [&](int) { return turned; });
-  expect_refused(folder / "", "turned or mirrored");
+  expect_refused(folder / "", "rotated or mirrored");
 }
 
 TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
   const std::string alike = png<std::uint8_t>(0);
   const std::tuple<const char*, std::string, const char*> others[] = {
       {"slice15.png", alike, "one is missing"},
-      {"slice009.png", alike, "there twice"},
+      {"slice009.png", alike, "duplicated"},
       {"other14.png", alike, "of another series"},
-      {"cover.png", alike, "this one has none"},
+      {"cover.png", alike, "this name has none"},
       {"slice14.png", test::png_slice(3, 4, ramp<std::uint8_t>(0, kSlice)), "differs from the first slice"},
       {"slice14.png", png<std::uint16_t>(0), "differs from the first slice"},
-      {"slice14.png", tiff<std::uint8_t>(0), "not a picture of the format"}};
+      {"slice14.png", tiff<std::uint8_t>(0), "its format differs from its extension"}};
   for (const auto& [name, bytes, part] : others) {
     SCOPED_TRACE(name);
     const TemporaryFolder folder;
@@ -120,7 +120,7 @@ TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
   }
   const TemporaryFolder folder;
   write_slices(folder, ".png", png<std::uint8_t>);
-  test::expect_refused([&] { return read_grey_volume(folder / ""); }, "how far apart");
+  test::expect_refused([&] { return read_grey_volume(folder / ""); }, "have no spacing");
 }
 
 TEST(Slices, AreInTheOrderOfTheNumberThatChanges) {
@@ -140,7 +140,7 @@ TEST(Slices, InOneFileOfSeveralPagesAreRefusedAsThat) {
   const std::string next = test::little(std::uint32_t(page.size()));
   write_bytes(folder / "stack.tif", page.substr(0, page.size() - 4) + next + page.substr(page.size() - kDirectory));
   expect_refused(folder / "", "it has several pages; save one slice per file");
-  expect_refused(folder / "stack.tif", "save each page as a file of its own");
+  expect_refused(folder / "stack.tif", "save each page as a separate file");
 }
 
 // --- NIfTI
@@ -170,7 +170,7 @@ TEST(Nifti, AFourthDimensionOfOneIsStillAVolumeAndALongerOneIsNot) {
   expect_ramp(read_nifti(file));
   file.dims = {4, 3, 5, 2};
   file.values.resize(2 * file.values.size());
-  test::expect_refused([&] { return read_nifti(file); }, "take one volume out of it");
+  test::expect_refused([&] { return read_nifti(file); }, "extract one volume");
 }
 
 TEST(Nifti, ScaledValuesAreScaled) {

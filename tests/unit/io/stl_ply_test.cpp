@@ -57,12 +57,12 @@ TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
        {replaced(solid, "vertex 1 0 0", "vertex 1 0"), "line 5: a coordinate is missing"},
        {replaced(solid, "vertex 1 0 0", "vertex 1 0 x"), "line 5: 'x'"},
        {replaced(solid, "vertex 1 0 0", "vertex 1 0 inf"), "line 5: a coordinate is not a finite number"},
-       {replaced(solid, "  vertex 1 0 0\n", ""), "'endloop' stands where 'vertex' should"},
-       {replaced(solid, " endloop", " vertex 1 1 1\nendloop"), "line 7: 'vertex' stands where 'endloop' should"},
-       {replaced(solid, "outer loop", "outer"), "'vertex' stands where 'loop' should"},
-       {replaced(solid, "endsolid one", "end one"), "'end' stands where 'facet' should"},
-       {replaced(solid, "endloop", "end facet"), "'end' stands where 'endloop' should"},
-       {solid + "more", "line 10: 'more' stands where 'solid' should"}});
+       {replaced(solid, "  vertex 1 0 0\n", ""), "'endloop' is in the place of 'vertex'"},
+       {replaced(solid, " endloop", " vertex 1 1 1\nendloop"), "line 7: 'vertex' is in the place of 'endloop'"},
+       {replaced(solid, "outer loop", "outer"), "'vertex' is in the place of 'loop'"},
+       {replaced(solid, "endsolid one", "end one"), "'end' is in the place of 'facet'"},
+       {replaced(solid, "endloop", "end facet"), "'end' is in the place of 'endloop'"},
+       {solid + "more", "line 10: 'more' is in the place of 'solid'"}});
 }
 
 std::string binary_stl(const std::string& begin, std::uint32_t announced, const std::vector<float>& coordinates) {
@@ -196,15 +196,15 @@ TEST(PlyFormat, DamagedFilesAreRefusedWithTheirPlace) {
        {replaced(header, "ascii", "text"), "line 2 of its header: the format 'text'"},
        {replaced(header, "vertex 3", "vertex x"), "line 3 of its header: the number 'x'"},
        {replaced(header, "vertex 3", "vertex -3"), "the number '-3'"},
-       {replaced(header, "element face", "element vertex"), "is there twice"},
-       {replaced(header, "float x", "half x"), "line 4 of its header: 'half' is no type"},
-       {replaced(header, "list uchar", "list byte"), "'byte' is no type"},
+       {replaced(header, "element face", "element vertex"), "appears twice"},
+       {replaced(header, "float x", "half x"), "line 4 of its header: 'half' is not a type"},
+       {replaced(header, "list uchar", "list byte"), "'byte' is not a type"},
        {replaced(header, "float z", "float"), "has no name"},
-       {replaced(header, "element face", "elemental face"), "'elemental' begins no line"},
-       {replaced(header, "float z", "float w") + vertices, "names x, y and z"},
-       {replaced(header, "float z", "float x") + vertices, "names x, y and z"},
-       {replaced(header, "list uchar int vertex_indices", "int vertex_indices") + vertices, "one list of the name"},
-       {header + "0 0 0\n1 0 0\n", "element 3 of 3 of 'vertex' is not there"},
+       {replaced(header, "element face", "elemental face"), "'elemental' is not a keyword"},
+       {replaced(header, "float z", "float w") + vertices, "one property x, one y and one z"},
+       {replaced(header, "float z", "float x") + vertices, "one property x, one y and one z"},
+       {replaced(header, "list uchar int vertex_indices", "int vertex_indices") + vertices, "one list named"},
+       {header + "0 0 0\n1 0 0\n", "element 3 of 3 of 'vertex' is missing"},
        {header + "0 0 0\n1 a 0\n", "line 11: 'a' is not a number"},
        {header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2", "vertex 2 of a face has a coordinate that is not a finite number"},
        {header + vertices + "2 0 1\n", "element 1 of 1 of 'face' has 2 corners"},
@@ -214,10 +214,10 @@ TEST(PlyFormat, DamagedFilesAreRefusedWithTheirPlace) {
        {header + vertices + "3 0 1 -1\n", "names vertex -1"},
        {header + vertices + "3 0 1 1.5\n", "names vertex 1.5"},
        {header + vertices + "3 0 1 nan\n", "names vertex"},
-       {header + vertices + "3 0 1\n", "element 1 of 1 of 'face' is not there"},
-       {header + vertices + "3 0 1 2 9\n", "line 13: '9' stands behind all that the header announces"},
-       {replaced(header, "element face 1", "element face 4000000000") + vertices + "3 0 1 2\n", "cut off"},
-       {replaced(header, "vertex 3", "vertex 4000000000") + vertices, "cut off"}});
+       {header + vertices + "3 0 1\n", "element 1 of 1 of 'face' is missing"},
+       {header + vertices + "3 0 1 2 9\n", "line 13: '9' follows after the last element of the header"},
+       {replaced(header, "element face 1", "element face 4000000000") + vertices + "3 0 1 2\n", "truncated"},
+       {replaced(header, "vertex 3", "vertex 4000000000") + vertices, "truncated"}});
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
       {"v.mha", kMeta3 + "ElementSpacing = 1 nan 1\n" + kLocal + ramp()},
       {"v.mhd", kMeta3 + "ElementDataFile = v.raw\n"}};
   for (const auto& [name, bytes] : files) {
-    expect_refused(name, bytes, "does not say how far apart its samples are");
+    expect_refused(name, bytes, "lacks the spacing of its samples");
     expect_refused(name, bytes, "; set VolumeReadOptions::spacing.");
     expect_ramp(read(name, bytes, {.spacing = Vec3(0.1, 0.2, 0.7) * mm}));
   }
@@ -113,13 +113,13 @@ TEST(Nrrd, OfASpaceThatDoesNotSayWhereThePatientIsIsRefused) {
   for (const char* space : {"3D-left-handed", "3D-right-handed", "scanner-xyz"})
     expect_nrrd_refusal(
         std::string("dimension: 3\nspace: ") + space + "\nsizes: 4 3 5\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n",
-        "whichever it is, into its header");
+        "left-anterior-superior into its header");
 }
 
 TEST(Nrrd, WithAnAxisThatIsNoneOfSpaceIsRefused) {
   for (const char* kinds : {"RGB-color domain domain", "3-vector space space", "domain domain list"})
     expect_nrrd_refusal("dimension: 3\nsizes: 4 3 5\nspacings: 1 1 1\nkinds: " + std::string(kinds) + "\n",
-                        "so it is no axis of a volume");
+                        "so it is not an axis of a volume");
   expect_ramp(read_nrrd("dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\nkinds: domain space ???\n"));
 }
 
@@ -175,7 +175,7 @@ TEST(MetaImage, HasTheUnitThatItNamesAndNoScaleOfItsValues) {
   const std::string spaced = kMeta3 + "ElementSpacing = 0.1 0.2 0.7\n";
   expect_ramp(read_meta(spaced + "ElementToIntensityFunctionSlope = 1\nElementToIntensityFunctionOffset = 0\n"));
   expect_meta_refusal(spaced + "DistanceUnits = inch\n", "must be mm, um, cm or m");
-  expect_meta_refusal(spaced + "ElementToIntensityFunctionSlope = 2\n", "are to be scaled");
+  expect_meta_refusal(spaced + "ElementToIntensityFunctionSlope = 2\n", "have a scale");
 }
 
 TEST(VolumeHeader, WithOtherAxesOfOneSampleIsAVolume) {
@@ -196,8 +196,8 @@ TEST(VolumeHeader, WithOtherAxesOfOneSampleIsAVolume) {
 }
 
 TEST(VolumeHeader, WithALongerFourthAxisIsRefused) {
-  expect_meta_refusal(kMeta + "NDims = 4\nDimSize = 4 3 1 5\nElementSpacing = 1 1 1 1\n", "take one volume out of it");
-  expect_nrrd_refusal("dimension: 4\nsizes: 2 3 2 5\nspacings: 1 1 1 1\n", "Take one volume out of it");
+  expect_meta_refusal(kMeta + "NDims = 4\nDimSize = 4 3 1 5\nElementSpacing = 1 1 1 1\n", "extract one volume");
+  expect_nrrd_refusal("dimension: 4\nsizes: 2 3 2 5\nspacings: 1 1 1 1\n", "Extract one volume");
   expect_nrrd_refusal("dimension: 2\nsizes: 12 5\nspacings: 1 1\n", "a volume has three");
 }
 

@@ -125,9 +125,9 @@ TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
     expect(std::string("unit_mm = ") + number, "with a decimal point between digits");
   for (const char* list : {"[1; 2]", "(1, 2, 3)", "{x = 1"}) expect(std::string("size_mm = ") + list, "[1.5, 2, 3]");
   for (const char* flag : {"True", "FALSE # not"}) expect(std::string("large = ") + flag, "in lower case");
-  for (const char* empty : {"unit_mm =", "unit_mm = # mm"}) expect(empty, "there is no value behind the =");
+  for (const char* empty : {"unit_mm =", "unit_mm = # mm"}) expect(empty, "there is no value after the =");
   for (const char* line : {"unit_mm: 3", "unit mm = 3", "unit_mm"}) expect(line, "neither [table] nor name = value");
-  expect("size_mm = [3, 3", "write it so, and close it", 4);
+  expect("size_mm = [3, 3", "write it like this, and close it", 4);
   for (const char* table : {"[tool", "[tool] large = true"}) expect(table, "write [tool]");
   expect("unit_mm = 1\nunit_mm = 2", "leave one of them out", 4);
   expect("[workpiece]", "leave one of them out");
@@ -135,10 +135,9 @@ TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
 }
 
 TEST(Scene, RefusesControlCharactersInNamesOfFiles) {
-  EXPECT_EQ(
-      complaint("\"block\"", R"("C:\temp\notes.stl")"),
-      "scene:2: workpiece.source: the name of the file has a tab, a line end or the like in it, as a backslash in "
-      "double quotes makes them; write paths with / or in single quotes.");
+  EXPECT_EQ(complaint("\"block\"", R"("C:\temp\notes.stl")"),
+            "scene:2: workpiece.source: the file name contains a control character, which a backslash in "
+            "double quotes makes; write paths with / or in single quotes.");
 }
 
 TEST(Scene, NamesTheNearestKeyOfAnUnknownOne) {

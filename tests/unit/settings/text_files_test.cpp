@@ -68,13 +68,13 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
     EXPECT_NE(refusal(kReadPoses, text).find(part), std::string::npos) << refusal(kReadPoses, text);
   };
   expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n",
-         "a.csv:2: \"1,234\" may have a decimal comma, or one that marks thou");
+         "a.csv:2: \"1,234\" may have a decimal comma or a mark for thou");
   EXPECT_EQ(kReadPoses("t_s,x_mm,y_mm,z_mm\n0,\"0,234\",0,0\n\"0,5\",\"1,5\",0,0\n")[1].t, 0.5);
   const std::string thousands = "t_s;x_mm;y_mm;z_mm\n0;0;0;0\n1;-1,005;0;0\n2;3,000;0;0\n";
   for (const char* separator : {";", "\t", "  "})
     expect(replaced(thousands, ";", separator),
-           "a.csv:3: \"-1,005\" may have a decimal comma, or one that marks thousands; write -1,0050, or -1005.");
-  expect(replaced(thousands, ",", "."), "a.csv:3: \"-1.005\" may have a decimal point, or one that marks thousands");
+           "a.csv:3: \"-1,005\" may have a decimal comma or a mark for thousands; write -1,0050, or -1005.");
+  expect(replaced(thousands, ",", "."), "a.csv:3: \"-1.005\" may have a decimal point or a mark for thousands");
   EXPECT_DOUBLE_EQ(kReadPoses(replaced(replaced(thousands, ",", "."), ";", "\t"))[2].pose.translation.x(), 3e-3);
   for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // one number tells of all
     EXPECT_DOUBLE_EQ(kReadPoses(replaced(thousands, "3,000", decimal))[1].pose.translation.x(), -1.005e-3) << decimal;
@@ -133,7 +133,7 @@ TEST(ProfileOfText, SaysTheLineThatIsWrong) {
   for (const auto& [text, part] : std::vector<std::pair<const char*, const char*>>{
            {"", "0: the file is empty"},
            {"rho_mm,color\n", "1: there is no column color"},
-           {"rho_mm\n", "1: the columns rho_mm and z_mm must be there."},
+           {"rho_mm\n", "1: the file needs the columns rho_mm and z_mm."},
            {"rho_mm,z_mm\n0,0\n1\n", "3: 1 values; there must be 2"},
            {"rho_mm,z_mm\n0,0\n1,wide\n", "3: z_mm = \"wide\"; must be a number."},
            {"rho_mm,z_mm\n0,nan\n", "2: z_mm = \"nan\"; must be a number."},

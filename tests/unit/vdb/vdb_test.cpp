@@ -265,7 +265,7 @@ TEST(Vdb, UnsuitableGridsAreRefusedWithTheCure) {
   };
   const auto exact = openvdb::DoubleGrid::create();
   exact->setName("exact");
-  refused({exact}, "", "it has 'exact' (double). Save a level set or fog volume in it whose values are of type float.");
+  refused({exact}, "", "it has 'exact' (double). Save a level set or fog volume with values of type float in it.");
   const auto one = openvdb::FloatGrid::create(), twin = openvdb::FloatGrid::create();
   one->setName("ls");
   twin->setName("ls");

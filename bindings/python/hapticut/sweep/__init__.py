@@ -2,7 +2,7 @@
 """Many runs over many parameters, on a laptop or a cluster: ``hapticut.sweep(space, run, ...)``.
 
 The results depend on the space, the seed and the function alone: not on the executor, the number of workers or the
-order in which the runs end. A sweep that was killed goes on where it was.
+order in which the runs end. A killed sweep continues where it stopped.
 """
 from __future__ import annotations
 
@@ -36,39 +36,39 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     Parameters
     ----------
     space
-        `grid`, `latin_hypercube`, `sobol` or `design`; a dict of lists is a grid, a list of dicts a list of runs.
+        `grid`, `latin_hypercube`, `sobol` or `design`; or a dict of lists (a grid), or a list of dicts (one per run).
     run
-        Called as ``run(parameters, rng)`` with a dict and a `numpy.random.Generator` of its own. Returns a dict of
-        numbers and texts, which become columns, and of arrays, which `load_traces` finds again. A run that raises is a
-        row with its error; so is one whose simulation took none of its steps. With a pool of processes it must be at
-        the top level of a module, and a script needs ``if __name__ == "__main__":`` around what it does.
+        Called as ``run(parameters, rng)`` with a dict and a separate `numpy.random.Generator`. Returns a dict: numbers
+        and texts become columns, `load_traces` loads arrays. If a run raises, or its simulation made no step, its row
+        has the error. With a pool of processes, ``run`` must be at the top level of a module, and a script needs
+        ``if __name__ == "__main__":`` around its code.
     executor
-        None: a pool of one process per processor. Else any `concurrent.futures.Executor`, which stays open:
+        None: a pool with one process per processor. Or any `concurrent.futures.Executor`, which stays open:
         ``dask.distributed.Client(...).get_executor()``, ``mpi4py.futures.MPIPoolExecutor()``, a pool of threads.
     out
-        The folder of the study. Every finished run is a line in it, so that nothing is lost.
+        The folder of the study. Every finished run adds a line, so no run is lost.
     resume
-        Go on with what is in the folder; False: refuse a folder that holds runs.
+        True: continue the study in the folder. False: refuse a folder that holds runs.
     seed
-        Of the study. The random numbers of a run follow from it and the run's index.
+        Seed of the study. It and the run's index determine the random numbers of a run.
     units
         dict from a column to its unit, kept with the table.
     workers
-        Processes of the pool; None: as many as there are processors.
+        Number of processes of the pool; None: number of processors.
     progress
-        A progress bar, where tqdm is there.
+        Shows a progress bar if tqdm is installed.
 
     Returns
     -------
     pandas.DataFrame
-        One row per run in the order of the space: run, parameters, summary columns, error (missing where there is
-        none); ``attrs["units"]``. The same is in ``table.csv`` in the folder.
+        One row per run in the order of the space: run, parameters, summary columns, error (missing without an
+        error); ``attrs["units"]``. The file ``table.csv`` in the folder has the table too.
 
     Raises
     ------
     Error
-        When the space is empty, the folder cannot be written or holds another study, or the executor dies. What was
-        finished is kept.
+        When the space is empty, the folder cannot be written or holds another study, or the executor dies. Finished
+        runs are kept.
     """
     try:
         import pandas  # noqa: F401
@@ -80,7 +80,7 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
         hint = " (a Client of dask has one: get_executor())" if hasattr(executor, "get_executor") else ""
         raise Error(f"executor is {executor!r}; it must be a concurrent.futures.Executor{hint}.")
     if units is not None and not isinstance(units, Mapping):
-        raise Error(f"units are {units!r}; needed is a dict from a column to its unit.")
+        raise Error(f"units are {units!r}; they must be a dict from a column to its unit.")
     processes = len(os.sched_getaffinity(0)) if workers is None else whole(workers, "workers", 1)
     seed = whole(seed, "seed", 0)
     points = points_of(space)
@@ -88,7 +88,7 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     missing = study.missing()
     with ExitStack() as stack:
         if executor is None and missing:
-            # A forked child of a process with threads may hang; a fresh one cannot.
+            # A forked child of a process with threads may hang; a spawned one does not.
             context = multiprocessing.get_context("spawn")
             executor = stack.enter_context(ProcessPoolExecutor(processes, mp_context=context))
         if executor is not None:
@@ -97,9 +97,9 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
 
 
 def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: Executor, progress: bool) -> None:
-    """Hands the missing runs to the executor, and keeps each when it is finished."""
+    """Submits the missing runs to the executor, and stores each finished run."""
     futures: set[Future[Outcome]] = set()
-    failure: Optional[Exception] = None  # of the executor: outcome_of itself does not raise, and each has its own
+    failure: Optional[Exception] = None  # of the executor; outcome_of does not raise
     try:
         for index in missing:
             futures.add(executor.submit(outcome_of, run, seed, index, study.space[index]))
@@ -107,7 +107,7 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
         failure = error
     try:
         for future in _with_bar(as_completed(futures), len(study.space), len(missing), progress):
-            futures.discard(future)  # which lets go of its traces
+            futures.discard(future)  # frees its traces
             try:
                 outcome = future.result()
             except Exception as error:
@@ -118,24 +118,24 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
         for future in futures:
             future.cancel()
     if failure is not None:
-        raise Error(f"the executor gave up ({type(failure).__name__}: {failure}). What was finished is kept: call "
-                    "sweep again to go on. The workers need hapticut and the module of run, and a script `if __name__ "
-                    "== \"__main__\":` around what it does.") from failure
+        raise Error(f"the executor failed ({type(failure).__name__}: {failure}). Finished runs are kept: call "
+                    "sweep again to continue. The workers need hapticut and the module of run, and a script `if "
+                    "__name__ == \"__main__\":` around its code.") from failure
 
 
-def _with_bar(finished: Iterable[Future[Outcome]], total: int, missing: int, wanted: bool) -> Iterable[Future[Outcome]]:
-    """The same with a progress bar, where tqdm is there."""
+def _with_bar(finished: Iterable[Future[Outcome]], total: int, missing: int, shown: bool) -> Iterable[Future[Outcome]]:
+    """Adds a progress bar if tqdm is installed."""
     try:
         from tqdm import tqdm
     except ImportError:
         return finished
     bar: Iterable[Future[Outcome]] = tqdm(finished, total=total, initial=total - missing, unit="run",
-                                          disable=None if wanted else True)
+                                          disable=None if shown else True)
     return bar
 
 
 class _CallableModule(types.ModuleType):
-    """So that `hapticut.sweep` is the function as well as the module of what belongs to it."""
+    """Makes `hapticut.sweep` both a function and a module."""
 
     def __call__(self, *arguments: Any, **keywords: Any) -> pd.DataFrame:
         return sweep(*arguments, **keywords)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a worker does: one run with random numbers of its own."""
+"""The work of a worker: one run with its random numbers."""
 from __future__ import annotations
 
 import traceback
@@ -10,7 +10,7 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from .._runs import none_taken_is_an_error
+from .._runs import no_steps_are_an_error
 from .spaces import RESERVED, Parameters, plain
 
 Run = Callable[[Parameters, np.random.Generator], Mapping[str, Any]]
@@ -18,15 +18,15 @@ Run = Callable[[Parameters, np.random.Generator], Mapping[str, Any]]
 
 @dataclass
 class Outcome:
-    """What became of one run: its summary and its traces, or its error."""
+    """The result of one run: summary and traces, or an error."""
 
     index: int
     summary: Parameters = field(default_factory=dict)
     traces: dict[str, NDArray[Any]] = field(default_factory=dict)
     error: str = ""
 
-    def take(self, result: Any, parameters: Parameters) -> None:
-        """Shares out what a run returned."""
+    def store(self, result: Any, parameters: Parameters) -> None:
+        """Divides the result of a run into summary and traces."""
         if not isinstance(result, Mapping):
             raise TypeError(f"run returned {type(result).__name__}; it must return a dict of its summary")
         for name, value in result.items():
@@ -43,17 +43,17 @@ class Outcome:
 
 
 def generator(seed: int, index: int) -> np.random.Generator:
-    """The random numbers of a run: they depend on nothing but the study's seed and the run's index."""
+    """The random numbers of a run. They depend only on the study's seed and the run's index."""
     return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index,)))
 
 
 def outcome_of(run: Run, seed: int, index: int, parameters: Parameters) -> Outcome:
-    """Makes a run. One that raises has its error as its outcome."""
+    """Makes a run. If it raises, the outcome holds the error."""
     outcome = Outcome(index)
     try:
-        with none_taken_is_an_error():
+        with no_steps_are_an_error():
             result = run(dict(parameters), generator(seed, index))
-        outcome.take(result, parameters)
+        outcome.store(result, parameters)
         return outcome
     except (Exception, SystemExit) as error:
         text = traceback.format_exception_only(type(error), error)[-1].strip().replace("\n", " ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The folder of a study: which runs are finished, what they gave, and the table of it."""
+"""The folder of a study: the finished runs, their results, and the table."""
 from __future__ import annotations
 
 import hashlib
@@ -26,7 +26,7 @@ def _trace_file(out: Path, run: int) -> Path:
 
 
 class Study:
-    """One folder holds one study. The first line of `runs.jsonl` says which, each other line is a finished run."""
+    """One folder holds one study. The first line of `runs.jsonl` identifies it; each other line is a finished run."""
 
     def __init__(self, out: str | os.PathLike[str], space: Space, run_name: str, seed: int, resume: bool):
         self.out = Path(out)
@@ -39,19 +39,19 @@ class Study:
         try:
             (self.out / "traces").mkdir(parents=True, exist_ok=True)
             if self.file.exists():
-                self._go_on(identity, resume)
+                self._continue(identity, resume)
             else:
                 self._append(identity)
         except OSError as error:
-            raise Error(f"cannot write to the study's folder {self.out}: {error}. Choose another one by "
+            raise Error(f"cannot write to the study's folder {self.out}: {error}. Choose another folder by "
                         "`out`.") from None
 
     def _append(self, line: Mapping[str, Any]) -> None:
         with open(self.file, "ab") as file:
             file.write(json.dumps(line).encode() + b"\n")
 
-    def _go_on(self, identity: Mapping[str, Any], resume: bool) -> None:
-        """Reads what was finished. The end of a line that a killed process left is cut off: its run is made again."""
+    def _continue(self, identity: Mapping[str, Any], resume: bool) -> None:
+        """Reads the finished runs. Removes the incomplete line of a killed process: that run is repeated."""
         content = self.file.read_bytes()
         length = content.rfind(b"\n") + 1
         lines = content[:length].splitlines()
@@ -59,39 +59,39 @@ class Study:
             found: dict[str, Any] = json.loads(lines[0]) if lines else {}
             self.done = {int(row["run"]): row for row in map(json.loads, lines[1:])}
         except (ValueError, KeyError, TypeError):
-            raise Error(f"{self.file} is damaged. Remove the line that is no JSON, or choose another folder by "
+            raise Error(f"{self.file} is damaged. Remove the line that is not JSON, or choose another folder by "
                         "`out`.") from None
         different = [key for key, value in identity.items() if found.get(key) != value]
         if different:
             raise Error(f"{self.out} holds another study, with another {', '.join(different)}. Choose another folder "
                         "by `out`; nothing was changed.")
         if self.done and not resume:
-            raise Error(f"{self.out} holds runs of this study already. Pass resume=True to go on with it, or choose "
+            raise Error(f"{self.out} holds runs of this study already. Pass resume=True to continue it, or choose "
                         "another folder by `out`; nothing was changed.")
         os.truncate(self.file, length)
 
     def missing(self) -> list[int]:
-        """Indices of the runs that are still to be made."""
+        """Indices of the runs that are not finished."""
         return [index for index in range(len(self.space)) if index not in self.done]
 
     def keep(self, outcome: Outcome) -> None:
-        """Writes a run: first its traces, then the line that says that it is done."""
+        """Writes a run: first its traces, then the line that marks it as finished."""
         row = {"run": outcome.index, "summary": outcome.summary, "error": outcome.error}
         try:
             if outcome.traces:
-                # Not numpy.savez, whose own arguments are names that no array can have.
+                # Not numpy.savez: its own arguments are names that arrays could not have.
                 with zipfile.ZipFile(_trace_file(self.out, outcome.index), "w") as archive:
                     for name, values in outcome.traces.items():
                         with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
                             np.lib.format.write_array(member, values, allow_pickle=False)
             self._append(row)
         except OSError as error:
-            raise Error(f"cannot write to the study's folder {self.out}: {error}. What was finished is kept: call "
-                        "sweep again to go on when that is mended.") from error
+            raise Error(f"cannot write to the study's folder {self.out}: {error}. Finished runs are kept: "
+                        "solve the problem and call sweep again.") from error
         self.done[outcome.index] = row
 
     def table(self, units: Mapping[str, str]) -> pd.DataFrame:
-        """One row per run, in the order of the space: run, parameters, summary and error. Also as `table.csv`."""
+        """One row per run, in the order of the space: run, parameters, summary and error. Writes `table.csv` too."""
         import pandas as pd
 
         rows = [self.done[index] for index in range(len(self.space))]
@@ -118,6 +118,6 @@ def load_traces(out: str | os.PathLike[str], run: int) -> dict[str, NDArray[Any]
     """
     path = _trace_file(Path(out), run)
     if not path.exists():
-        raise Error(f"{path} does not exist; run {run} returned no array, or was not made.")
+        raise Error(f"{path} does not exist; run {run} returned no array, or is not finished.")
     with np.load(path) as file:
         return {name: file[name] for name in file.files}

@@ -12,26 +12,26 @@
 /// Pictures of surfaces without a window or a graphics card.
 namespace hapticut {
 
-/// How a picture is taken. The camera is orthographic and frames all meshes.
+/// Options of a picture. The camera is orthographic and shows all meshes.
 struct PictureOptions {
   int width = 1200;                         ///< [pixels] 16 ... 8192
   int height = 900;                         ///< [pixels] 16 ... 8192
-  Vec3 view_direction = {-0.6, 0.9, -0.8};  ///< from the camera into the scene; any length > 0
-  Vec3 up = {0, 0, 1};                      ///< points upwards in the picture; not along view_direction
+  Vec3 view_direction = {-0.6, 0.9, -0.8};  ///< direction from the camera into the scene; any length > 0
+  Vec3 up = {0, 0, 1};                      ///< upwards in the picture; not parallel to view_direction
   Color background = {243, 244, 246};
-  bool scale_bar = true;  ///< a bar of 1, 2 or 5 times a power of ten millimetres, named below the picture's corner
+  bool scale_bar = true;  ///< draws a bar of 1, 2 or 5 times a power of ten millimetres, with its length
 };
 
-/// A colour for a material by its name (enamel, dentin, pulp, bone ...); other names get one of a fixed palette.
+/// The colour of a material by its name (enamel, dentin, pulp, bone ...); other names get a colour of a fixed palette.
 [[nodiscard]] Color material_color(std::string_view name);
 
-/// A surface in the colours of its materials.
+/// The surface with the colours of its materials.
 [[nodiscard]] ColoredMesh colored(const WorkpieceSurface& surface, const MaterialTable& materials);
 
-/// Writes a PNG picture: smooth shading, light from the upper left of the camera, 4x antialiasing. What was at `path`
-/// before stays until the new file is complete.
-/// @throws Error when an option is out of range, there is nothing to show, a vertex is not finite, colours are missing
-///         or the file cannot be written completely
+/// Writes a PNG picture: smooth shading, light from the upper left of the camera, 4x antialiasing. An existing file is
+/// replaced only when the new file is complete.
+/// @throws Error when an option is out of range, there is no triangle, a vertex is not finite, colours are missing or
+///         the file cannot be written completely
 void write_picture(const std::vector<ColoredMesh>& meshes, const PictureOptions& options,
                    const std::filesystem::path& path);
 

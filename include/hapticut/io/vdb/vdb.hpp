@@ -8,29 +8,29 @@
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
-/// Workpieces as `.vdb` files.
+/// Reads and writes workpieces as `.vdb` files.
 ///
-/// A saved workpiece is a plain OpenVDB file with three grids on one index space: float `density` (filled fraction, fog
-/// volume), int32 `material` (ids) and int32 `centroid` (packed CentroidOffset). Its transform carries the voxel size
-/// and the pose in **millimetres** (OpenVDB refuses transforms of voxels below 14 um when they are written in metres).
-/// The metadata of `material` carries the material table, the exact voxel size and the exact pose, in SI.
+/// A saved workpiece is an ordinary OpenVDB file with three grids on one index space: float `density` (filled fraction,
+/// fog volume), int32 `material` (ids) and int32 `centroid` (packed CentroidOffset). Its transform carries the voxel
+/// size and the pose in **millimetres** (in metres, OpenVDB refuses voxels below 14 um). The metadata of `material`
+/// carries the material table, the exact voxel size and the exact pose, in SI.
 namespace hapticut {
 
-/// Writes a workpiece without loss; uniform regions stay tiles, so a solid block needs kilobytes. What was at `path`
-/// before stays until the new file is complete.
+/// Writes a workpiece without loss. Uniform regions stay tiles, so a solid block needs kilobytes. An existing file is
+/// replaced only when the new file is complete.
 /// @throws Error when the file cannot be written completely
 void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path);
 
-/// Reads what `save_vdb` wrote, bit by bit. A grid that another program has moved or scaled since keeps its new place.
+/// Reads a file of `save_vdb`, bit by bit. If another program has moved or scaled the grid, the new place is kept.
 /// @throws Error when the file is missing, damaged, of another kind or was not written by hapticut
 [[nodiscard]] Workpiece load_vdb(const std::filesystem::path& path);
 
-/// How a `.vdb` file of another program becomes a workpiece.
+/// How to convert a `.vdb` file of another program.
 struct VdbImport {
-  Material material = {};  ///< of everything inside
+  Material material = {};  ///< material of the whole solid
   std::string grid = {};   ///< name of the float grid; empty: the only float grid of the file
   double unit_mm = 1;      ///< [mm] length of one world unit of the file
-  enum class Kind { from_class, level_set, fog_volume } kind = Kind::from_class;  ///< what its values mean
+  enum class Kind { from_class, level_set, fog_volume } kind = Kind::from_class;  ///< meaning of the values
 };
 
 constexpr auto names_of(Of<VdbImport::Kind>) {
@@ -42,8 +42,8 @@ constexpr auto names_of(Of<VdbImport::Kind>) {
   };
 }
 
-/// Reads a level set or fog volume that another program wrote.
-/// @throws Error when the file is missing or damaged, there is no such float grid, or it does not describe a solid
+/// Reads a level set or fog volume of another program.
+/// @throws Error when the file is missing or damaged, has no such float grid, or the grid does not describe a solid
 [[nodiscard]] Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options);
 
 }  // namespace hapticut

@@ -7,7 +7,7 @@
 
 namespace hapticut {
 
-/// How a file stores its numbers.
+/// Type of the numbers in a file.
 enum class ValueType : std::uint8_t { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
 constexpr auto names_of(Of<ValueType>) {

@@ -7,20 +7,20 @@
 #include "hapticut/core/volume.hpp"
 
 /// @file
-/// What is done to a volume with ITK (HAPTICUT_WITH_ITK); the rest is in `build/volume_operations.hpp`. Every
-/// result keeps its place in the world; every function throws Error when the volume is not consistent, and when the
-/// library was built without ITK.
+/// Volume filters that need ITK (HAPTICUT_WITH_ITK); `build/volume_operations.hpp` has the others. Every result keeps
+/// its place in the world. Every function throws Error when the volume is not consistent or the library was built
+/// without ITK.
 namespace hapticut {
 
-/// The same volume with cubic samples of another size: linear between samples, mean over samples where the new ones are
-/// larger. The lower corner of the volume stays where it is.
+/// Resamples a grey volume to cubic samples: linear interpolation, or the mean when the new samples are larger. The
+/// lower corner of the volume stays in place.
 /// @param voxel_size  [m]
 [[nodiscard]] GreyVolume resample(const GreyVolume& volume, double voxel_size);
 
-/// How labels between samples are found.
+/// Interpolation of labels between samples.
 enum class LabelInterpolation : std::uint8_t {
-  nearest,  ///< the label of the nearest sample: steps stay steps
-  smooth    ///< the label with the largest share in a Gaussian of half a spacing: rounds steps
+  nearest,  ///< label of the nearest sample; keeps steps
+  smooth    ///< label with the largest weight in a Gaussian of half a spacing; rounds steps
 };
 
 constexpr auto names_of(Of<LabelInterpolation>) {
@@ -34,8 +34,9 @@ constexpr auto names_of(Of<LabelInterpolation>) {
 [[nodiscard]] LabelVolume resample(const LabelVolume& volume, double voxel_size,
                                    LabelInterpolation interpolation = LabelInterpolation::nearest);
 
-/// Gives a label to every sample of 0 that no ball of this radius reaches without touching the body (a morphological
-/// closing): holes and slits narrower than the ball, e.g. the root canals that join a pulp chamber with the outside.
+/// Sets a label on every sample of 0 that a ball of this radius cannot reach without touching the body (a morphological
+/// closing). This closes holes and slits narrower than the ball, e.g. the root canals between a pulp chamber and the
+/// outside.
 /// @param radius  [m]
 /// @throws Error when all samples are 0
 [[nodiscard]] LabelVolume close_gaps(LabelVolume volume, double radius, std::uint16_t label);

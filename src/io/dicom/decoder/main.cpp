@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The program that unpacks compressed pictures for the library, frame after frame, over the socket that it is given as
-// its input. It may end in any way: the library takes that for a damaged picture.
+// SPDX-License-Identifier: Apache-2.0 Program that unpacks compressed pictures for the library. It reads frames from,
+// and writes values to, the socket at standard input. If it ends in any way, the library reports a damaged picture.
 #include <gdcmImageReader.h>
 #include <gdcmTrace.h>
 #include <sys/prctl.h>
@@ -17,11 +16,11 @@
 namespace {
 
 constexpr unsigned kSeconds = 15;                                  // of a frame
-constexpr std::uint64_t kLargest = std::uint64_t(1) << 33U;        // [bytes] of a frame and of its file
+constexpr std::uint64_t kMaxFrame = std::uint64_t(1) << 33U;       // [bytes] of a frame and of its file
 constexpr std::uint64_t kMemoryBesides = std::uint64_t(1) << 29U;  // [bytes] for the program and its codecs
-constexpr std::uint64_t kCopiesOfAFrame = 16;                      // that codecs hold of it, in wider numbers
+constexpr std::uint64_t kCopiesOfAFrame = 16;  // copies of a frame that codecs hold, in wider numbers
 
-/// @return the values of the frame; empty: it cannot be read
+/// @return values of the frame; empty when it cannot be read
 std::string unpacked(const std::string& file) {
   std::istringstream stream(file);
   gdcm::ImageReader reader;
@@ -36,23 +35,24 @@ std::string unpacked(const std::string& file) {
 
 int main() {
   using namespace hapticut::child;
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it has no use without the program that started it
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the program that started it
   ::signal(SIGPIPE, SIG_IGN);
   limit(RLIMIT_CORE, 0);
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
   gdcm::Trace::DebugOff();
-  std::uint64_t most = 0;
-  for (std::uint64_t lengths[2]; take(reinterpret_cast<char*>(lengths), sizeof lengths);) {
-    if (lengths[0] > kLargest || lengths[1] > kLargest) return 1;
-    most = std::max(most, kMemoryBesides + kCopiesOfAFrame * lengths[1] + 4 * lengths[0]);
-    limit(RLIMIT_AS, most);
+  std::uint64_t max_memory = 0;
+  for (std::uint64_t lengths[2]; read_all(reinterpret_cast<char*>(lengths), sizeof lengths);) {
+    if (lengths[0] > kMaxFrame || lengths[1] > kMaxFrame) return 1;
+    max_memory = std::max(max_memory, kMemoryBesides + kCopiesOfAFrame * lengths[1] + 4 * lengths[0]);
+    limit(RLIMIT_AS, max_memory);
     ::alarm(kSeconds);
     std::string file(lengths[0], '\0');
-    if (!take(file.data(), file.size())) return 1;
+    if (!read_all(file.data(), file.size())) return 1;
     const std::string values = unpacked(file);
     const std::uint64_t length = values.size();
-    if (!give(reinterpret_cast<const char*>(&length), sizeof length) || !give(values.data(), values.size())) return 1;
+    if (!write_all(reinterpret_cast<const char*>(&length), sizeof length) || !write_all(values.data(), values.size()))
+      return 1;
     ::alarm(0);
   }
   return 0;

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// The program that reads recordings for the library: it answers questions about one HDF5 file over the socket that it
-// is given as its input. A file that was made to hurt may end it in any way: the library takes that for damage.
+// SPDX-License-Identifier: Apache-2.0 Program that reads recordings for the library. It replies to queries about one
+// HDF5 file over the socket at standard input. A malicious file may end it in any way; the library then reports a
+// damaged file.
 #include <unistd.h>
 
 #include <csignal>
@@ -23,11 +23,11 @@
 namespace hapticut::recording_reader {
 namespace {
 
-using child::give;
 using child::limit;
-using child::take;
+using child::read_all;
+using child::write_all;
 
-constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] in addition to kMemoryPerByte
 constexpr std::uint64_t kMemoryPerByte = 4;
 
 void limit_memory(const std::string& path) {
@@ -36,37 +36,38 @@ void limit_memory(const std::string& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   limit(RLIMIT_AS, kMemory + (code ? 0 : kMemoryPerByte * size));
 #else
-  (void)path;  // the sanitizer reserves more than any limit
+  (void)path;  // sanitizers reserve more address space than any limit
 #endif
 }
 
-void answer_all() {
+void reply_to_all() {
   std::unique_ptr<Hdf5Source> source;
   std::uint64_t given = 0;
-  for (Question q; take(reinterpret_cast<char*>(&q), sizeof q);) {
+  for (Query q; read_all(reinterpret_cast<char*>(&q), sizeof q);) {
     if (q.place_bytes > kMaxPlace || q.name_bytes > kMaxPlace) return;
     std::string place(q.place_bytes, '\0'), name(q.name_bytes, '\0'), content;
-    if (!take(place.data(), place.size()) || !take(name.data(), name.size())) return;
+    if (!read_all(place.data(), place.size()) || !read_all(name.data(), name.size())) return;
     limit(RLIMIT_CPU, kMaxReadingSeconds + given / kBytesPerSecond);
-    Answer answer;
+    Reply reply;
     try {
-      if (q.ask == Ask::open) {
+      if (q.kind == QueryKind::open) {
         limit_memory(place);
         source = open_hdf5_file(place);
       } else if (source == nullptr) {
         throw hdf5::Failure("no file is open");
       } else {
-        content = source->answer(q, place, name);
+        content = source->reply_to(q, place, name);
       }
     } catch (const std::bad_alloc&) {
-      answer.result = Answer::Result::no_memory;
+      reply.result = Reply::Result::no_memory;
     } catch (const std::exception& error) {
-      answer.result = Answer::Result::refused;
+      reply.result = Reply::Result::refused;
       content = error.what();
     }
-    answer.bytes = content.size();
+    reply.bytes = content.size();
     given += content.size();
-    if (!give(reinterpret_cast<const char*>(&answer), sizeof answer) || !give(content.data(), content.size())) return;
+    if (!write_all(reinterpret_cast<const char*>(&reply), sizeof reply) || !write_all(content.data(), content.size()))
+      return;
   }
 }
 
@@ -78,7 +79,7 @@ int main() {
   ::signal(SIGPIPE, SIG_IGN);
   ::signal(SIGXCPU, SIG_DFL);
   limit(RLIMIT_CORE, 0);
-  answer_all();
-  // Not through HDF5's own end, which may hang over a damaged file.
+  reply_to_all();
+  // Skips HDF5's exit function, which may hang on a damaged file.
   ::_exit(0);
 }
