@@ -61,7 +61,7 @@ struct Calibration {
 };
 
 inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa where tests do not tell: that of burs
-/// [m] h_e where tests do not tell: the middle of what was found in bone, 20 ... 40 um (docs/materials.md).
+/// [m] h_e where tests do not tell: the middle of what was found in bone, 20 ... 40 um (docs/heads-and-materials.md).
 inline constexpr double kAssumedEdgeLength = 30e-6;
 
 /// Steady thrust and torque of a flat head fed axially (C22, C35).

@@ -12,7 +12,7 @@
 #include "hapticut/tool/head.hpp"
 
 /// @file
-/// Heads by the names of the field; docs/heads.md draws them. All lengths in [m], all angles in [rad]. The frame's
+/// Heads by the names of the field; docs/heads-and-materials.md draws them. All lengths in [m], all angles in [rad]. The frame's
 /// origin is the tip, except for `round_head`, where it is the centre; +z points to the shank. Every surface cuts but
 /// the disk on the shank's side, unless said.
 ///
@@ -104,7 +104,7 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 }
 
 /// A shape of heads: what it is called, what describes it, how it is made. Settings, the browser page, tests and the
-/// drawing in docs/heads.md walk `head_shapes`. A shape has a `diameter` or a `tip_diameter`, by which the browser page
+/// drawing in docs/heads-and-materials.md walk `head_shapes`. A shape has a `diameter` or a `tip_diameter`, by which the browser page
 /// scales its others. CONTRIBUTING.md lists where a new bur goes.
 struct HeadShape {
   struct Dimension {

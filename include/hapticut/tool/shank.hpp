@@ -8,7 +8,7 @@
 /// @file
 /// What holds a cutting head: neck, shank and handpiece. All of it is smooth: it presses and rubs where it leans on the
 /// rim of a hole, and cuts only within the land of a cutting edge. It is part of the head's profile, so that the step
-/// asks one surface; docs/heads.md says what that costs.
+/// asks one surface; docs/heads-and-materials.md says what that costs.
 namespace hapticut {
 
 /// A neck that begins at the head's end, and widens or narrows to a shank.

@@ -10,7 +10,7 @@
 
 /// @file
 /// Ready-made materials, each as a kind of cutter meets it: the kind that the Tool is given too, whose lips make the
-/// chips (`lips_of`). `docs/materials.md` holds the same numbers as tables, where each comes from, how far it
+/// chips (`lips_of`). `docs/heads-and-materials.md` holds the same numbers as tables, where each comes from, how far it
 /// can be trusted, and what it predicts beside what others measured.
 ///
 /// Of what is hard, energy is that of dentin under the cutter times a share of the material: so the order of materials
