@@ -12,9 +12,9 @@
 #include "hapticut/tool/head.hpp"
 
 /// @file
-/// Heads by the names of the field; docs/heads-and-materials.md draws them. All lengths in [m], all angles in [rad]. The frame's
-/// origin is the tip, except for `round_head`, where it is the centre; +z points to the shank. Every surface cuts but
-/// the disk on the shank's side, unless said.
+/// Heads by the names of the field; docs/heads-and-materials.md draws them. All lengths in [m], all angles in [rad].
+/// The frame's origin is the tip, except for `round_head`, where it is the centre; +z points to the shank. Every
+/// surface cuts but the disk on the shank's side, unless said.
 ///
 /// Each function throws Error when a dimension is not positive, or when they do not fit together.
 namespace hapticut {
@@ -104,8 +104,8 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 }
 
 /// A shape of heads: what it is called, what describes it, how it is made. Settings, the browser page, tests and the
-/// drawing in docs/heads-and-materials.md walk `head_shapes`. A shape has a `diameter` or a `tip_diameter`, by which the browser page
-/// scales its others. CONTRIBUTING.md lists where a new bur goes.
+/// drawing in docs/heads-and-materials.md walk `head_shapes`. A shape has a `diameter` or a `tip_diameter`, by which
+/// the browser page scales its others. CONTRIBUTING.md lists where a new bur goes.
 struct HeadShape {
   struct Dimension {
     HeadDimension what;
