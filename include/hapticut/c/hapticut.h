@@ -230,7 +230,7 @@ HAPTICUT_C_API int hapticut_sound_render(hapticut_sound sound, const hapticut_so
 
 /* --- recording ---------------------------------------------------------------------------------------------------- */
 
-/** Records every step from now on in an HDF5 file, which `hapticut replay` reads: docs/recording.md. The simulation has
+/** Records every step from now on in an HDF5 file, which `hapticut replay` reads: docs/files.md. The simulation has
  * made no step yet.
  * @param device  whose loop will make the steps, or 0
  * REFUSED: also when the library was built with HAPTICUT_WITH_IO=OFF */

@@ -25,7 +25,7 @@ namespace hapticut {
 /// pointers, and what was in place before goes back in the command, to be freed outside of the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
-/// (`SafetyEvent::model_swapped`), for material may be where the tool is. docs/recording.md says which commands end a
+/// (`SafetyEvent::model_swapped`), for material may be where the tool is. docs/files.md says which commands end a
 /// recording.
 namespace commands {
 

@@ -84,7 +84,7 @@ void run_replay(const ReplaySettings& s) {
                       {"build", build_json()}});
   if (!report.identical)
     throw Error("the replay of '" + s.recording + "' leaves the recording at " + text_of(*report.first_difference) +
-                ". docs/recording.md says when bits are promised.");
+                ". docs/files.md says when bits are promised.");
   if (report.left_out > 0)
     throw Error(std::to_string(report.left_out) + " of " + std::to_string(recording.size()) + " steps of '" +
                 s.recording + "' follow a lost one, so they could not be made again.");

@@ -13,7 +13,7 @@
 
 /// @file
 /// Recordings: every step of a simulation with all that is needed to make it again, in an HDF5 file that other programs
-/// read too. What is in it and what may be expected of a replay is written in docs/recording.md.
+/// read too. What is in it and what may be expected of a replay is written in docs/files.md.
 namespace hapticut {
 
 /// The newest format that this library writes; it reads all from 1 on.
