@@ -14,8 +14,8 @@ namespace hapticut {
 
 class HeatCollector;
 
-/// How a material takes up heat and conducts it. The defaults are those of cortical bone; docs/heat.md has those of
-/// enamel, dentin and pulp, with their sources.
+/// How a material takes up heat and conducts it. The defaults are those of cortical bone; docs/beside-the-step.md has
+/// those of enamel, dentin and pulp, with their sources.
 struct ThermalProperties {
   double conductivity = 0.55;
   double heat_capacity = 2.5e6;
