@@ -236,7 +236,7 @@ def test_presets_are_those_of_the_library():
 
 
 def test_a_material_has_every_field_of_the_table_of_the_documentation():
-    page = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
+    page = Path(__file__).resolve().parents[2] / "docs" / "heads-and-materials.md"
     head = next(line for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("| name"))
     columns = re.findall(r"(\w+) \[([^\]]+)\]", head)
     assert len(columns) > 8

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ready-made materials. ``docs/materials.md`` names the source of every number.
+"""Ready-made materials. ``docs/heads-and-materials.md`` names the source of every number.
 
 The constants depend on the kind of cutter, by default a carbide bur: ``presets.dentin(CutterKind.twist_drill)``.
 """

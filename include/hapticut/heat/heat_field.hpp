@@ -14,7 +14,7 @@ namespace hapticut {
 
 class HeatCollector;
 
-/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/heat.md lists those of
+/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/beside-the-step.md lists those of
 /// enamel, dentin and pulp, with their sources.
 struct ThermalProperties {
   double conductivity = 0.55;

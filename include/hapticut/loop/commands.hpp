@@ -25,7 +25,7 @@ namespace hapticut {
 /// pointers; the replaced objects go back in the command and are freed outside the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
-/// (`SafetyEvent::model_swapped`), because the tool may be inside material. docs/recording.md lists the commands that
+/// (`SafetyEvent::model_swapped`), because the tool may be inside material. docs/files.md lists the commands that
 /// end a recording.
 namespace commands {
 

@@ -8,7 +8,7 @@
 /// @file
 /// The parts that hold a cutting head: neck, shank and handpiece. They are smooth: they press and rub, for example on
 /// the rim of a hole, and cut only within the land of a cutting edge. They are part of the head's profile, so that the
-/// step handles one surface; docs/heads.md states the cost.
+/// step handles one surface; docs/heads-and-materials.md states the cost.
 namespace hapticut {
 
 /// A neck that begins at the end of the head and widens or narrows to a shank.

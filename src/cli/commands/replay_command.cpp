@@ -83,7 +83,7 @@ void run_replay(const ReplaySettings& s) {
                       {"build", build_json()}});
   if (!report.identical)
     throw Error("the replay of '" + s.recording + "' differs from the recording at " +
-                text_of(*report.first_difference) + ". docs/recording.md says when a replay must be identical.");
+                text_of(*report.first_difference) + ". docs/files.md says when a replay must be identical.");
   if (report.left_out > 0)
     throw Error(std::to_string(report.left_out) + " of " + std::to_string(recording.size()) + " steps of '" +
                 s.recording + "' follow a lost step, so they could not be replayed.");

@@ -135,10 +135,10 @@ TEST(Catalogue, RefusesDimensionsThatDoNotFitTogether) {
   expect_refused([] { (void)twist_drill_head(2 * mm, 0.3 * mm); }, {"point", "less", "length, 0.3 mm"});
 }
 
-// --- docs/heads.md ---------------------------------------------------------------------------------------------------
+// --- docs/heads-and-materials.md -------------------------------------------------------------------------------------
 
 TEST(Catalogue, HasARowForEachHeadInTheDocs) {
-  std::ifstream page(test::source_path("docs/heads.md"));
+  std::ifstream page(test::source_path("docs/heads-and-materials.md"));
   std::vector<std::string> rows, functions;
   for (std::string line; std::getline(page, line);)
     if (const std::size_t end = line.find("_head` |"); line.starts_with("| `") && end != std::string::npos)

@@ -24,9 +24,9 @@ std::vector<double> numbers_of(const Material& m) {
   return numbers;
 }
 
-/// The rows of the tables under a heading of the page, or above the first one: first cell -> numbers.
+/// The rows of the tables under a heading of the page: first cell -> numbers.
 std::map<std::string, std::vector<double>> documented_under(const std::string& heading) {
-  std::ifstream page(test::source_path("docs/materials.md"));
+  std::ifstream page(test::source_path("docs/heads-and-materials.md"));
   std::map<std::string, std::vector<double>> rows;
   std::string line, here;
   while (std::getline(page, line)) {
@@ -42,7 +42,7 @@ std::map<std::string, std::vector<double>> documented_under(const std::string& h
 }
 
 TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
-  const auto rows = documented_under("");
+  const auto rows = documented_under("Materials");
   EXPECT_EQ(rows.size(), preset_names().size());
   for (const std::string_view name : preset_names()) {
     const auto row = rows.find(std::string(name));
@@ -55,7 +55,7 @@ TEST(MaterialPresets, HaveATableOfAllTheFieldsOfAMaterial) {
   std::string expected = "| name |";
   for_each_number<Material>(
       [&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
-  std::ifstream page(test::source_path("docs/materials.md"));
+  std::ifstream page(test::source_path("docs/heads-and-materials.md"));
   std::string line;
   while (std::getline(page, line) && line.rfind("| name", 0) != 0) continue;
   EXPECT_EQ(line, expected);

@@ -13,7 +13,7 @@
 
 /// @file
 /// Recordings: every step of a simulation with everything needed to repeat it, in an HDF5 file that other programs can
-/// read too. docs/recording.md describes the file and what a replay guarantees.
+/// read too. docs/files.md describes the file and what a replay guarantees.
 namespace hapticut {
 
 /// The only format that this library writes and reads.
