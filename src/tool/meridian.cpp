@@ -91,8 +91,8 @@ bool MeridianCurve::in_charge(const Vec2& x, double reach) const {
   }
   const double distance = (x - edge.center).norm();
   if (distance < kRounding * edge.radius() + reach) return true;  // the centre lies in no direction
-  const double angle = edge.angle_of(x), slack = kRounding + std::asin(reach / distance);
-  const auto within = [&](double a) { return a >= low - slack && a <= high + slack; };
+  const double angle = edge.angle_of(x), angular_slack = kRounding + std::asin(reach / distance);
+  const auto within = [&](double a) { return a >= low - angular_slack && a <= high + angular_slack; };
   return within(angle) || within(angle - 2 * kPi);
 }
 
