@@ -111,11 +111,11 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 struct HeadShape {
   struct Dimension {
     HeadDimension what;
-    double usual;                  ///< [SI] of a common bur
-    bool may_be_left_out = false;  ///< if left out, it is `usual`
+    double usual;           ///< [SI] of a common bur
+    bool optional = false;  ///< if left out, it is `usual`
   };
   const char* name;                                      ///< "pear"
-  const char* in_sentences;                              ///< "a pear"
+  const char* phrase;                                    ///< "a pear"
   std::vector<Dimension> dimensions;                     ///< in the order of the arguments of `make`
   ToolHead (*make)(std::span<const double> dimensions);  ///< [SI]
 

@@ -78,7 +78,7 @@ class ProfileHead {
   /// [m] Largest rho of the cutting edges, exact.
   [[nodiscard]] double cutting_radius() const { return cutting_radius_; }
 
-  /// Depth and direction from all edges, without the table.  @realtime O(edges): for tests and set-up code
+  /// Depth and direction from all edges, without the table.  @realtime O(edges); for tests and set-up code
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
  private:

@@ -181,7 +181,7 @@ TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
   }
   EXPECT_NE(refusal(nan, Range::limit()), "");
   EXPECT_EQ(range_of(&Spindle::droop).low, 0);
-  EXPECT_TRUE(range_of(&Spindle::power_limit).infinity_is_in);
+  EXPECT_TRUE(range_of(&Spindle::power_limit).allows_infinity);
 }
 
 TEST(RangeOfAField, ReadsAsASentence) {
