@@ -49,7 +49,7 @@ ToolHead make_head(const ToolSettings& s) {
         "head under "
         "[tool] in the settings file.");
   const HeadShape* shape = *s.head;
-  const char* owner = shape != nullptr ? shape->phrase : "a head of a profile";
+  const char* owner = shape != nullptr ? shape->in_sentences : "a head of a profile";
   const bool is_flat = shape != nullptr && shape->name == std::string_view("flat");
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
     if (shape == nullptr || shape->find(one.value) == nullptr)

@@ -150,10 +150,10 @@ class ForceLaw {
   /// detail and crushing.
   [[nodiscard]] virtual bool is_foundation() const noexcept { return false; }
 
-  /// Whether `evaluate` takes blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
-  /// of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of makes them w), and
-  /// `max_component` for VoxelSection, which integrates over the part.
-  /// Where it does not, SimulationConfig::quadrature must be one of points.
+  /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They hold
+  /// the depth of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of converts
+  /// them to w), and `max_component` for VoxelSection, which integrates over the part. If false,
+  /// SimulationConfig::quadrature must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay

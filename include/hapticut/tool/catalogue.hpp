@@ -115,7 +115,7 @@ struct HeadShape {
     bool optional = false;  ///< if left out, it is `usual`
   };
   const char* name;                                      ///< "pear"
-  const char* phrase;                                    ///< "a pear"
+  const char* in_sentences;                              ///< "a pear"
   std::vector<Dimension> dimensions;                     ///< in the order of the arguments of `make`
   ToolHead (*make)(std::span<const double> dimensions);  ///< [SI]
 

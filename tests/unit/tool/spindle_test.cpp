@@ -151,7 +151,7 @@ TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
     EXPECT_TRUE(motor.loaded());
     EXPECT_EQ(motor.speed(), 0);
     for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
-    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again";
+    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it starts again";
   }
 }
 
