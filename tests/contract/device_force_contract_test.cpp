@@ -158,7 +158,7 @@ TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
     EXPECT_EQ(report.ticks, by_time ? 201U : 200U);
     EXPECT_EQ(report.end, by_time ? "its time was up" : by_stop ? "stopped" : "the callback ended it");
     EXPECT_EQ(report.guard, ArmingState::on);
-    EXPECT_TRUE(no_force(0, 10)) << "in every run anew";
+    EXPECT_TRUE(no_force(0, 10)) << "at the start of every run";
     double grown = 0;
     for (long n = 15; n < 65; ++n) grown = std::max(grown, force(n).norm() - force(n - 1).norm());
     EXPECT_LT(grown, 0.2) << "no sudden growth";

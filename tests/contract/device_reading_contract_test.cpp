@@ -52,7 +52,7 @@ TEST_P(ReadingContract, GivesReadingsOfARigidBodyInMetresEachLaterThanTheLast) {
       return DeviceCommand{{}, ++n >= 3000};
     });
     EXPECT_EQ(last.sequence, 3000U);
-    EXPECT_EQ(device->state().sequence, 3000U) << "the last one is there after the run";
+    EXPECT_EQ(device->state().sequence, 3000U) << "the last reading is available after the run";
     EXPECT_EQ(device->state().X_BS.translation, last.X_BS.translation);
   }
 }
