@@ -257,8 +257,8 @@ class VolumeFiller {
     return cell_at(rows_at(y, z), point_at(0, place.x()), y, z);
   }
 
-  static constexpr double kNegligible =
-      1.0 / 2048;  ///< [1] filled fraction; smaller than the resolution of a centroid step
+  /// [1] filled fraction; smaller than the resolution of a centroid step
+  static constexpr double kNegligible = 1.0 / 2048;
 
   const Volume<Sample>& volume_;
   const Field& field_;

@@ -64,8 +64,8 @@ ToolHead make_head(const ToolSettings& s) {
   for (const HeadShape::Dimension& needed : shape->dimensions) {
     const std::optional<double> given = s.dimension(needed.what);
     const double factor = shown_unit(unit_of(needed.what)).factor;
-    dimensions.push_back(given || !needed.may_be_left_out ? required(given, key_of(needed.what), owner) * factor
-                                                          : needed.usual);
+    dimensions.push_back(given || !needed.optional ? required(given, key_of(needed.what), owner) * factor
+                                                   : needed.usual);
   }
   if (is_flat) return FlatHead{dimensions[0], dimensions[1], s.flat_rule.value_or(FlatRule::nearest)};
   return shape->make(dimensions);
@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
 std::string meaning_of(const Named<HeadDimension>& dimension) {
   std::string meaning = dimension.words;
   for (const HeadShape& shape : head_shapes())
-    if (const auto* found = shape.find(dimension.value); found != nullptr && found->may_be_left_out)
+    if (const auto* found = shape.find(dimension.value); found != nullptr && found->optional)
       meaning += " [" + format_number(found->usual / shown_unit(unit_of(dimension.value)).factor) + "]";
   return meaning;
 }

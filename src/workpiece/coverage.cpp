@@ -10,8 +10,8 @@ namespace hapticut {
 namespace {
 
 constexpr double kAgreement = 0.01;  // [voxel edges] allowed deviation of the 15 values from the polynomial
-constexpr double kMaxBend =
-    0.05;  // [voxel edges] height of the parabola: exceeded by radii of curvature below 2.5 voxels
+// [voxel edges] height of the parabola: exceeded by radii of curvature below 2.5 voxels
+constexpr double kMaxBend = 0.05;
 
 /// A function in one voxel, coordinates -0.5 ... 0.5 along each axis: trilinear through the corners plus, along each
 /// axis, bend * (1 - 4 x^2), which vanishes at the corners.

@@ -14,7 +14,7 @@ class DeviceAllocation : public DeviceContractTest {};
 
 TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndTakesNoLock) {
   constexpr long kFrom = 10, kTo = 9000;
-  tested.script = [](long tick) { return ScriptedReading{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
+  tested.script = [](long tick) { return ScriptedTick{Pose::from_translation(Vec3(1e-6 * double(tick), 0, 0))}; };
   const auto device = tested.open();
   CallCounts counts;
   RunOptions options = quick();

@@ -221,7 +221,7 @@ TEST_P(DeviceContract, IsRunInAnyThreadAndAgain) {
   for (int n = 0; n < 3; ++n) {
     std::thread other([&] {
       const DeviceState last = rest(*device, 60);
-      EXPECT_EQ(last.sequence, 60U) << "every run begins anew";
+      EXPECT_EQ(last.sequence, 60U) << "every run starts at the first tick";
       EXPECT_NEAR(last.time, 0.059, 1e-9);
     });
     other.join();

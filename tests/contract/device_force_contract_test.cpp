@@ -158,7 +158,7 @@ TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
     EXPECT_EQ(report.ticks, by_time ? 201U : 200U);
     EXPECT_EQ(report.end, by_time ? "its time was up" : by_stop ? "stopped" : "the callback ended it");
     EXPECT_EQ(report.arming, ArmingState::on);
-    EXPECT_TRUE(no_force(0, 10)) << "in every run anew";
+    EXPECT_TRUE(no_force(0, 10)) << "at the start of every run";
     double grown = 0;
     for (long n = 15; n < 65; ++n) grown = std::max(grown, force(n).norm() - force(n - 1).norm());
     EXPECT_LT(grown, 0.2) << "no sudden growth";
@@ -252,7 +252,7 @@ TEST_P(DeviceForceContract, WaitsForAFreeToolAfterAnInterruption) {
 
 // --- when the device fails ------------------------------------------------------------------------------------------
 TEST_P(FollowingDeviceForceContract, StaysZeroWhenThePoseStaysNotFinite) {
-  tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, tick >= 200, false}; };
+  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, tick >= 200, false}; };
   const auto device = tested.open();
   const RunReport report = run(*device, pressing(500));
   EXPECT_EQ(report.arming, ArmingState::fault);
@@ -266,7 +266,7 @@ TEST_P(FollowingDeviceForceContract, StaysZeroWhenThePoseStaysNotFinite) {
 }
 
 TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
-  tested.script = [](long tick) { return ScriptedReading{{}, {}, 0, false, tick >= 200}; };
+  tested.script = [](long tick) { return ScriptedTick{{}, {}, 0, false, tick >= 200}; };
   auto device = tested.open();
   const RunReport report = run(*device, pressing(10000));
   EXPECT_EQ(report.fault, DeviceFault::disconnected);
@@ -287,7 +287,7 @@ TEST_P(ClosedLoopContract, AddsNoDelay) {
     NudgedPlant plant("touch");
     tested.script = [&](long tick) {
       plant.before_reading(tick, tested.held());
-      return ScriptedReading{plant.pose(), {plant.velocity(), Vec3::Zero()}};
+      return ScriptedTick{plant.pose(), {plant.velocity(), Vec3::Zero()}};
     };
     tested.run(*tested.open(), NudgedPlant::wall(stiffness), NudgedPlant::options());
     return plant.growth();

@@ -14,7 +14,7 @@ using namespace test;
 class ReadingContract : public DeviceContractTest {
  protected:
   /// A hand that moves in a circle of 5 mm and rotates the stylus, without jumps.
-  static ScriptedReading round_and_round(long tick) {
+  static ScriptedTick round_and_round(long tick) {
     const double angle = 2e-3 * double(tick);
     return {Pose{rotation_from_vector(Vec3(0.1, 0.3, std::sin(angle))),
                  5e-3 * Vec3(std::cos(angle), std::sin(angle), 0.5 * std::sin(angle))},
@@ -52,7 +52,7 @@ TEST_P(ReadingContract, GivesReadingsOfARigidBodyInMetresEachLaterThanTheLast) {
       return DeviceCommand{{}, ++n >= 3000};
     });
     EXPECT_EQ(last.sequence, 3000U);
-    EXPECT_EQ(device->state().sequence, 3000U) << "the last one is there after the run";
+    EXPECT_EQ(device->state().sequence, 3000U) << "the last reading is available after the run";
     EXPECT_EQ(device->state().X_BS.translation, last.X_BS.translation);
   }
 }
@@ -73,7 +73,7 @@ TEST_P(FollowingDeviceContract, MeasuresLinearAndAngularVelocity) {
   const Twist velocity{Vec3(0.02, -0.01, 0.03), Vec3(0.5, -1, 2)};
   tested.script = [=](long tick) {
     const double time = 1e-3 * double(tick);
-    return ScriptedReading{Pose{rotation_from_vector(time * velocity.angular), time * velocity.linear}, velocity};
+    return ScriptedTick{Pose{rotation_from_vector(time * velocity.angular), time * velocity.linear}, velocity};
   };
   const auto device = tested.open();
   const bool has_rotation = device->capabilities().input_degrees_of_freedom == 6;
@@ -86,7 +86,7 @@ TEST_P(MakersReadingContract, MakesAnInexactRotationExact) {
   Mat3 inexact = rotation_from_vector(Vec3(0.2, 0.1, -0.4));
   inexact.col(0) *= 1.003;
   inexact.col(1) += 0.002 * inexact.col(2);
-  tested.script = [=](long) { return ScriptedReading{Pose{inexact, Vec3::Zero()}}; };
+  tested.script = [=](long) { return ScriptedTick{Pose{inexact, Vec3::Zero()}}; };
   const auto device = tested.open();
   const bool has_rotation = device->capabilities().input_degrees_of_freedom == 6;
   const DeviceState last = rest(*device);
@@ -96,7 +96,7 @@ TEST_P(MakersReadingContract, MakesAnInexactRotationExact) {
 }
 
 TEST_P(ButtonContract, TellsWhichButtonsArePressed) {
-  tested.script = [](long tick) { return ScriptedReading{{}, {}, std::uint32_t(tick / 10 % 8)}; };
+  tested.script = [](long tick) { return ScriptedTick{{}, {}, std::uint32_t(tick / 10 % 8)}; };
   const auto device = tested.open();
   tested.run(*device, [&, n = 0](const DeviceState& state) mutable {
     EXPECT_EQ(state.pressed(0), n / 10 % 2 == 1) << n;
@@ -109,7 +109,7 @@ TEST_P(ButtonContract, TellsWhichButtonsArePressed) {
 
 TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNotFinite) {
   tested.script = [](long tick) {
-    ScriptedReading now = round_and_round(tick);
+    ScriptedTick now = round_and_round(tick);
     now.not_a_number = tick >= 100 && tick < 105;
     return now;
   };

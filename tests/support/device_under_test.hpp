@@ -13,34 +13,33 @@
 #include "support/refusal.hpp"
 
 /// @file
-/// Interface of a device under the contract suite: it is opened, moved by a hand, run, and watched at its motors.
+/// A device in the contract suite: it is opened, moved by a hand, run, and observed at its motors.
 namespace hapticut::test {
 
-/// Motion of the hand and failures of the device in one tick.
-struct ScriptedReading {
+/// Motion of the hand and faults of the device in one tick.
+struct ScriptedTick {
   Pose X_BS = {};
   Twist velocity = {};
   std::uint32_t buttons = 0;
-  bool not_a_number = false;  ///< the sensors give a position that is not a number
+  bool not_a_number = false;  ///< its sensors give a NaN position
   bool unplugged = false;
 };
 
-using DeviceScript = std::function<ScriptedReading(long tick)>;
+using DeviceScript = std::function<ScriptedTick(long tick)>;
 
-/// Properties of a kind of device, as far as the contract needs them.
+/// Properties of a kind of device, from which the contract chooses its tests.
 struct DeviceTraits {
-  bool follows = true;      ///< its readings have the poses and velocities of the script
-  bool is_live = true;      ///< the script may depend on the force of the device
-  bool has_buttons = true;  ///< its readings have the buttons of the script
+  bool follows = true;      ///< it reads the poses and velocities of the script
+  bool is_live = true;      ///< ... in the same tick, so that they may depend on its force
+  bool has_buttons = true;  ///< those of the script
   bool has_cable = true;    ///< it can be unplugged
   bool has_motors = true;   ///< it renders forces
-  bool is_makers = false;   ///< it uses its maker's library: opened only once, in real time only
+  bool is_makers = false;   ///< it uses its manufacturer's library: opened only once, in real time only
   bool own_thread = false;  ///< its driver's thread runs the loop
   const char* name = "";    ///< name for `open_device`; empty: not found by name
 };
 
-/// One device with access to its readings and motors. Use one at a time: the replacement of a maker's library exists
-/// once per process.
+/// One device, with access to both of its sides. Only one at a time, because a stand-in exists once in the process.
 class DeviceUnderTest {
  public:
   DeviceUnderTest() { commanded.reserve(kLongest); }
@@ -51,10 +50,10 @@ class DeviceUnderTest {
   /// Opens the device, with a clock that the test drives. `script` must be set.
   virtual std::unique_ptr<Device> open() = 0;
 
-  /// Opens the device like an application, for a run by the wall clock without script.
+  /// Opens it as an application does, for a run by the wall clock without a script.
   virtual std::unique_ptr<Device> open_for_wall_clock() { return open(); }
 
-  /// Runs the device as fast as the callback allows, with the script.  @throws as `Device::run`
+  /// Runs it as fast as the callback allows, with the script.  @throws what `Device::run` throws
   virtual RunReport run(Device& device, const DeviceCallback& callback, RunOptions options = quick()) {
     options.simulated_time = true;
     return device.run(callback, options);
@@ -67,17 +66,17 @@ class DeviceUnderTest {
   /// The wrench that the motors hold now.
   [[nodiscard]] virtual Wrench held() const { return commands() > 0 ? command(commands() - 1) : Wrench{}; }
 
-  /// Expects that a run has left the maker's library in order.
+  /// Expects that a run has left the manufacturer's library in order.
   virtual void expect_left_in_order() const {}
 
-  DeviceScript script = [](long) { return ScriptedReading{}; };
+  DeviceScript script = [](long) { return ScriptedTick{}; };
 
  protected:
-  static constexpr std::size_t kLongest = 100000;  // ticks that can be watched without allocation
-  std::vector<Wrench> commanded;                   // of devices whose motors are watched from here
+  static constexpr std::size_t kLongest = 100000;  // ticks before recording would allocate
+  std::vector<Wrench> commanded;                   // of devices whose motors are recorded here
 };
 
-/// A simulated device that records the wrenches of its motors.
+/// A simulated device that records the commands to its motors.
 template <class Simulated>
 class Watched : public Simulated {
  public:

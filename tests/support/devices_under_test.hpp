@@ -12,13 +12,12 @@
 #include "support/open_haptics.hpp"
 #include "support/written_device.hpp"
 
-/// @file
-/// The devices of the contract suite, one factory each, and their list at the end. To put a custom device into the
-/// contract, add such a factory and one line to the list.
+/// The devices of the contract suite, with one factory each, and their list at the end. Your own device joins the
+/// contract with a factory like these and a line in the list.
 namespace hapticut::test {
 
-/// Writes a scripted reading into a device state.
-inline void read_scripted(const ScriptedReading& now, DeviceState& state) {
+/// A scripted tick as a reading.
+inline void read_happening(const ScriptedTick& now, DeviceState& state) {
   state.X_BS = now.X_BS;
   state.velocity = now.velocity;
   state.buttons = now.buttons;
@@ -27,7 +26,7 @@ inline void read_scripted(const ScriptedReading& now, DeviceState& state) {
   state.fault = now.unplugged ? DeviceFault::disconnected : DeviceFault::none;
 }
 
-/// A mock device that follows its script, independent of the force.
+/// A mock that follows its script, whatever the force.
 struct RigidMock : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.has_buttons = false, .has_cable = false};
   explicit RigidMock(const char* model = "touch") { options.device = device_model(model); }
@@ -35,7 +34,7 @@ struct RigidMock : DeviceUnderTest {
   std::unique_ptr<Device> open() override {
     options.path = [this](double time) {
       DeviceState state;
-      read_scripted(script(std::lround(time / GuardOptions{}.period)), state);
+      read_happening(script(std::lround(time / GuardOptions{}.period)), state);
       return state.X_BS;
     };
     return std::make_unique<Watched<MockDevice>>(commanded, options);
@@ -44,7 +43,7 @@ struct RigidMock : DeviceUnderTest {
   MockOptions options;
 };
 
-/// A mock device that is opened by name, and moved by hand and force.
+/// A mock that is opened by name, and moved by hand and force.
 struct HeldMock : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.follows = false,
                                         .has_buttons = false,
@@ -61,7 +60,7 @@ struct HeldMock : DeviceUnderTest {
   }
 };
 
-/// A mouse whose pointer moves slightly in every tick.
+/// A mouse whose pointer is moved a little in every tick.
 struct Mouse : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.follows = false, .has_cable = false, .name = "mouse"};
   struct Moved : Watched<MouseDevice> {
@@ -83,7 +82,7 @@ struct Mouse : DeviceUnderTest {
   std::unique_ptr<Device> open() override { return std::make_unique<Moved>(commanded, *this); }
 };
 
-/// A playback of the script, recorded in advance.
+/// A playback of the script, computed in advance.
 struct Playback : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.is_live = false};
   static constexpr long kReadings = 10000;
@@ -92,7 +91,7 @@ struct Playback : DeviceUnderTest {
     std::vector<DeviceState> readings(kReadings);
     for (long n = 0; n < kReadings; ++n) {
       DeviceState& state = readings[std::size_t(n)];
-      read_scripted(script(n), state);
+      read_happening(script(n), state);
       state.time = 1e-3 * double(n);
       state.sequence = std::uint64_t(n) + 1;
     }
@@ -111,7 +110,7 @@ struct PlaybackOfPoses : Playback {
   }
 };
 
-/// A custom device, made of three functions.
+/// A custom device, in three functions.
 struct OwnDevice : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.name = "written"};
   OwnDevice() {
@@ -124,7 +123,7 @@ struct OwnDevice : DeviceUnderTest {
     device->forces.reserve(kLongest);
     device->next = [this](DeviceState& state) {
       state.time -= 1e-3;  // from zero
-      read_scripted(script(long(state.sequence) - 1), state);
+      read_happening(script(long(state.sequence) - 1), state);
       return true;
     };
     device->on_write = [this](const Vec3& force) { commanded.push_back({force, Vec3::Zero()}); };
@@ -132,7 +131,7 @@ struct OwnDevice : DeviceUnderTest {
   }
 };
 
-/// A device of 3D Systems with a replacement of OpenHaptics.
+/// A device of 3D Systems with the stand-in of OpenHaptics.
 struct OpenHapticsStandIn : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.is_makers = true, .own_thread = true, .name = "openhaptics"};
   explicit OpenHapticsStandIn(hdsim_device (*kind)(const char*)) {
@@ -152,7 +151,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   }
   RunReport run(Device& device, const DeviceCallback& callback, RunOptions options) override {
     const OpenHapticsOutcome outcome = run_in_ticks(device, callback, options, [this](long tick) {
-      const ScriptedReading now = script(tick);
+      const ScriptedTick now = script(tick);
       place(0, now.X_BS, now.velocity.linear);
       hdsim_set_buttons(0, int(now.buttons));
       hdsim_set_nan(0, now.not_a_number ? 1 : 0);
@@ -180,7 +179,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   }
 };
 
-/// A device of Force Dimension with a replacement of its library.
+/// A device of Force Dimension with the stand-in of its library.
 struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   static constexpr DeviceTraits kTraits{.is_makers = true, .name = "forcedimension"};
   explicit ForceDimensionStandIn(int type) {
@@ -199,7 +198,7 @@ struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   }
   RunReport run(Device& device, const DeviceCallback& callback, RunOptions options) override {
     return ForceDimensionRuns::run(device, callback, options, [this](long tick) {
-      const ScriptedReading now = script(tick);
+      const ScriptedTick now = script(tick);
       place_omega(0, now.X_BS, now.velocity);
       dhdsim_set_buttons(0, now.buttons);
       dhdsim_set_nan(0, now.not_a_number ? 1 : 0);
@@ -223,7 +222,7 @@ struct ForceDimensionStandIn : DeviceUnderTest, private ForceDimensionRuns {
   bool has_brakes_ = true, unplugged_ = false;
 };
 
-/// All devices of the contract.
+/// All devices.
 inline std::vector<NamedDevice> devices_under_test() {
   return {named_device<RigidMock>("Mock"),
           named_device<RigidMock>("MockOfSixDegrees", "premium6dof"),
@@ -239,7 +238,7 @@ inline std::vector<NamedDevice> devices_under_test() {
           named_device<ForceDimensionStandIn>("Falcon", kFalcon)};
 }
 
-/// The devices that have all of these traits, or that do not.
+/// The devices with all of these properties, or those without.
 inline std::vector<NamedDevice> devices_that(const std::vector<bool DeviceTraits::*>& have, bool wanted = true) {
   std::vector<NamedDevice> all = devices_under_test();
   for (const auto has : have) std::erase_if(all, [&](const NamedDevice& named) { return named.traits.*has != wanted; });

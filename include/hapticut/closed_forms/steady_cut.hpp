@@ -23,8 +23,8 @@ struct SteadyCut {
   double edge_pressure = 0;        ///< [Pa] p_e, used by C22 and C23 only
 
   double tooth_rate = 0;   ///< [1/s] f_z, used by C35 ... C38 and C42 only
-  double edge_length = 0;  ///< [m] h_e, used as f_z
-  double size_length = 0;  ///< [m] h_s, used as f_z
+  double edge_length = 0;  ///< [m] h_e, used by C35 ... C38 and C42 only
+  double size_length = 0;  ///< [m] h_s, used by C35 ... C38 and C42 only
 
   /// [m/s] `sqrt(h_s f_z v_f)`: additional feed speed with the cost of thin chips.
   [[nodiscard]] double size_speed() const { return std::sqrt(size_length * tooth_rate * feed_speed); }

@@ -33,8 +33,8 @@ namespace hapticut {
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;        ///< `low` itself is not allowed
-  bool infinity_is_in = false;  ///< infinity is allowed and means no limit
+  bool low_open = false;         ///< `low` itself is not allowed
+  bool allows_infinity = false;  ///< infinity is allowed and means no limit
 
   [[nodiscard]] static constexpr Range any() { return {}; }
   [[nodiscard]] static constexpr Range positive() { return above(0); }
@@ -49,7 +49,7 @@ struct Range {
   [[nodiscard]] static constexpr Range limit() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
 
   [[nodiscard]] bool contains(double value) const {
-    if (std::isinf(value) && value > 0) return infinity_is_in;
+    if (std::isinf(value) && value > 0) return allows_infinity;
     return std::isfinite(value) && value <= high && (low_open ? value > low : value >= low);
   }
 
@@ -74,7 +74,7 @@ struct Range {
 inline void require_within(double value, const Range& range, const std::string& name) {
   if (range.contains(value)) return;
   const std::string given = name + " = " + format_number(value) + "; must be ";
-  if (range.infinity_is_in)
+  if (range.allows_infinity)
     throw Error(given + "> " + format_number(range.low) + ". Leave it at infinity for no limit.");
   if (std::isfinite(range.low) && std::isfinite(range.high))
     throw Error(given + "between " + format_number(range.low) + " and " + format_number(range.high) + ".");

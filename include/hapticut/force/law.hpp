@@ -153,8 +153,8 @@ class ForceLaw {
 
   /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They hold
   /// the depth of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of converts
-  /// them to w), and `max_component` for VoxelSection, which integrates over the part. If false, SimulationConfig::quadrature
-  /// must be one of points.
+  /// them to w), and `max_component` for VoxelSection, which integrates over the part. If false,
+  /// SimulationConfig::quadrature must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry without fill must get no force and stay

@@ -91,7 +91,7 @@ constexpr auto names_of(Of<HeadDimension>) {
       Named{length, "length", "length of a catalogue head, thickness of a wheel"},
       Named{tip_diameter, "tip_diameter", "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"},
       Named{neck_diameter, "neck_diameter", "diameter at the shank of an inverted_cone, flame or pear"},
-      Named{shank_diameter, "shank_diameter", "of a wheel: the part of its upper face that does not cut"},
+      Named{shank_diameter, "shank_diameter", "of a wheel: its upper face does not cut within this diameter"},
       Named{widest_height, "widest_height", "of a flame: from the tip to its widest place"},
       Named{tiers, "tiers", "of a christmas_tree: number of cones"},
       Named{point_angle, "point_angle", "of a twist_drill: full angle of its point"}};
@@ -111,8 +111,8 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 struct HeadShape {
   struct Dimension {
     HeadDimension what;
-    double usual;                  ///< [SI] of a common bur
-    bool may_be_left_out = false;  ///< if left out, it is `usual`
+    double usual;           ///< [SI] of a common bur
+    bool optional = false;  ///< if left out, it is `usual`
   };
   const char* name;                                      ///< "pear"
   const char* in_sentences;                              ///< "a pear"

@@ -70,16 +70,15 @@ class ProfileHead {
 
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] const ProfileTable& table() const { return *table_; }
-  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] of the constructor
+  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] bound on the relative error of depths
 
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] largest distance from the frame's origin, exact
 
-  [[nodiscard]] double cutting_radius() const {
-    return cutting_radius_;
-  }  ///< [m] largest rho of the cutting edges, exact
+  /// [m] Largest rho of the cutting edges, exact.
+  [[nodiscard]] double cutting_radius() const { return cutting_radius_; }
 
-  /// Depth and direction from all edges, without the table.  @realtime O(edges): for tests and set-up code
+  /// Depth and direction from all edges, without the table.  @realtime O(edges); for tests and set-up code
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
  private:

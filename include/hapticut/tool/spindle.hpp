@@ -143,9 +143,10 @@ class SpindleMotor {
                              load * speed < spindle_.power_limit);
   }
 
-  static constexpr double kStalledFraction = 1e-3;  ///< [1] of the setting; below it a load stalls the spindle
-  static constexpr double kLoadedFraction =
-      0.5;  ///< [1] of the setting; a motor with droop has its largest power there
+  /// [1] of the setting; below it a load stalls the spindle.
+  static constexpr double kStalledFraction = 1e-3;
+  /// [1] of the setting; a motor with droop has its largest power there.
+  static constexpr double kLoadedFraction = 0.5;
 
  private:
   /// [rad/s] Speed at which the motor, without inertia, balances the torque `load`.

@@ -41,8 +41,8 @@ struct BlockMask {
         function(64 * x + std::countr_zero(bits));
   }
 
-  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const =
-      default;  // NOLINT(modernize-use-nullptr): a false alarm
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm
+  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const = default;
   [[nodiscard]] friend constexpr BlockMask operator&(BlockMask a, const BlockMask& b) {
     for (std::size_t x = 0; x < 8; ++x) a.words[x] &= b.words[x];
     return a;

@@ -273,7 +273,7 @@ TEST(Molar, HasALesionUnderTheFossaOnDemand) {
   const double spheroid = units::kPi / 6 * 2.5 * 2 * 2;  // [mm^3] minus the part above the fossa
   EXPECT_GT(volume_of(molar, kMolarCaries), 0.75 * spheroid);
   EXPECT_LT(volume_of(molar, kMolarCaries), 1.02 * spheroid);
-  EXPECT_NEAR(test::solid_volume(molar) / test::solid_volume(coarse_molar()), 1, 1e-12) << "it keeps its shape";
+  EXPECT_NEAR(test::solid_volume(molar) / test::solid_volume(coarse_molar()), 1, 1e-12) << "the shape is unchanged";
 }
 
 TEST(Molar, RefusesSizesThatNoMolarHasAndNamesThem) {

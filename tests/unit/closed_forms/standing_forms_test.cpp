@@ -18,8 +18,8 @@ using units::mm;
 constexpr double kStiffness = 1e12;  // [N/m^4]
 constexpr double kR = 1 * mm;
 
-constexpr double kVolume =
-    4e-3;  // [1] error of a volume integral with 120 points across, where some springs end at a face
+// [1] error of a volume integral with 120 points across, where some springs end at a face
+constexpr double kVolume = 4e-3;
 constexpr double kLine = 1e-5;  // [1] error of an integral over a line with thousands of points
 constexpr double kRounding = 1e-12;
 

@@ -98,7 +98,7 @@ TYPED_TEST(DescribedStruct, ListsEachMemberOnceInOrder) {
     EXPECT_GT(std::string(field.text).size(), 1U) << field.name;
     using T = typename std::remove_cvref_t<decltype(field)>::Type;
     const bool is_number = kIsNumber<T> || std::is_same_v<T, Vec3> || std::is_same_v<T, std::optional<double>>;
-    EXPECT_EQ(is_number, *field.unit != '\0') << field.name << ": numbers have a unit, nothing else has";
+    EXPECT_EQ(is_number, *field.unit != '\0') << field.name << ": numbers and only numbers have a unit";
   });
 }
 
@@ -181,7 +181,7 @@ TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
   }
   EXPECT_NE(refusal(nan, Range::limit()), "");
   EXPECT_EQ(range_of(&Spindle::droop).low, 0);
-  EXPECT_TRUE(range_of(&Spindle::power_limit).infinity_is_in);
+  EXPECT_TRUE(range_of(&Spindle::power_limit).allows_infinity);
 }
 
 TEST(RangeOfAField, ReadsAsASentence) {

@@ -221,8 +221,9 @@ TEST(Catalogue, IsDrawnInTheDocs) {
   const std::string drawn((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::string expected = drawing();
   if (drawn != expected) std::ofstream("heads.svg") << expected;
-  EXPECT_TRUE(drawn == expected) << "the catalogue has changed: look at heads.svg, written where this test ran, and "
-                                    "copy it to docs/images";
+  EXPECT_TRUE(drawn == expected)
+      << "the catalogue has changed: check heads.svg in the working folder of this test, and "
+         "copy it to docs/images";
 }
 
 }  // namespace

@@ -56,15 +56,15 @@ TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
   SpindleMotor motor({.speed = sign * 1000 * units::rad_per_s, .droop = 2e4});
   motor.advance(sign * 0.01, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 800, 1e-9);
-  EXPECT_FALSE(motor.loaded()) << "it has more power to give";
+  EXPECT_FALSE(motor.loaded()) << "more power is available";
   motor.advance(sign * 0.03, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 400, 1e-9);
-  EXPECT_TRUE(motor.loaded()) << "more load gets less power";
+  EXPECT_TRUE(motor.loaded()) << "beyond the maximum, more load lowers the power";
   motor.advance(sign * 1, 1e-3);
-  EXPECT_EQ(motor.speed(), 0) << "stalled, not turning backwards";
+  EXPECT_EQ(motor.speed(), 0) << "stalled, not reversed";
   EXPECT_TRUE(motor.stalled());
   motor.advance(-sign * 0.01, 1e-3);
-  EXPECT_EQ(motor.speed(), sign * 1000) << "a torque that drives the spindle is no load";
+  EXPECT_EQ(motor.speed(), sign * 1000) << "a torque that drives the spindle does not count as load";
   EXPECT_FALSE(motor.loaded());
   EXPECT_FALSE(motor.stalled());
 }
@@ -116,7 +116,7 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
           ASSERT_LE(load, line * (1 + 1e-9));
         }
       }
-      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor continues a little";
+      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "the inertia delays the stall";
       EXPECT_NEAR(ran_at / kStall, 1, 2e-3);
       EXPECT_EQ(reversals, 0);
     }
@@ -151,7 +151,7 @@ TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
     EXPECT_TRUE(motor.loaded());
     EXPECT_EQ(motor.speed(), 0);
     for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
-    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again";
+    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it starts again";
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   Simulation simulation = slab(4000);
   Wandering(3).cut(simulation, 400);
   simulation.set_undo_mark();
-  EXPECT_TRUE(simulation.undo(1)) << "nothing was cut, but the tool starts afresh, as it will the second time";
+  EXPECT_TRUE(simulation.undo(1)) << "nothing was cut, but the tool starts afresh, as in the second run";
   simulation.set_undo_mark();
   Wandering tool(4);
   tool.cut(simulation, 300);
@@ -126,13 +126,13 @@ TEST(Undo, DeletesTheOldestMarkWhenTheMemoryIsFullAndRedoNeedsNoMemory) {
   Simulation tiny = slab(1);
   tiny.set_undo_mark();
   tool.cut(tiny, 100);
-  EXPECT_EQ(tiny.undo_marks(), 0U) << "one block is no way back";
+  EXPECT_EQ(tiny.undo_marks(), 0U) << "one block does not suffice for undo";
   EXPECT_TRUE(tiny.undo(1));
 }
 
 TEST(Undo, DoesNothingWithoutMemoryAndBeginsAfreshAfterARestore) {
   Simulation without = slab(0);
-  EXPECT_FALSE(without.set_undo_mark()) << "or `undo` would seem to go back to it";
+  EXPECT_FALSE(without.set_undo_mark()) << "otherwise `undo` would seem to work";
   EXPECT_EQ(without.undo_marks(), 0U);
   EXPECT_EQ(without.redo_marks(), 0U);
   EXPECT_TRUE(without.undo(10));
@@ -165,7 +165,7 @@ TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
     while (!simulation.undo(max_blocks) && calls < 10000) ++calls;
     EXPECT_EQ(simulation.workpiece().hash(), hash) << max_blocks;
     if (max_blocks == 0) {
-      EXPECT_GT(calls, 100) << "one block a call";
+      EXPECT_GT(calls, 100) << "one block per call";
     } else {
       EXPECT_EQ(calls, 1);
     }
@@ -264,7 +264,7 @@ TEST(Redo, EndsWithACutAndOnlyThen) {
   redo_by(simulation, 16);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
   EXPECT_EQ(simulation.redo_marks(), 0U);
-  EXPECT_TRUE(simulation.redo(16)) << "there is nothing to go forth to";
+  EXPECT_TRUE(simulation.redo(16)) << "there is nothing to redo";
   undo_by(simulation, 16);
   Wandering(12).cut(simulation, 300);
   EXPECT_EQ(simulation.redo_marks(), 0U);
