@@ -193,8 +193,8 @@ function readMessage(kind: number, r: Reader): Message | null {
       const flags = r.u32(), workpiece = r.u32(), blocksWaiting = r.u32(), point = r.vec();
       return {
         kind: "snapshot", arming, tick, X_WT, force, torque, removed, dissipated, depth, speed, voxels, status,
-        statusSeen, undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0, held: (flags & 4) !== 0,
-        workpiece, blocksWaiting, point,
+        statusSeen, undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0,
+        held: (flags & 4) !== 0, workpiece, blocksWaiting, point,
       };
     }
     case 4: {
