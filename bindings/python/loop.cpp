@@ -188,7 +188,7 @@ void bind_messages(py::module_& m) {
                  member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
                  member("workpiece", &T::workpiece))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
-      .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
+      .def_property_readonly("status_seen", bits(&T::status_seen), doc("ToolSnapshot::status_seen"));
   using S = LoopSnapshot;
   bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
                  member("output", &S::output), member("max_commanded", &S::max_commanded),

@@ -12,10 +12,12 @@ class CouplingObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::coupling;
   CouplingObject(std::shared_ptr<SimulationObject> a_simulation, const CouplingGains& gains)
-      : simulation(std::move(a_simulation)), tools(simulation->tools), coupling(simulation->simulation, gains) {}
+      : simulation(std::move(a_simulation)),
+        tool_exchanges(simulation->tool_exchanges),
+        coupling(simulation->simulation, gains) {}
 
   const std::shared_ptr<SimulationObject> simulation;
-  const std::uint32_t tools;  // number of tools that the simulation had
+  const std::uint32_t tool_exchanges;  // of the simulation when the coupling was made
   VirtualCoupling coupling;
 };
 
@@ -66,7 +68,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     SimulationObject& object = *use->simulation;
     const IdleStay stay(object);
     if (!stay) return stay.code();
-    if (object.tools.load() != use->tools)
+    if (object.tool_exchanges.load() != use->tool_exchanges)
       return fail(HAPTICUT_ERROR_REFUSED,
                   "The tool of the simulation was exchanged after this coupling was made; open another coupling.");
     const Twist velocity{vector_of(in.linear_velocity), vector_of(in.angular_velocity)};

@@ -105,7 +105,7 @@ void put_snapshot(const LoopSnapshot& seen, hapticut_loop_state& own) noexcept {
               flag(tool.redoing, HAPTICUT_LOOP_REDOING) | flag(tool.force_held, HAPTICUT_LOOP_FORCE_HELD);
   own.buttons = seen.device.buttons;
   own.output_changes = std::uint32_t(seen.output.changes);
-  own.status_seen = std::uint32_t(tool.seen);
+  own.status_seen = std::uint32_t(tool.status_seen);
   own.time = seen.device.time;
   put(seen.device.X_BS, own.X_BS);
   put(seen.X_WT, own.X_WT);
@@ -162,7 +162,7 @@ int hapticut_loop_set_tool(hapticut_loop loop, const char* text) {
     if (!use) return use.code();
     const int code =
         send(*use.operator->(), use->model.prepare_tool(tool_from_toml(text, use->simulation->first_tool)));
-    if (code == HAPTICUT_OK) use->simulation->tools.fetch_add(1);
+    if (code == HAPTICUT_OK) use->simulation->tool_exchanges.fetch_add(1);
     return code;
   });
 }

@@ -159,7 +159,7 @@ int hapticut_set_tool(hapticut_simulation simulation, const char* text) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(text, "text");
     use->simulation.set_tool(tool_from_toml(text, use->first_tool));
-    use->tools.fetch_add(1);
+    use->tool_exchanges.fetch_add(1);
   });
 }
 

@@ -31,7 +31,7 @@ class SimulationObject final : public Object {
   const double rate;                             ///< [Hz]
 
   /// The number of exchanges of the tool. A coupling is valid for one tool.
-  std::atomic<std::uint32_t> tools{0};
+  std::atomic<std::uint32_t> tool_exchanges{0};
 
   /// Whether a loop drives it. Then no other thread may access it.
   std::atomic<bool> driven{false};

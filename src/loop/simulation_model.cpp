@@ -127,7 +127,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   const double before = simulation_->last_result().energy.losses();
   const double motor_before = simulation_->last_result().energy.motor_work;
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
-  tool_.seen |= tool_.status;
+  tool_.status_seen |= tool_.status;
   tool_.max_effort = {std::max(tool_.max_effort.parts, tool_.effort.parts),
                       std::max(tool_.max_effort.newton_steps, tool_.effort.newton_steps),
                       std::max(tool_.max_effort.level_of_detail, tool_.effort.level_of_detail)};

@@ -151,7 +151,7 @@ Message encode(const LoopSnapshot& snapshot) {
   const std::uint32_t flags = (tool.undoing ? 1U : 0U) | (tool.redoing ? 2U : 0U) | (tool.force_held ? 4U : 0U);
   message.add(std::uint32_t(snapshot.arming)).add(snapshot.tick).add(snapshot.X_WT).add(tool.force).add(tool.torque);
   message.add(tool.removed_volume).add(tool.dissipated).add(tool.contact_depth).add(tool.spindle_speed);
-  message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.seen));
+  message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.status_seen));
   message.add(std::uint32_t(tool.undo_marks)).add(std::uint32_t(tool.redo_marks)).add(flags);
   message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting)).add(tool.contact_point_W);
   return message.finish();

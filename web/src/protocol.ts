@@ -51,7 +51,7 @@ export interface Snapshot {
   speed: number; // rad/s
   voxels: number;
   status: number;
-  seen: number;
+  statusSeen: number;
   undoMarks: number;
   redoMarks: number;
   undoing: boolean;
@@ -189,12 +189,12 @@ function readMessage(kind: number, r: Reader): Message | null {
     case 3: {
       const arming = r.u32(), tick = r.u64(), X_WT = r.pose(), force = r.vec(), torque = r.vec();
       const removed = r.f64(), dissipated = r.f64(), depth = r.f64(), speed = r.f64();
-      const voxels = r.u32(), status = r.u32(), seen = r.u32(), undoMarks = r.u32(), redoMarks = r.u32();
+      const voxels = r.u32(), status = r.u32(), statusSeen = r.u32(), undoMarks = r.u32(), redoMarks = r.u32();
       const flags = r.u32(), workpiece = r.u32(), blocksWaiting = r.u32(), point = r.vec();
       return {
-        kind: "snapshot", arming, tick, X_WT, force, torque, removed, dissipated, depth, speed, voxels, status, seen,
-        undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0, held: (flags & 4) !== 0,
-        workpiece, blocksWaiting, point,
+        kind: "snapshot", arming, tick, X_WT, force, torque, removed, dissipated, depth, speed, voxels, status,
+        statusSeen, undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0,
+        held: (flags & 4) !== 0, workpiece, blocksWaiting, point,
       };
     }
     case 4: {

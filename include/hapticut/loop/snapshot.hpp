@@ -25,15 +25,15 @@ struct ToolSnapshot {
   double dissipated = 0;       ///< [J] EnergyLedger::losses since the loop began
   double contact_depth = 0;    ///< [m]
   int contact_voxels = 0;
-  Vec3 contact_point_W = Vec3::Zero();  ///< [m] Contact::point_W, in W; zero while the head touches nothing
-  double spindle_speed = 0;             ///< [rad/s]
-  StepStatus status = StepStatus::ok;   ///< of the last step
-  StepStatus seen = StepStatus::ok;     ///< of all steps since the loop began
-  std::uint64_t steps = 0;              ///< since the loop began
-  TickEffort effort;                    ///< in the last tick
-  TickEffort max_effort;                ///< maximum of each value since the loop began
-  std::size_t undo_marks = 0;           ///< marks that `Undo` can return to
-  std::size_t redo_marks = 0;           ///< undone marks that `Redo` can restore
+  Vec3 contact_point_W = Vec3::Zero();      ///< [m] Contact::point_W, in W; zero while the head touches nothing
+  double spindle_speed = 0;                 ///< [rad/s]
+  StepStatus status = StepStatus::ok;       ///< of the last step
+  StepStatus status_seen = StepStatus::ok;  ///< bits of all steps since the loop began
+  std::uint64_t steps = 0;                  ///< since the loop began
+  TickEffort effort;                        ///< in the last tick
+  TickEffort max_effort;                    ///< maximum of each value since the loop began
+  std::size_t undo_marks = 0;               ///< marks that `Undo` can return to
+  std::size_t redo_marks = 0;               ///< undone marks that `Redo` can restore
   bool undoing = false;         ///< an undo is in progress: nothing is felt or cut, and the values of a step are 0
   bool redoing = false;         ///< a redo is in progress, with the same effect
   bool force_held = false;      ///< by HoldForce

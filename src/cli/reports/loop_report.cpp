@@ -38,15 +38,15 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
-  if (has_any(r.seen.last.tool.seen, StepStatus::engaged_layer_thick))
+  if (has_any(r.seen.last.tool.status_seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
         "the feed.");
-  if (has_any(r.seen.last.tool.seen, StepStatus::blocks_exhausted))
+  if (has_any(r.seen.last.tool.status_seen, StepStatus::blocks_exhausted))
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
-    warnings.push_back("the disk was too slow:  " + std::to_string(r.steps_lost) +
+    warnings.push_back("the disk was too slow: " + std::to_string(r.steps_lost) +
                        " steps are missing in the recording.");
   return warnings;
 }

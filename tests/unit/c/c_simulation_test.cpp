@@ -136,7 +136,7 @@ TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
     }
     if (cause == 3) {
       ASSERT_EQ(hapticut_set_tool(simulation.get(), kOtherTool.c_str()), HAPTICUT_OK);
-      ASSERT_EQ(coupling.reset(), HAPTICUT_OK);
+      ASSERT_EQ(coupling.release(), HAPTICUT_OK);
       ASSERT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
     }
     for (int n = 0; n < 3; ++n) {

@@ -65,7 +65,7 @@ TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
     EXPECT_EQ(changed.simulation.workpiece().hash(), with.simulation.workpiece().hash());
     EXPECT_EQ(changed.snapshot.tool.removed_volume, with.snapshot.tool.removed_volume);
     EXPECT_GT(with.snapshot.tool.removed_volume, 0);
-    EXPECT_FALSE(has_any(changed.snapshot.tool.seen, StepStatus::removed_list_full));
+    EXPECT_FALSE(has_any(changed.snapshot.tool.status_seen, StepStatus::removed_list_full));
   }
 }
 

@@ -139,7 +139,7 @@ void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const auto look = [&] {
     const LoopSnapshot& seen = loop.latest();
     EXPECT_LE(seen.output.applied.force.norm(), device->capabilities().peak_force * (1 + 1e-9));
-    EXPECT_FALSE(has_any(seen.tool.seen, StepStatus::force_not_finite | StepStatus::pose_rejected));
+    EXPECT_FALSE(has_any(seen.tool.status_seen, StepStatus::force_not_finite | StepStatus::pose_rejected));
     while (loop.receive(changed)) {
       if (changed.workpiece != workpiece) picture.clear();
       workpiece = changed.workpiece;
