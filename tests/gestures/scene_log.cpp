@@ -49,7 +49,7 @@ void SceneLog::begin(const Simulation& simulation) {
   motor_work_ = simulation.last_result().energy.motor_work;
 }
 
-void SceneLog::look_at_energy(const Tick& tick, double voxel) {
+void SceneLog::track_energy(const Tick& tick, double voxel) {
   const Tick& last = ticks.back();
   const double hand = tick.energy.hand_work - last.energy.hand_work;
   const double motor = tick.energy.motor_work - last.energy.motor_work;
@@ -77,7 +77,7 @@ void SceneLog::look_at_energy(const Tick& tick, double voxel) {
 }
 
 void SceneLog::add(const Tick& tick, const Simulation& simulation, const VirtualCoupling* coupling) {
-  if (!ticks.empty() && has_begun_) look_at_energy(tick, simulation.workpiece().voxel_size());
+  if (!ticks.empty() && has_begun_) track_energy(tick, simulation.workpiece().voxel_size());
   const double last_depth = ticks.empty() ? 0 : ticks.back().depth;
   // A tool with a prescribed feed has an engaged layer, which is thickest at the axis.
   if (limits.force == 0 && tick.removed > 0 && !ticks.empty() && tick.time > ticks.back().time)
