@@ -66,7 +66,7 @@ TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
   }
 }
 
-// In a loop of one's own, as docs/devices.md has it: the stylus goes through the bone before there is a force.
+// In a loop of one's own, as docs/your-own-loop.md has it: the stylus goes through the bone before there is a force.
 TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   const CouplingGains touch = touch_gains();
   WorkspaceMapOptions map;
