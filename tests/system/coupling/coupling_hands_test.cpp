@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy that 10^3 random hands get at the device: from the wrenches that were given out and held, and the poses.
-// Section "Passivity at the hand" of docs/devices.md has the argument.
+// Section "Passivity at the hand" of docs/decisions/0005-implicit-coupling.md has the argument.
 #include <gtest/gtest.h>
 
 #include <algorithm>
