@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of "Passivity at the hand" in docs/decisions/0005-implicit-coupling.md: its numbers, and the formula behind them.
+// The table of "Passivity at the hand" in docs/decisions/0005-implicit-coupling.md: its numbers and their formula.
 #include <gtest/gtest.h>
 
 #include <cmath>
