@@ -12,7 +12,7 @@ if(NOT HAPTICUT_NPM OR NOT HAPTICUT_NODE)
   return()
 endif()
 set(HAPTICUT_PAGE TRUE)
-list(APPEND HAPTICUT_COMPONENT_REPORT "page: on  (the page of hapticut view, docs/view.md)")
+list(APPEND HAPTICUT_COMPONENT_REPORT "page: on  (the page of hapticut view, docs/command-line.md)")
 
 add_custom_target(hapticut_page ALL
   COMMAND "${CMAKE_COMMAND}" -D "NPM=${HAPTICUT_NPM}" -D "NODE=${HAPTICUT_NODE}" -D "WEB=${PROJECT_SOURCE_DIR}/web"

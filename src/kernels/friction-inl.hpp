@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Sums for the dry friction of a standing head; included once per instruction set.
+// SPDX-License-Identifier: Apache-2.0
+// Sums for the dry friction of a standing head; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_FRICTION_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_FRICTION_INL_HPP
 #undef HAPTICUT_KERNELS_FRICTION_INL_HPP

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Origin of the voxels that the press kernel works on, and target of their new fills; included once per instruction
 // set.
 #if defined(HAPTICUT_KERNELS_PLACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Kernels press_blocks and count_voxels, which choose the Press for the head;
+// SPDX-License-Identifier: Apache-2.0
+// Kernels press_blocks and count_voxels, which choose the Press for the head;
 // included once per instruction set.
 #if defined(HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP

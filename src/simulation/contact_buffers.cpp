@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Buffers of ContactStages, sized for a head and its voxels.
 #include <algorithm>
 #include <utility>

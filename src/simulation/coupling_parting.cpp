@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When the tool of a coupling is separated from its hand, and when it rejoins it.
 #include <algorithm>
 #include <numbers>

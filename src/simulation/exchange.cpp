@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exchanges between two steps: tool, materials, friction, removal, another workpiece; and redo.
 #include "hapticut/simulation/exchange.hpp"
 

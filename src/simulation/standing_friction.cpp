@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dry friction of a head that stands, or turns so slowly that the cutting ratio alone does not describe it.
 #include "simulation/simulation_state.hpp"
 

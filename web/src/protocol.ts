@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages between server and page; docs/view.md has the tables.
+// The messages between server and page: the comment of include/hapticut/view/protocol.hpp describes their bytes.
 
 export const kVersion = 4;
 

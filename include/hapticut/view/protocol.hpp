@@ -18,8 +18,51 @@
 #include "hapticut/tool/tool.hpp"
 
 /// @file
-/// The messages between the view server and the page. They are binary and little-endian. Each begins with four bytes:
-/// the kind, the version of the protocol, and two zeros. docs/view.md has the tables.
+/// The messages between the server and its page: binary WebSocket messages at `/socket`, little-endian.
+///
+/// Each message begins with four bytes: kind (u8), version of the protocol (u8, kProtocolVersion), two zero bytes. A
+/// page that receives another version reads no further and says so. Types: u8 ... u64 unsigned, i16, i32 signed, f32,
+/// f64; vec is 3 f64; pose is 12 f64, the rotation row by row and then the translation; text is UTF-8, and text16 has
+/// its length before it (u16). Units are SI.
+///
+/// To the page:
+///
+///     1 hello        first message of a scene; all that was sent before is void. writer u32 (1: this page may send
+///                    commands), voxel size f64 [m], X_WV pose, number of materials u32, for each: red, green, blue,
+///                    length u8, name; number of guard states u32, for each: value u32, name text16, sentence text16;
+///                    the bits of StepStatus in the same form
+///     2 page         origin 3 i32, version u64, vertices u32, indices u32, then 12 bytes a vertex, u16 an index:
+///                    see SurfacePage
+///     3 snapshot     arming u32, tick u64, X_WT pose of the HEAD (not of the handle), force vec [N], torque vec [N m],
+///                    removed volume f64 [m^3], dissipated energy f64 [J], contact depth f64 [m], spindle speed f64
+///                    [rad/s], voxels in contact u32, status u32, status of all steps so far u32, undo marks u32, redo
+///                    marks u32, flags u32 (1 undoing, 2 redoing, 4 force held), workpiece u32, blocks waiting u32,
+///                    contact point vec [m] (zero without a contact)
+///     4 sound        samples per second u32, number u32, samples i16, one channel
+///     5 tool         X_HT pose, handle u32 (0 ray, 1 L), its length, neck [m], bend [rad], z of the tip [m] 4 f64,
+///                    number of edges u32, for each: rho, z of its end, radius (0: straight, < 0: hollow) 3 f64 [m],
+///                    cutting u32
+///     6 controls     number u32, for each: id u16, kind u8 (Control::Kind), zero u8, value, min, max 3 f64, then
+///                    panel, label, unit, choices (separated by |) 4 text16
+///     7 trace        first tick u64, number u32, for each tick: force 3 f32 [N], torque 3 f32 [N m]
+///     8 notice       severity u32 (Severity), length u32, text
+///     9 instruments  X_WG pose of the head where the hand wants it, power f64 [W], ticks u64, missed ticks u64,
+///                    width of a bucket f64 [s], number u32, ticks by lateness u32 each, number of materials u32,
+///                    removed volume of each f64 [m^3]
+///
+/// From the page, at most kMaxCommand bytes:
+///
+///     1 spindle speed   f64 [rad/s], at most a million rpm
+///     2 undo mark, 3 undo, 4 redo, 7 emergency stop   nothing
+///     5 hold the force  u8: 1 hold, 0 release
+///     6 hand            X_WH pose of the handle, within 1 km, a rotation to 1e-3; u8: 1 while the button is pressed.
+///                       `hapticut view` ignores it until it has received an 8 since the last hello
+///     8 look at         vec [m], each coordinate within 1 km: pages near this point come first
+///     9 set a control   id u16, value f64
+///     10 load           name or path, 1 ... 120 bytes without control characters
+///
+/// The server closes the connection with code 1008 after a message that is malformed, comes from a page that may not
+/// send commands, or exceeds the rate of commands; and with code 1009 after a message longer than kMaxCommand.
 namespace hapticut::view {
 
 inline constexpr std::uint8_t kProtocolVersion = 4;

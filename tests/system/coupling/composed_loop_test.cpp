@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Random ticks through the whole chain of device, map, guard, coupling and step,
+// SPDX-License-Identifier: Apache-2.0
+// Random ticks through the whole chain of device, map, guard, coupling and step,
 // with the commands of a loop.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Faults that random ticks found, reduced to the shortest sequence.
+// SPDX-License-Identifier: Apache-2.0
+// Faults that random ticks found, reduced to the shortest sequence.
 #include <gtest/gtest.h>
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random ticks of a coupled tool with all possible events, from a seed: actions of the hand, readings of the device,
 // commands to the simulation. Whatever the sequence, the invariants hold after every tick.
 //

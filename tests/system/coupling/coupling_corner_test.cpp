@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A spinning tool pressed into the corner of two faces. Its drag along one face presses it on the other, and only a
 // stiffness matrix that contains the drag finds the balance of forces (docs/decisions/0005-implicit-coupling.md).
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Cuts through the coupling: feed under a constant force, and the force across the
+// SPDX-License-Identifier: Apache-2.0
+// Cuts through the coupling: feed under a constant force, and the force across the
 // feed.
 #include <gtest/gtest.h>
 

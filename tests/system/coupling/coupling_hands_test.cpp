@@ -1,5 +1,6 @@
-// Energy that 10^3 random hands get from the device, by the rendered and held wrenches and the poses. Section
-// "Passivity at the hand" of docs/devices.md has the argument.
+// SPDX-License-Identifier: Apache-2.0
+// Energy that 10^3 random hands get at the device: from the wrenches that were given out and held, and the poses.
+// Section "Passivity at the hand" of docs/decisions/0005-implicit-coupling.md has the argument.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Custom laws behind the coupling: their stiffness is measured, because they report
+// SPDX-License-Identifier: Apache-2.0
+// Custom laws behind the coupling: their stiffness is measured, because they report
 // none.
 #include <gtest/gtest.h>
 

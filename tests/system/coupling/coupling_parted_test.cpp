@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Material that a tool has not cut its way into is neither felt nor cut: after exchanges, jumps, flipped readings and
 // half rotations, behind a coupling and in a custom loop.
 #include <gtest/gtest.h>

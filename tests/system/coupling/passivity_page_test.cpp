@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of "Passivity at the hand" in docs/devices.md: its numbers, and the formula behind them.
+// The table of "Passivity at the hand" in docs/decisions/0005-implicit-coupling.md: its numbers and their formula.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,7 +75,7 @@ std::vector<std::string> expected_rows() {
 
 /// The rows of the only table under the heading.
 std::vector<std::string> documented_rows() {
-  std::ifstream page(test::source_path("docs/devices.md"));
+  std::ifstream page(test::source_path("docs/decisions/0005-implicit-coupling.md"));
   std::vector<std::string> rows;
   std::string line;
   bool here = false;

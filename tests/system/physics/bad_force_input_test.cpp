@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Constants, profiles and laws that do not fit are refused with value, range and
+// SPDX-License-Identifier: Apache-2.0
+// Constants, profiles and laws that do not fit are refused with value, range and
 // cure, and change nothing.
 #include <gtest/gtest.h>
 

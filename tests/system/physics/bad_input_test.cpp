@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Invalid input of a step: a status bit, no force, and an untouched workpiece.
+// SPDX-License-Identifier: Apache-2.0
+// Invalid input of a step: a status bit, no force, and an untouched workpiece.
 #include <gtest/gtest.h>
 
 #include <fstream>

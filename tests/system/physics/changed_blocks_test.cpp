@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The changed blocks of a step, compared with every voxel of the workpiece before
+// SPDX-License-Identifier: Apache-2.0
+// The changed blocks of a step, compared with every voxel of the workpiece before
 // and after it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point, direction, area and pressure of the contact, against integrals over the cap of a ball and the end of a
 // cylinder.
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Material that a head presses harder than its strength is crushed, whether the
+// SPDX-License-Identifier: Apache-2.0
+// Material that a head presses harder than its strength is crushed, whether the
 // spindle turns or not.
 #include <gtest/gtest.h>
 

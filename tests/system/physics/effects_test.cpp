@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Effects in the whole step: the hand feels them in addition to the model, and the
+// SPDX-License-Identifier: Apache-2.0
+// Effects in the whole step: the hand feels them in addition to the model, and the
 // ledger does not contain them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dry friction of a standing head in the whole step: where it acts, its constants, its energy, and the transition to
 // the cutting ratio when the spindle starts.
 #include <gtest/gtest.h>

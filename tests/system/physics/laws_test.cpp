@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formulas of contact mechanics against integrals, the layers of the thesis, and the erosion of the Hertzian burr.
 // Rows of `hapticut validate` test each law in the step.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heads of any profile in the step: a profile of a ball, a cone or a flat head has the same force and cut as the head
 // itself.
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Symmetries of the step with any head, and its energy balance for any motion of
+// SPDX-License-Identifier: Apache-2.0
+// Symmetries of the step with any head, and its energy balance for any motion of
 // the hand.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

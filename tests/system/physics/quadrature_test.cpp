@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The quadrature of custom laws in partly filled voxels: convergence of the two choices of points, and whole voxels
 // (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>

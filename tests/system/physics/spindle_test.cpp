@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The motor: its torque, its power, and the effect of its limits on the cut.
+// SPDX-License-Identifier: Apache-2.0
+// The motor: its torque, its power, and the effect of its limits on the cut.
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"

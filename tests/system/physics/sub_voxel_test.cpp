@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quadrature::sub_voxel on surfaces inclined to the grid and with heads of profiles, and its refusals. Cuts with it are
 // rows of `hapticut validate` (docs/decisions/0009-cut-voxels.md).
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Swept motion: the removal of a stroke does not depend on its speed or on its
+// SPDX-License-Identifier: Apache-2.0
+// Swept motion: the removal of a stroke does not depend on its speed or on its
 // division into steps.
 #include <gtest/gtest.h>
 

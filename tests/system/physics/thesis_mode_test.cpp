@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The whole model of the thesis in one configuration: the result of a step equals
+// SPDX-License-Identifier: Apache-2.0
+// The whole model of the thesis in one configuration: the result of a step equals
 // that of its equations, one by one.
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/force/stiffness.hpp"

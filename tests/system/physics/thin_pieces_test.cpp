@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Cuts that leave or touch pieces thinner than a voxel: sheets, and grooves that
+// SPDX-License-Identifier: Apache-2.0
+// Cuts that leave or touch pieces thinner than a voxel: sheets, and grooves that
 // cross.
 #include <gtest/gtest.h>
 

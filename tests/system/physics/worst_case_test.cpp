@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The work of a step has a known upper bound, can be limited, and can be timed.
+// SPDX-License-Identifier: Apache-2.0
+// The work of a step has a known upper bound, can be limited, and can be timed.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Constants from drilling tests: the fit recovers the constants that generated
+// SPDX-License-Identifier: Apache-2.0
+// Constants from drilling tests: the fit recovers the constants that generated
 // tests, and explains published tests.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Each effect alone, and their order.
+// SPDX-License-Identifier: Apache-2.0
+// Each effect alone, and their order.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dry friction alone: the cone, and refused constants. The work of a drag, C17, is an experiment of `hapticut
 // validate`.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heat from the steps to the field: what is passed on, where it is added, and the resulting temperatures.
 #include "hapticut/heat/heat_collector.hpp"
 

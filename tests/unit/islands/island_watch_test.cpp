@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The removal of a piece that a tool has cut loose: from a simulation, beside a custom loop, and from a model's loop.
 #include "hapticut/islands/island_watch.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pieces that are cut loose: a search around the removed voxels finds the same pieces as a search over all voxels.
 #include "hapticut/islands/islands.hpp"
 

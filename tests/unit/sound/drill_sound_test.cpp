@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The sound of a drill, measured in the samples.
+// SPDX-License-Identifier: Apache-2.0
+// The sound of a drill, measured in the samples.
 #include "hapticut/sound/drill_sound.hpp"
 
 #include <gtest/gtest.h>

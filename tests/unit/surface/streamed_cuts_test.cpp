@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 The pages of a workpiece after cuts, undos and restores in any order equal those
+// SPDX-License-Identifier: Apache-2.0
+// The pages of a workpiece after cuts, undos and restores in any order equal those
 // of a new stream of its final state.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Properties of the pages of a surface: closed, with the right volume and normals,
+// SPDX-License-Identifier: Apache-2.0
+// Properties of the pages of a surface: closed, with the right volume and normals,
 // however the surface is divided.
 #include "hapticut/surface/surface_stream.hpp"
 

@@ -13,7 +13,7 @@
 
 namespace hapticut::view_test {
 
-/// The kinds in docs/view.md.
+/// The numbers of the comment of hapticut/view/protocol.hpp.
 struct CommandKind {
   static constexpr std::uint8_t set_spindle_speed = 1, set_undo_mark = 2, undo = 3, redo = 4, hold_force = 5,
                                 move_hand = 6, stop = 7, look_at = 8, set_control = 9, load = 10;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of the messages in docs/view.md. Nothing else is accepted from a page.
+// Byte by byte what the comment of hapticut/view/protocol.hpp says; the server accepts nothing else from a page.
 #include "hapticut/view/protocol.hpp"
 
 #include <gtest/gtest.h>
