@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 include/hapticut/device: a simulation driven by a device in a separate thread
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/device: a simulation driven by a device in a separate thread
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 include/hapticut/io: recordings and their replay
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/io: recordings and their replay
 #include "bindings.hpp"
 #include "steps.hpp"
 #include "structs.hpp"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 include/hapticut/simulation: input and result of a step
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/simulation: input and result of a step
 #include "bindings.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
 #include "simulation.hpp"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Workpieces from built-in shapes and from files.
+// SPDX-License-Identifier: Apache-2.0
+// Workpieces from built-in shapes and from files.
 #include <filesystem>
 #include <set>
 

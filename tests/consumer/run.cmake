@@ -184,7 +184,7 @@ elseif(CASE STREQUAL "program_without_io")
   # What was not built for the program is built before it is installed.
   must("${CMAKE_COMMAND}" --install "${folder}" --prefix "${WORK}/prefix")
   file(GLOB_RECURSE library "${WORK}/prefix/libhapticut_c.so")
-  if(NOT library OR NOT output MATCHES "Not built yet, and built before it is installed: [^\n]*hapticut_c")
+  if(NOT library OR NOT output MATCHES "Not built yet, built before installation:  [^\n]*hapticut_c")
     message(FATAL_ERROR "a part that was not built must be built when it is installed, with a word:\n${output}")
   endif()
 elseif(CASE STREQUAL "avx")

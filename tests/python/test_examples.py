@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The examples run, say what they should and draw what they say; the README shows the first one."""
+"""The examples run, print the right results and draw them; the README shows the first one."""
 from __future__ import annotations
 
 import re

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python has the names that the lists in bindings/python/hapticut give: each in one module, which offers it and which it
-says it is of. What is added to the library is bound where somebody needs it in Python."""
+"""Python has the names in the lists of bindings/python/hapticut. Each name is in one module, exported by it and with it as
+``__module__``. New names of the library are bound if Python needs them."""
 from __future__ import annotations
 
 import importlib
@@ -23,7 +23,7 @@ MODULES = [hapticut, *(module for name, module in vars(hapticut).items()
 COMPILED = {name for name in dir(core) if not name.startswith("_")}
 NAMES = [name for name in dir(hapticut) if name in COMPILED or name == "Pose"]
 ROOMS = ("analysis", "device", "io", "loop", "safety")  # folders of C++ that are modules of Python
-# What is looked for elsewhere than in the folder where C++ needs it.
+# Names whose Python module differs from their C++ folder.
 MOVED = {"LabelInterpolation"}
 
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 hapticut loop: a device moves the tool in real time.
+// SPDX-License-Identifier: Apache-2.0
+// hapticut loop: a device moves the tool in real time.
 #include <chrono>
 #include <cstdio>
 #include <memory>

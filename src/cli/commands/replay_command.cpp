@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 hapticut replay and hapticut export.
+// SPDX-License-Identifier: Apache-2.0
+// hapticut replay and hapticut export.
 #include <cstdio>
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 hapticut view: a scene to drill in a browser, next to the real-time loop.
+// SPDX-License-Identifier: Apache-2.0
+// hapticut view: a scene to drill in a browser, next to the real-time loop.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Checks of compressed pictures, and the run-length decoder (PS3.5, annex G).
+// SPDX-License-Identifier: Apache-2.0
+// Checks of compressed pictures, and the run-length decoder (PS3.5, annex G).
 #include <array>
 
 #include "hapticut/core/errors.hpp"

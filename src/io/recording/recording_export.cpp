@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Export of recordings to CSV and NumPy.
+// SPDX-License-Identifier: Apache-2.0
+// Export of recordings to CSV and NumPy.
 #include <archive.h>
 #include <archive_entry.h>
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Export of recordings to WAV.
+// SPDX-License-Identifier: Apache-2.0
+// Export of recordings to WAV.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Replaces the functions that need ITK in a library built without it.
+// SPDX-License-Identifier: Apache-2.0
+// Replaces the functions that need ITK in a library built without it.
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
 
