@@ -191,7 +191,7 @@ double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Floa
   double sum = 0;
   for (std::size_t i = 0; i < input.steps; ++i) {
     const StepInput now = input[i];
-    sum += self.simulation.step(now.pose, now.velocity, now.dt).force.z();
+    sum += self.simulation.step(now.X_WH, now.V_WH, now.dt).force.z();
   }
   return sum;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files as people have them: in another unit, of another program, beside their settings; and what is said of those that
-// do not fit, in the words of the command line.
+// Files of users: in another unit, from another program, next to their settings file; and the errors about unsuitable
+// files, in terms of flags.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -38,11 +38,11 @@ json = "results/report.json"
 
 class Inputs : public test::Program {
  protected:
-  /// [mm^3] of cortical bone.
+  /// [mm^3] Volume of cortical bone.
   double volume(const std::string& arguments) {
     return inspect(arguments)["volume_mm3"]["cortical_bone"].get<double>();
   }
-  /// A scene with its files in the folder `case`, none of which is in the folder where the program runs.
+  /// A scene with its files in the folder `case`, outside the folder where the program runs.
   void write_scene() {
     std::filesystem::create_directories(folder / "case/shapes");
     write_stl(test::cube_mesh(Vec3::Zero(), 4 * mm, 1), folder / "case/shapes/cube.stl");
@@ -90,8 +90,7 @@ TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
   ASSERT_GT(classes, 0);
   write_bytes(folder / "b.vdb", bytes);
   const std::string source = path("b.vdb") + " --material cortical_bone";
-  expect_refused("inspect " + source,
-                 {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
+  expect_refused("inspect " + source, {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
   EXPECT_NEAR(volume(source + " --grid-kind fog_volume"), 8, 1e-3);
   expect_refused("inspect " + source + " --grid other", {"'density' (float)", "with --grid"});
   expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"workpiece.material is missing"});
@@ -104,11 +103,11 @@ TEST_F(Inputs, OfASettingsFileAreBesideIt) {
   const Outcome outcome = run("drill --settings " + path("case/scene.toml"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(test::read_json(folder / "case/results/report.json")["steps"], 100);
-  // However it is named, and whatever else is in the folder where the program runs.
+  // For any form of its path, and with other files in the working folder.
   const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
   EXPECT_EQ(test::run_program(folder, "drill --settings scene.toml", in_folder).code, 0);
   EXPECT_EQ(test::run_program(folder, "drill --settings ../case/scene.toml", in_folder).code, 0);
-  // A flag is of whoever calls the program.
+  // A flag is relative to the working folder.
   const std::string in_shapes = "cd " + path("case/shapes") + " && " + test::kProgram;
   EXPECT_EQ(
       test::run_program(folder, "drill --settings ../scene.toml --workpiece cube.stl --json here.json", in_shapes).code,

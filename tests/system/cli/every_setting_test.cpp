@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every setting of every command refuses what is of another type, by its flag and by its key, and says what is allowed.
+// Every setting of every command refuses a value of another type, by flag and by key, and says what is allowed.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -50,7 +50,7 @@ TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
   EXPECT_GT(flags, 200U);
 }
 
-/// A value that no setting of a kind takes, as TOML writes it and as messages call it.
+/// A value that no setting of a kind accepts, in TOML and in messages.
 const std::map<Kind, std::vector<std::pair<const char*, const char*>>>& wrong_values() {
   static const std::map<Kind, std::vector<std::pair<const char*, const char*>>> values = {
       {Kind::number,

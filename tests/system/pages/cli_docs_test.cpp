@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/command-line.md lists every setting of the program as the program itself describes it, and no other.
+// docs/command-line.md lists exactly the settings of the program, with the program's texts.
 #include <gtest/gtest.h>
 
 #include <fstream>

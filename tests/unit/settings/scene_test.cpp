@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as text: what an application makes of it, and what it is told where the text is wrong.
+// A scene as text: the resulting objects, and the errors for wrong texts.
 #include "hapticut/settings/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ to_mm = [3, 1.5, 1.5]
 feed_mm_per_s = 3
 )";
 
-/// What is said of a scene that differs from `kScene`.
+/// The error for a scene that differs from `kScene`.
 std::string complaint(const std::string& part, const std::string& in_its_place) {
   std::string text = kScene + kPath;
   text.replace(text.find(part), part.size(), in_its_place);
