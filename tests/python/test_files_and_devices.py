@@ -102,7 +102,7 @@ def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
     seen = []
     report = h.io.replay(recording, progress=seen.append)
     assert report.identical and report.steps == len(poses) and report.first_difference is None
-    assert report.workpiece_hash == simulation.workpiece.hash() and report.left_out == 0
+    assert report.workpiece_hash == simulation.workpiece.hash() and report.skipped == 0
     other = h.io.simulation_of(recording)
     again = other.run(columns["poses"], columns["velocities"], columns["dt"])
     assert np.array_equal(again["force"][1:], trace["force"])
