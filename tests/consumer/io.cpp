@@ -17,11 +17,11 @@ namespace {
 
 using namespace hapticut;
 
-[[maybe_unused]] bool fails_with(const std::string& said, void (*use)()) {
+[[maybe_unused]] bool fails_with(const std::string& part, void (*use)()) {
   try {
     use();
   } catch (const Error& error) {
-    return std::string(error.what()).find(said) != std::string::npos;
+    return std::string(error.what()).find(part) != std::string::npos;
   }
   return false;
 }

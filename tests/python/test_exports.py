@@ -93,10 +93,10 @@ except TypeError as error:
 
 
 def test_help_and_errors_speak_of_names_that_can_be_imported():
-    said = subprocess.run([sys.executable, "-c", LOOK], check=True, capture_output=True, text=True).stdout
-    assert "in module hapticut\n" in said and "in module hapticut.analysis\n" in said
-    assert said.count("build_block(box: Box, voxel_size: ") == 1 and "1. (box: Box, " in said
-    assert "hapticut._hapticut." not in said.replace("hapticut._hapticut.kWithIo", "")
+    printed = subprocess.run([sys.executable, "-c", LOOK], check=True, capture_output=True, text=True).stdout
+    assert "in module hapticut\n" in printed and "in module hapticut.analysis\n" in printed
+    assert printed.count("build_block(box: Box, voxel_size: ") == 1 and "1. (box: Box, " in printed
+    assert "hapticut._hapticut." not in printed.replace("hapticut._hapticut.kWithIo", "")
     page = pydoc.plain(pydoc.render_doc(hapticut))
     assert "class Workpiece" in page and "hapticut._hapticut" not in page and "ClosedLoop" not in page
 

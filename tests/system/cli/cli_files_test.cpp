@@ -256,17 +256,17 @@ TEST_F(Program, SaysHowManySamplesArePaddingAndTakesThemForAir) {
   EXPECT_EQ(whole["highest"], 1500);
   EXPECT_EQ(whole["lowest"], -1000);
 
-  const std::string said = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
+  const std::string warning = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
   for (const std::string& command : {"inspect " + path("scan") + bone + " --voxel-mm 0.1 --json " + path("i.json"),
                                      "convert " + path("scan") + " " + path("a.vdb") + bone}) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.errors.find(said), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
   }
   EXPECT_LT(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>(), 0.01);  // one sample is 0.004 mm^3
   const nlohmann::json report = drill("--workpiece " + path("scan") + bone + " " + kBall +
                                       "--path line --from_mm 10,20,3 --to_mm 10,20,2.9 --feed_mm_per_s 5");
-  EXPECT_NE(report["warnings"][0].get<std::string>().find(said), std::string::npos) << report["warnings"];
+  EXPECT_NE(report["warnings"][0].get<std::string>().find(warning), std::string::npos) << report["warnings"];
 }
 
 TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {

@@ -74,11 +74,11 @@ TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
   TriangleMesh plate = test::cube_mesh(Vec3::Zero(), 4 * mm, 1);
   for (Vec3& v : plate.vertices) v.z() *= 1e-6;
   write_stl(plate, folder / "plate.stl");
-  const std::string said = refusal("inspect " + path("plate.stl") + kBone);
-  EXPECT_NE(said.find("encloses nothing that voxels of 0.2 mm can show, and all is 4 mm long; close it"),
+  const std::string message = refusal("inspect " + path("plate.stl") + kBone);
+  EXPECT_NE(message.find("encloses nothing that voxels of 0.2 mm can show, and all is 4 mm long; close it"),
             std::string::npos)
-      << said;
-  EXPECT_EQ(said.find("unit"), std::string::npos) << said;
+      << message;
+  EXPECT_EQ(message.find("unit"), std::string::npos) << message;
 }
 
 TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
@@ -120,8 +120,8 @@ TEST_F(Inputs, OfASettingsFileThatAreNotThereAreNamedWithTheirPlace) {
     write_scene();
     std::filesystem::remove(folder / "case" / file);
     const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
-    const std::string said = refusal("drill --settings scene.toml", test::kFailed, in_folder);
-    EXPECT_NE(said.find(place), std::string::npos) << place << '\n' << said;
+    const std::string message = refusal("drill --settings scene.toml", test::kFailed, in_folder);
+    EXPECT_NE(message.find(place), std::string::npos) << place << '\n' << message;
   };
   expect_missing("shapes/cube.stl", "there is no file '" + path("case/shapes/cube.stl") + "'");
   expect_missing("shapes/head.csv", path("case/shapes/head.csv"));
@@ -140,8 +140,8 @@ TEST_F(Inputs, ThatAreDamagedAreRefusedInOwnWords) {
       "hapticut: cannot read '.*cut.h5': it is [^(]*(\\(HDF5: [^()]*\\))?(\\. Get|; get) a complete copy.*\\.\n");
   for (std::size_t length = 12; length < whole.size(); length += whole.size() / 5) {
     write_bytes(folder / "cut.h5", whole.substr(0, length));
-    const std::string said = refusal("replay " + path("cut.h5"));
-    EXPECT_TRUE(std::regex_match(said, own)) << said;
+    const std::string message = refusal("replay " + path("cut.h5"));
+    EXPECT_TRUE(std::regex_match(message, own)) << message;
   }
 }
 

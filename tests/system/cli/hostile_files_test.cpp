@@ -137,9 +137,9 @@ TEST_P(HostileFile, IsReadRightOrRefusedInOneSentence) {
     EXPECT_NE(outcome.errors.find(test::data_path(name).filename().string()), std::string::npos);
   }
   EXPECT_NE(outcome.errors.find(hostile.cause), std::string::npos);
-  const std::string said = without_folder_of_data(outcome.errors);
-  EXPECT_EQ(said.find("ITK"), std::string::npos);
-  EXPECT_EQ(said.find(std::filesystem::temp_directory_path().string()), std::string::npos) << "a file of our own";
+  const std::string message = without_folder_of_data(outcome.errors);
+  EXPECT_EQ(message.find("ITK"), std::string::npos);
+  EXPECT_EQ(message.find(std::filesystem::temp_directory_path().string()), std::string::npos) << "a file of our own";
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, HostileFile, testing::ValuesIn(kHostile), [](const auto& tested) {

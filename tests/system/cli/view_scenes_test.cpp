@@ -23,7 +23,7 @@ Simulation simulation_of(const ViewScene& scene) { return {scene.workpiece.clone
 /// Whether the tool starts in free air and meets material on its axis through the centre.
 void expect_ready_to_drill(const ViewScene& scene) {
   const Simulation simulation = simulation_of(scene);
-  Pose X_WT = cli::waiting_place(scene);
+  Pose X_WT = cli::start_pose(scene);
   const auto touches = [&] { return simulation.touches(X_WT * scene.tool.X_HT().inverse()); };
   EXPECT_FALSE(touches()) << scene.name;
   EXPECT_LT((X_WT.rotation.col(2) - scene.axis).norm(), 1e-12) << scene.name;
@@ -82,7 +82,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   constexpr double kWanted = 3e-9, kMaxTrabecular = 0.2, kDt = 1e-3;
   const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, scene.tool.spindle());
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
-  Pose X_WT = cli::waiting_place(scene);
+  Pose X_WT = cli::start_pose(scene);
   const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};
   const auto& removed = simulation.removed_volume_by_material();
   for (int n = 0; n < 2000 && removed[1] + removed[2] < kWanted; ++n) {

@@ -70,7 +70,7 @@ TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
   cut.watched.begin_run();
   cut.run(600);
   view::Instruments shown;
-  cut.watched.tell(shown, 1);
+  cut.watched.fill(shown, 1);
   EXPECT_EQ(shown.ticks, 600U);
   EXPECT_EQ(shown.bucket, WatchedModel::kBucket);
   EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first tick has no lateness
