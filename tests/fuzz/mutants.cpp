@@ -161,7 +161,7 @@ void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::
     fault = fault_of(error.what(), path);
     if (!fault.empty()) fault += ": " + std::string(error.what());
   } catch (const std::exception& error) {
-    fault = std::string("not hapticut::Error:  ") + error.what();
+    fault = std::string("not hapticut::Error: ") + error.what();
   }
   if (!fault.empty()) {
     std::printf("mutant %llu of %s: %s\n", static_cast<unsigned long long>(index), chosen.path.filename().c_str(),

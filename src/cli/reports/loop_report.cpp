@@ -46,7 +46,7 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
-    warnings.push_back("the disk was too slow:  " + std::to_string(r.steps_lost) +
+    warnings.push_back("the disk was too slow: " + std::to_string(r.steps_lost) +
                        " steps are missing in the recording.");
   return warnings;
 }

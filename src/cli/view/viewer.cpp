@@ -59,7 +59,7 @@ void Viewer::obey(const view::ViewCommand& command) {
   if (is_loading()) {
     has_writer_ = !std::holds_alternative<view::WriterLeft>(command);
     if (is_a_wish(command))
-      server_.send_notice(view::Severity::warns, loaded_ + "  is still loading: try again afterwards.");
+      server_.send_notice(view::Severity::warns, loaded_ + " is still loading: try again afterwards.");
   } else if (const auto* request = std::get_if<view::Load>(&command)) {
     load(request->name);
   } else {

@@ -130,7 +130,7 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   }
   if (!series.empty()) cannot_read(folder, "it has no DICOM series '" + series + "'; it has " + list + ".");
   if (series.size() > 1)
-    cannot_read(folder, "it has several DICOM series, or a series of several kinds:  " + list +
+    cannot_read(folder, "it has several DICOM series, or a series of several kinds: " + list +
                             ". Choose one with VolumeReadOptions::dicom_series.");
   std::vector<DicomSlice> slices = slices_of(series.front());
   if (found.unread.size() >= slices.size())  // then the unreadable files may be the wanted ones

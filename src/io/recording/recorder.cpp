@@ -90,7 +90,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
   require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
   if (simulation.steps() > 0)
     throw Error("the simulation has already made " + std::to_string(simulation.steps()) +
-                "  steps, so a replay would lack its initial state; record from the first step, or reset the "
+                " steps, so a replay would lack its initial state; record from the first step, or reset the "
                 "simulation to a clone of its workpiece first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);

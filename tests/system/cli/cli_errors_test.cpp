@@ -119,7 +119,7 @@ TEST_F(Flags, NameAFileThatIsNotReadOrWrittenOtherwise) {
   const std::string drill = "drill --settings " + path("scene.toml") + " " + kBlock + kBall + kLine;
   for (const char* output : {"--json ", "--steps_csv ", "--record "})
     for (const char* name : {"scene.toml", "link.toml"})
-      expect(drill + output + path(name), kFailed, "which is the file of --settings. Give it another name.");
+      expect(drill + output + path(name), kFailed, "the file of --settings. Give it another name.");
   expect(drill + "--record " + path("a.vdb") + " --save " + path("./a.vdb"), kFailed, "the file of --record");
   write_bytes(folder / "a.h5", "");
   expect("replay " + path("a.h5") + " --json " + path("a.h5"), kFailed, "the file of RECORDING");
