@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D NPM=... -D NODE=... -D WEB=... -D TARGET=... -P BuildPage.cmake
-# Builds the page in web/build, unless what it is made of is what it was, and copies it to TARGET. What npm fetches is
-# kept in web/node_modules. Without it, or without a network, the rest of the build goes on.
+# Builds the page in web/build if its sources have changed, and copies it to TARGET. web/node_modules keeps npm's
+# downloads. Without npm or a network, the rest of the build continues.
 file(MAKE_DIRECTORY "${WEB}/build")
 file(LOCK "${WEB}/build/lock" GUARD PROCESS TIMEOUT 600 RESULT_VARIABLE locked)
 
@@ -25,7 +25,7 @@ endfunction()
 
 function(give_up why)
   file(REMOVE "${TARGET}/stamp")
-  message(NOTICE "The page of hapticut view was not built: ${why} Everything else is whole.")
+  message(NOTICE "The page of hapticut view was not built: ${why} Everything else is complete.")
 endfunction()
 
 read_stamp("${WEB}/node_modules/.hapticut-packages" installed)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Finds HDF5's library in C. CMake's own module asks a compiler of C for it, which a project in C++ need not have.
-# Installed beside the package config, as FindHapticutOpenVDB.cmake is. HDF5_ROOT names a folder to look in first.
+# Finds HDF5's C library. CMake's own module needs a C compiler, which a C++ project may not enable. Installed next to
+# the package config, like FindHapticutOpenVDB.cmake. HDF5_ROOT names a folder to search first.
 #
 # Gives the imported target hapticut::hdf5 and HapticutHDF5_FOUND.
 
 include(FindPackageHandleStandardArgs)
-# Debian has it twice, and this one needs no MPI.
+# Debian has two builds; the serial one needs no MPI.
 find_path(HapticutHDF5_INCLUDE_DIR H5public.h HINTS ${HDF5_ROOT} $ENV{HDF5_ROOT}
           PATH_SUFFIXES include include/hdf5/serial hdf5/serial)
 find_library(HapticutHDF5_LIBRARY NAMES hdf5_serial hdf5 HINTS ${HDF5_ROOT} $ENV{HDF5_ROOT} PATH_SUFFIXES lib lib64)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Finds OpenVDB and TBB without touching the caller: OpenVDB's own find module switches BUILD_SHARED_LIBS on and needs an
-# extended module path. Installed beside the package config, so that users of hapticut get the same behaviour.
+# Finds OpenVDB and TBB without touching the caller: OpenVDB's own find module switches BUILD_SHARED_LIBS on and needs
+# an extended module path. Installed next to the package config, so users of hapticut get the same behaviour.
 #
 # Gives the imported target hapticut::openvdb and HapticutOpenVDB_FOUND, HapticutOpenVDB_VERSION.
 

@@ -42,7 +42,8 @@ if(OpenHaptics_FOUND AND NOT TARGET OpenHaptics::HD)
   set_target_properties(OpenHaptics::HD PROPERTIES
     IMPORTED_LOCATION "${OpenHaptics_HD_LIBRARY}"
     INTERFACE_INCLUDE_DIRECTORIES "${OpenHaptics_INCLUDE_DIR}"
-    # Imported targets' folders are system folders: the header's unknown attributes and pragmas do not become errors.
+    # Include folders of imported targets are system folders, so unknown attributes and pragmas of the header are no
+    # errors.
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenHaptics_INCLUDE_DIR}")
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     # The header tests `linux`, which a compiler in strict ISO mode does not predefine.

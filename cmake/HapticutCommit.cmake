@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run at every build as a script: writes the git commit into one small header, and only when it has changed, so that a new
-# commit recompiles one file.
+# A script that runs at every build. Writes the git commit into a small header if it has changed, so a new commit
+# recompiles one file.
 #   cmake -DSOURCE_DIR=... -DOUTPUT=.../hapticut_commit.hpp -P HapticutCommit.cmake
 
 set(commit "")
 find_program(git git)
 if(git)
-  # A copy inside somebody else's repository must not carry that repository's commit.
+  # A copy inside another repository must not use the commit of that repository.
   execute_process(COMMAND "${git}" rev-parse --show-toplevel WORKING_DIRECTORY "${SOURCE_DIR}"
                   OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(top STREQUAL SOURCE_DIR)

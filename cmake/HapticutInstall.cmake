@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cmake --install` and what `find_package(hapticut)` finds afterwards.
+# `cmake --install`, and the package that `find_package(hapticut)` finds.
 
 if(NOT HAPTICUT_INSTALL)
   return()
@@ -8,7 +8,7 @@ include(CMakePackageConfigHelpers)
 
 set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 
-# What was not built yet is built first: the demo, for one, builds no more than it needs.
+# Builds missing targets first: e.g. the demo builds only what it needs.
 set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
 list(TRANSFORM HAPTICUT_COMPONENTS_WITH_CORE PREPEND hapticut_ OUTPUT_VARIABLE _with_core)
 string(TOLOWER "${HAPTICUT_VENDORS}" _vendors)
@@ -21,11 +21,11 @@ foreach(_target hapticut ${_with_core} ${_libraries} ${_programs})
 endforeach()
 install(CODE "if(hapticut_absent)
   string(REPLACE \";\" \" \" hapticut_names \"\${hapticut_absent}\")
-  message(STATUS \"Not built yet, and built before it is installed: \${hapticut_names}\")
+  message(STATUS \"Not built yet, built before installation: \${hapticut_names}\")
   execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --config \"\${CMAKE_INSTALL_CONFIG_NAME}\"
     --target \${hapticut_absent} RESULT_VARIABLE hapticut_failed)
   if(hapticut_failed)
-    message(FATAL_ERROR \"hapticut cannot be built, so nothing of it was installed; what is wrong stands above.\")
+    message(FATAL_ERROR \"hapticut cannot be built, so nothing was installed; see the messages above.\")
   endif()
 endif()")
 
@@ -47,7 +47,7 @@ foreach(_program IN LISTS _programs)
   endif()
 endforeach()
 
-# A shared library is found beside its users, wherever the whole is installed.
+# A shared library is found next to its users, at any install prefix.
 file(RELATIVE_PATH _from_programs "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
 foreach(_target ${_with_core} ${_libraries} hapticut_cli)
   if(TARGET ${_target} AND BUILD_SHARED_LIBS)
@@ -55,7 +55,7 @@ foreach(_target ${_with_core} ${_libraries} hapticut_cli)
   endif()
 endforeach()
 
-# One set of exported targets per component: what a component needs is looked up only for those who ask for it.
+# One export set per component, so the dependencies of a component are looked up only on request.
 if(TARGET hapticut)
   foreach(_component IN LISTS HAPTICUT_COMPONENTS_WITH_CORE)
     set_target_properties(hapticut_${_component} PROPERTIES EXPORT_NAME ${_component})

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# The instruction sets that the kernels are compiled for, a minute of processor time each: HAPTICUT_KERNEL_TARGETS, the
-# names of files in src/kernels/targets/, and HAPTICUT_KERNELS_LEAVE_OUT, the others in Highway's words.
-set(HAPTICUT_KERNELS ALL CACHE STRING "ALL instruction sets, or those that this machine runs best: NATIVE, nothing to give away")
+# Instruction sets of the kernels; each costs a minute of processor time. Sets HAPTICUT_KERNEL_TARGETS, the names of
+# files in src/kernels/targets/, and HAPTICUT_KERNELS_LEAVE_OUT, Highway's names of the others.
+set(HAPTICUT_KERNELS ALL CACHE STRING "ALL instruction sets, or NATIVE: only the best one of this machine")
 set_property(CACHE HAPTICUT_KERNELS PROPERTY STRINGS ALL NATIVE)
 
 set(HAPTICUT_KERNEL_TARGETS baseline avx2 avx3)
 if(HAPTICUT_KERNELS STREQUAL "NATIVE")
-  # Asked of Highway, which chooses at run time. On ARM, or where nothing can be run, there is nothing to choose from.
+  # Highway reports the best one, as it does at run time. On ARM, or when cross-compiling, there is no choice.
   if(NOT hapticut_best_kernels AND NOT CMAKE_CROSSCOMPILING)
     try_run(hapticut_best_ran hapticut_best_compiled "${CMAKE_BINARY_DIR}/best_kernels"
       "${CMAKE_CURRENT_LIST_DIR}/best_kernels.cpp" LINK_LIBRARIES hwy::hwy RUN_OUTPUT_VARIABLE best)
@@ -20,10 +20,10 @@ if(HAPTICUT_KERNELS STREQUAL "NATIVE")
     set(HAPTICUT_KERNEL_TARGETS baseline ${hapticut_best_kernels})
     list(REMOVE_DUPLICATES HAPTICUT_KERNEL_TARGETS)
   else()
-    message(STATUS "HAPTICUT_KERNELS=NATIVE, but this machine cannot be asked: all instruction sets are compiled")
+    message(STATUS "HAPTICUT_KERNELS=NATIVE, but the best instruction set of this machine is unknown: all are compiled")
   endif()
 elseif(NOT HAPTICUT_KERNELS STREQUAL "ALL")
-  message(FATAL_ERROR "HAPTICUT_KERNELS=${HAPTICUT_KERNELS}, but it is ALL or NATIVE")
+  message(FATAL_ERROR "HAPTICUT_KERNELS=${HAPTICUT_KERNELS}, but it must be ALL or NATIVE")
 endif()
 
 set(HAPTICUT_KERNELS_LEAVE_OUT 0)

@@ -5,14 +5,13 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo" FORCE)
 endif()
 
-# Compiling the same code again costs nothing where ccache is installed, in whatever folder this clone lies. Never decided
-# for somebody else's project.
+# Uses ccache if it is installed, independent of the folder of this clone. Not set for projects that include this one.
 find_program(HAPTICUT_CCACHE ccache)
 mark_as_advanced(HAPTICUT_CCACHE)
 if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}")
   if(NOT (CMAKE_BUILD_TYPE STREQUAL "Debug" AND CMAKE_CXX_FLAGS_DEBUG MATCHES "-g( |$)"))
-    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_NOHASHDIR=true)  # a debugger asks where the sources lie
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_NOHASHDIR=true)  # a debugger needs the path of the sources
   endif()
   list(APPEND CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
@@ -23,14 +22,15 @@ option(HAPTICUT_PHYSICS_ONLY "Only hapticut::physics: headers, which need Eigen 
 option(HAPTICUT_WITH_FUZZERS "Fuzzers of the readers of files, with clang++; part of the tests" OFF)
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
-# hapticut_rooms(target [BATCH n]): with CMAKE_UNITY_BUILD the files of a folder are compiled as one, for most of the time
-# goes into reading the same headers again and again (docs/decisions/0008-time-to-build.md). BATCH: at most n at a time.
+# hapticut_rooms(target [BATCH n]): with CMAKE_UNITY_BUILD the files of a folder are compiled as one, because most of
+# the time goes into parsing the same headers repeatedly (docs/decisions/0008-time-to-build.md). BATCH: at most n at a
+# time.
 function(hapticut_rooms target)
   cmake_parse_arguments(ARG "" "BATCH" "" ${ARGN})
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     get_filename_component(room "${source}" DIRECTORY)
-    string(REPLACE "${PROJECT_SOURCE_DIR}/" "" room "${room}")  # of this clone alone
+    string(REPLACE "${PROJECT_SOURCE_DIR}/" "" room "${room}")  # path inside the project
     string(MAKE_C_IDENTIFIER "room_${room}" room)
     if(ARG_BATCH)
       math(EXPR count_${room} "0${count_${room}} + 1")
@@ -42,38 +42,39 @@ function(hapticut_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# hapticut_library(name source...): the component hapticut::<name>, which stands on the core.
+# hapticut_library(name source...): the component hapticut::<name>, which depends on the core.
 function(hapticut_library name)
   add_library(hapticut_${name} ${ARGN})
   add_library(hapticut::${name} ALIAS hapticut_${name})
   target_include_directories(hapticut_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(hapticut_${name} PUBLIC hapticut::hapticut PRIVATE $<BUILD_INTERFACE:hapticut_build_flags>)
   set_target_properties(hapticut_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION 0
-    DEFINE_SYMBOL "")  # every symbol is visible, and static and shared libraries are the same objects
+    DEFINE_SYMBOL "")  # all symbols are visible, and static and shared libraries have the same objects
 endfunction()
 
-# What every target of ours is compiled with. Nothing of it reaches a user's code.
+# Compile options of the project's targets. They do not affect users' code.
 add_library(hapticut_build_flags INTERFACE)
 target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
 target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
-  # Where several files are compiled as one, each of them looks like a header to this warning.
+  # In a unity build, each source looks like a header to this warning.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
-  # ... and clang++ calls a local name shadowed that another file of the room has in its unnamed namespace.
+  # clang++ also reports local names as shadowing that exist in the unnamed namespace of another source in the unity
+  # build.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:Clang>>:-Wno-shadow>
-  # What the compiler writes does not depend on the folder that the sources lie in.
+  # Compiler output is independent of the folder of the sources.
   -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
-  # Code that may go into a shared library keeps the right to call and inline its own functions directly.
+  # Code for shared libraries may call and inline its own functions directly.
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# What clang++ finds undefined in headers of others. A relative path, so that ccache serves other clones.
+# Ignores undefined behaviour in third-party headers. The path is relative, so ccache works across clones.
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,-]*undefined")
   file(RELATIVE_PATH _ignored "${CMAKE_BINARY_DIR}" "${PROJECT_SOURCE_DIR}/tests/support/undefined.ignorelist")
   target_compile_options(hapticut_build_flags INTERFACE "-fsanitize-ignorelist=${_ignored}")
 endif()
 
-# What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
+# Dependencies of each component: `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
 set(HAPTICUT_NEEDS_IO "HapticutHDF5|HapticutHDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
@@ -89,19 +90,20 @@ set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
 set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
 
-# Libraries that need nothing but the core, and are found with it.
+# Libraries that need only the core and are found with it.
 set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat islands sound analysis)
 
-# Parts of the library hapticut::io, which is the same target with and without them.
+# Optional parts of hapticut::io; the target exists with and without them.
 set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)
 
 set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIOGDCM
     ITKImageFunction ITKImageGrid ITKDistanceMap)
 
-# hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
+# hapticut_component(NAME "what it is"): AUTO (default) turns it on when its dependencies are found, ON requires them,
+# OFF skips it.
 macro(hapticut_component name purpose)
   if("${name}" STREQUAL "PYTHON")
-    set(_default OFF)  # `pip install .` switches it on
+    set(_default OFF)  # `pip install .` turns it on
   elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO|ITK|ASSIMP)$")
     set(_default AUTO)
   else()
@@ -124,7 +126,7 @@ macro(hapticut_component name purpose)
       list(GET _need 1 _proof)
       list(GET _need 2 _debian)
       if(_package STREQUAL "ITK")
-        # Debian's GDCM reports each of its absent programs, none of which is needed.
+        # Debian's GDCM reports missing programs, which are not needed.
         set(_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
         set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
         find_package(ITK 5.2 QUIET COMPONENTS ${HAPTICUT_ITK_MODULES})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The page of `hapticut view`: built where npm is found, once per change and not per configuration.
+# The page of `hapticut view`: built if npm is found, once per change, not per configuration.
 if(NOT (HAPTICUT_VIEW AND HAPTICUT_CLI))
   return()
 endif()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Parts that need the SDK of a maker of devices: not in Debian, and not to be installed by a script.
+# Components that need the SDK of a device maker, which is not in Debian and which no script can install.
 
-# hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME> from
-# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names whose SDK is here,
+# hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME>
+# from HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names with an SDK on this machine,
 # HAPTICUT_VENDOR_PACKAGES their packages; a component has the name of its package in lower case.
 macro(hapticut_vendor_sdk name purpose package library install)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -24,7 +24,7 @@ macro(hapticut_vendor_sdk name purpose package library install)
   endif()
 endmacro()
 
-# hapticut_use_vendor_devices(target): it has what device/use_vendor_devices.hpp announces.
+# hapticut_use_vendor_devices(target): provides the functions of device/use_vendor_devices.hpp.
 function(hapticut_use_vendor_devices target)
   foreach(name IN LISTS HAPTICUT_VENDORS)
     string(TOLOWER ${name} component)
@@ -33,8 +33,8 @@ function(hapticut_use_vendor_devices target)
   endforeach()
 endfunction()
 
-# hapticut_device_adapter(component NAME SDK_TARGET sources...): the component's own library, because only those who have the
-# SDK can build and link it. The tests build the same sources, HAPTICUT_<NAME>_SOURCES, against a stand-in.
+# hapticut_device_adapter(component NAME SDK_TARGET sources...): a separate library for the component, because building
+# and linking it needs the SDK. The tests build the same sources, HAPTICUT_<NAME>_SOURCES, against a stand-in.
 function(hapticut_device_adapter component name sdk)
   list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE sources)
   set_property(GLOBAL PROPERTY HAPTICUT_${name}_SOURCES "${sources}")

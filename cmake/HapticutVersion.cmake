@@ -9,7 +9,7 @@ add_custom_target(hapticut_commit BYPRODUCTS "${_commit_header}"
           -P "${CMAKE_CURRENT_LIST_DIR}/HapticutCommit.cmake"
   COMMENT "Looking up the commit" VERBATIM)
 
-# hapticut_use_version(target): gives a target of ours the commit; the version comes with hapticut::physics.
+# hapticut_use_version(target): gives a target of the project the commit; the version comes with hapticut::physics.
 function(hapticut_use_version target)
   add_dependencies(${target} hapticut_commit)
   target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/generated")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints which file of src/kernels/targets/ is for the best instruction set of this machine.
+// Prints the file name in src/kernels/targets/ of this machine's best instruction set.
 #include <hwy/targets.h>
 
 #include <cstdio>

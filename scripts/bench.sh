@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures the step against what a competent user would write instead, and against its deadline. Writes the raw results
-# to out/bench/*.json and the table to out/bench/table.md, and prints the table.
+# Measures the time of a step and compares it with straightforward implementations and with its deadline. Writes the raw
+# results to out/bench/*.json and the table to out/bench/table.md, and prints the table.
 #
 #   scripts/bench.sh [--all] [--repetitions N] [--no-install]
 #
-#   --all            every workload, voxel size and radius (about half an hour); else those that the table's targets need
-#   --repetitions N  repetitions, in random order; the median counts (default 5)
+#   --all            all workloads, voxel sizes and radii (about half an hour); default: those in the table
+#   --repetitions N  number of repetitions, in random order; the median is used (default 5)
 #   --no-install     do not install packages
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Drills a real skull CT and the built-in molar at a simulated 1 kHz. Installs what is missing, builds the command line
+# Drills a real skull CT and the built-in molar at a simulated 1 kHz. Installs missing packages, builds the command line
 # program, prints one table per run and writes out/demo/{skull,molar}.{json,csv,vdb,stl,png}.
 #
 #   scripts/demo.sh [--no-install] [--jobs N] [--view]
 #
-#   --view  shows the molar in a browser instead, to be drilled with a mouse: hapticut view
+#   --view  instead shows the molar in a browser, to drill it with a mouse: hapticut view
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -49,7 +49,7 @@ echo "building (see $log)"
 if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_KERNELS=NATIVE "${more[@]}" &&
   cmake --build --preset release -j "$jobs" -t hapticut_cli "${targets[@]}"; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
-  echo "demo.sh: the build failed; the whole output is in $log." >&2
+  echo "demo.sh: the build failed; the output is in $log." >&2
   exit 1
 fi
 
@@ -64,4 +64,4 @@ for name in skull molar; do
 done
 echo
 echo "written: out/demo/{skull,molar}.{json,csv,vdb,stl,png}"
-echo "what is left opens in ParaView or Blender: the .stl as a surface, the .vdb as a volume (grid density)"
+echo "open the results in ParaView or Blender: the .stl as a surface, the .vdb as a volume (grid density)"

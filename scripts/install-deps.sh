@@ -5,14 +5,13 @@
 #   scripts/install-deps.sh [--for core|build|test|demo|bench] [--list] [--check]
 #
 #   --for GROUP  core   compiler, CMake, OpenVDB, Eigen: the library alone
-#                build  core, and file formats and the command line (default)
-#                test   build, and what scripts/test.sh runs: test libraries, clang, formatter, linter, readers to check
-#                       our files against, what pip needs to build the Python package, what builds the page, and a
-#                       browser to try it in
-#                demo   build without ITK and Assimp, which are large and not needed for it, the skull CT that
-#                       scripts/demo.sh drills, and what builds the page
+#                build  core, file formats and the command line (default)
+#                test   build, and the tools of scripts/test.sh: test libraries, clang, formatter, linter, readers to
+#                       compare files with, the needs of pip for the Python package, tools for the page, a browser
+#                demo   build without ITK and Assimp, which are large and not needed; the skull CT of scripts/demo.sh; and
+#                       tools for the page
 #                bench  build, and the benchmark library
-#   --list       print the packages of the group, one a line, and stop
+#   --list       print the packages of the group, one per line, and stop
 #   --check      install nothing; exit 1 and name what is missing
 set -eu
 
@@ -20,7 +19,7 @@ core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libima
 program="$core libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
 build="$program libinsighttoolkit5-dev libassimp-dev"
 page=
-command -v node >/dev/null && command -v npm >/dev/null || page='nodejs npm'  # who has them from elsewhere keeps them
+command -v node >/dev/null && command -v npm >/dev/null || page='nodejs npm'  # keeps an existing installation
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
   libc++-dev libc++abi-dev pkg-config
@@ -66,7 +65,7 @@ if [ "$action" = list ]; then
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-  complain "this is not a Debian system, so nothing can be installed here; install what Debian calls $(echo $packages) and pass --no-install to the other scripts."
+  complain "this is not a Debian system; install the equivalents of the Debian packages $(echo $packages) and pass --no-install to the other scripts."
 fi
 
 missing=
@@ -82,7 +81,7 @@ missing=${missing# }
 
 as_root=
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || complain "$missing are missing, and there is neither root nor sudo to install them; run as root: apt-get install $missing"
+  command -v sudo >/dev/null || complain "$missing are missing, and installation needs root or sudo; run as root: apt-get install $missing"
   as_root=sudo
 fi
 
@@ -93,7 +92,7 @@ install_missing() {
 }
 
 echo "install-deps.sh: installing $missing"
-# The package lists may be absent or stale: refresh them only when a first try fails.
+# The package lists may be missing or outdated: refresh them only when the first attempt fails.
 if ! install_missing; then
   $as_root apt-get update -q >"$log" 2>&1 && install_missing ||
     complain "cannot install $missing: $(grep -m1 '^E:' "$log" || tail -n1 "$log")"

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Fills the Unity package: bindings/unity, bindings/csharp, the library for Linux on x86-64 and every library that it needs
-# and that is not part of each system. The result is a folder for a project's Packages/.
+# Makes the Unity package: bindings/unity, bindings/csharp, the library for Linux on x86-64, and the libraries that it needs
+# and that are not part of every system. The result is a folder for a project's Packages/.
 #
 #   scripts/package-unity.sh [--library FILE] [--out FOLDER] [--jobs N]
 #
-#   --library FILE  a libhapticut_c.so that is there; without it, one is built without file formats, for those need 40
-#                   more libraries
-#   --out FOLDER    what is filled [out/unity/org.hapticut.unity]; what was in it is removed
-#   --jobs N        compilers at once [one per processor]
+#   --library FILE  an existing libhapticut_c.so; without it, builds one without file formats, which need 40 more
+#                   libraries
+#   --out FOLDER    the folder of the package [out/unity/org.hapticut.unity]; its old content is removed
+#   --jobs N        number of parallel compilers [one per processor]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -46,7 +46,7 @@ fi
 rm -rf "$out"
 mkdir -p "$out"
 cp -r bindings/unity/. "$out"
-rm -r "$out/Tests~" # of this repository
+rm -r "$out/Tests~" # only for this repository
 mkdir -p "$out/Runtime/Binding"
 cp bindings/csharp/*.cs "$out/Runtime/Binding"
 plugins=$out/Runtime/Plugins/Linux/x86_64
@@ -54,12 +54,12 @@ mkdir -p "$plugins"
 cp -L "$library" "$plugins/libhapticut_c.so"
 cp LICENSE "$out/LICENSE.md"
 
-# What every system has is not brought along: the C and C++ runtimes must be the process's own.
+# Libraries of every system are not included: the process must use its own C and C++ runtimes.
 system='linux-vdso|ld-linux|libc\.so|libm\.so|libdl\.so|libpthread\.so|librt\.so|libresolv\.so|libstdc\+\+\.so|libgcc_s\.so'
 notices=$out/ThirdPartyNotices.md
-echo '# Libraries of others in this package' >"$notices"
+echo '# Third-party libraries in this package' >"$notices"
 ldd "$plugins/libhapticut_c.so" | grep -vE "$system" | awk '$2 == "=>" { print $3 }' | while read -r needed; do
-  [ -f "$needed" ] || { echo "package-unity.sh: the library needs $needed, which is not here." >&2; exit 1; }
+  [ -f "$needed" ] || { echo "package-unity.sh: the library needs $needed, which does not exist." >&2; exit 1; }
   cp -L "$needed" "$plugins/"
   package=$(dpkg-query -S "$(readlink -f "$needed")" 2>/dev/null | head -n 1 | cut -d: -f1) || true
   if [ -n "$package" ] && [ -f "/usr/share/doc/$package/copyright" ]; then
@@ -69,8 +69,8 @@ ldd "$plugins/libhapticut_c.so" | grep -vE "$system" | awk '$2 == "=>" { print $
   fi
 done
 
-# Where the package lies in a folder that Unity may not write, what has no .meta file is ignored. Its name of an asset
-# is the same in every package, so that references to it last.
+# Unity ignores files without a .meta file when the package is in a read-only folder. The guid of an asset is the same in
+# every package, so references to it stay valid.
 meta() {
   local path=$1 name=${1#"$out"/} importer
   case $path in
@@ -85,11 +85,11 @@ meta() {
 }
 find "$out" -mindepth 1 -not -path '*~*' -not -name '*.meta' -print0 | while IFS= read -r -d '' path; do meta "$path"; done
 
-# The loader must find what the library needs beside it, wherever the project lies.
+# The loader must find the needed libraries next to this library, for any folder of the project.
 inside=$(cd "$plugins" && pwd -P)
 elsewhere=$(env -u LD_LIBRARY_PATH ldd "$inside/libhapticut_c.so" | grep -vE "$system" | grep -vF "$inside/" || true)
 if [ -n "$elsewhere" ]; then
-  printf 'package-unity.sh: these would not come from the package:\n%s\n' "$elsewhere" >&2
+  printf 'package-unity.sh: these libraries would not come from the package:\n%s\n' "$elsewhere" >&2
   exit 1
 fi
 echo "$out: $(find "$plugins" -name '*.so*' -not -name '*.meta' | wc -l) libraries, $(du -sm "$out" | cut -f1) MB"

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Checks what a change may break: installs what is missing, looks at the format, builds the library, the program, tests,
-# examples, benchmarks and the Python package as they are released, and runs every test that is not labelled slow. The last
-# line is `N passed, N failed, N skipped`, where a test is one of GoogleTest, one of ctest or one of the checks, but for a
-# machine where packages cannot be installed; the exit code is 0 only when nothing failed. Above it stand the seconds that
-# each stage took.
+# Checks a change: installs missing packages, checks the format, builds library, program, tests, examples, benchmarks and
+# the Python package in release mode, and runs every test without the label slow. The last line is
+# `N passed, N failed, N skipped`; it counts tests of GoogleTest, tests of ctest and the checks. It is missing only when
+# packages cannot be installed. The lines above it show the seconds of each stage. The exit code is 0 only when nothing
+# failed.
 #
 #   scripts/test.sh [--full | --only STAGE] [--no-install] [--jobs N]
 #
-#   --full        all that there is: the above with every instruction set, the slow tests, and the stages below
-#   --only STAGE  one of them alone:
-#                 address  the unit and contract tests and 10^5 composed ticks, compiled by clang++ with its checks of
-#                          addresses and of undefined behaviour; the library, program, examples and benchmarks compile too
-#                 threads  the tests of what threads exchange, under the thread sanitizer
+#   --full        everything: the above with every instruction set, the slow tests, and the stages below
+#   --only STAGE  only one stage:
+#                 address  the unit and contract tests and 10^5 composed ticks, with clang++ and its sanitizers for
+#                          addresses and undefined behaviour; also compiles library, program, examples and benchmarks
+#                 threads  the tests of data exchange between threads, with the thread sanitizer
 #                 lint     clang-tidy on every source of the library
-#                 package  the package as outside projects use it, also as shared libraries by clang++, and for ARM
-#                 python   the package as pip installs it, and its tests there
-#                 fuzz     20 000 damaged files, and the fuzzer of each format for 20 s
+#                 package  the package in external projects, also as shared libraries with clang++, and for ARM
+#                 python   the Python package installed by pip, and its tests
+#                 fuzz     20 000 damaged files, and 20 s of the fuzzer of each format
 #   --no-install  do not install packages
 #   --jobs N      run N compilers and tests at once (default: one per processor)
 set -uo pipefail
@@ -62,7 +62,7 @@ while [ $# -gt 0 ]; do
 done
 
 logs=$PWD/out/test
-findings=$PWD/out/fuzz # inputs that broke something stay
+findings=$PWD/out/fuzz # keeps inputs with findings
 rm -rf "$logs"
 mkdir -p "$logs"
 passed=0
@@ -72,17 +72,17 @@ failures=()
 skips=()
 times=()
 
-# took NAME STARTED: what the table of times says.
-took() { times+=("$(printf '%5d s  %s' $((SECONDS - $2)) "$1")"); }
+# record_time NAME STARTED: adds a line to the table of times.
+record_time() { times+=("$(printf '%5d s  %s' $((SECONDS - $2)) "$1")"); }
 
-# check NAME COMMAND...: one check; its output goes to a file and is shown only when it fails.
+# check NAME COMMAND...: runs one check; its output goes to a file and is shown only on failure.
 check() {
   local name=$1 started=$SECONDS
   shift
   local log="$logs/${name//[^a-zA-Z0-9]/-}.log"
   "$@" >"$log" 2>&1
   local status=$?
-  took "$name" "$started"
+  record_time "$name" "$started"
   if [ $status -eq 0 ]; then
     passed=$((passed + 1))
     printf 'ok      %s (%d s)\n' "$name" $((SECONDS - started))
@@ -95,14 +95,14 @@ check() {
   fi
 }
 
-# run_tests NAME PRESET ARGUMENTS...: tests of one build, counted one by one.
+# run_tests NAME PRESET ARGUMENTS...: runs the tests of one build and counts each.
 run_tests() {
   local name=$1 preset=$2 started=$SECONDS failed_before=$failed status kind test reason
   shift 2
   rm -rf "build/$preset/reports"
   ctest --preset "$preset" -j "$jobs" --output-junit "$logs/$name.xml" "$@"
   status=$?
-  took "tests: $name" "$started"
+  record_time "tests: $name" "$started"
   while IFS=$'\t' read -r kind test reason; do
     case $kind in
       passed) passed=$((passed + 1)) ;;
@@ -134,13 +134,13 @@ format_is_clean() {
 
 build_release() { check "configure" configure release -DHAPTICUT_WITH_PYTHON=OFF "$@" && check "build" build release; }
 
-# ended_well STATUS LOG: of what ran beside other work.
+# ended_well STATUS LOG: shows the log of a background job and returns its status.
 ended_well() {
   cat "$2"
   return "$1"
 }
 
-# build_all OPTIONS...: pip fetches what the tests of Python need while the library compiles.
+# build_all OPTIONS...: builds everything; pip fetches the packages of the Python tests meanwhile.
 build_all() {
   local environment status python=$PWD/build/python-environment/bin/python
   tests/python/environment.sh build/python-environment build/release >"$logs/environment.log" 2>&1 &
@@ -156,10 +156,10 @@ build_all() {
   check "environment: Python" ended_well $status "$logs/environment.log" &&
     check "configure: Python" configure release "$@" -DHAPTICUT_WITH_PYTHON=ON "-DPython_EXECUTABLE=$python" \
     "-Dpybind11_DIR=$("$python" -m pybind11 --cmakedir)" && check "build: Python" build release && return
-  cmake -DHAPTICUT_WITH_PYTHON=OFF build/release >/dev/null # the other tests go on
+  cmake -DHAPTICUT_WITH_PYTHON=OFF build/release >/dev/null # the other tests continue
 }
 
-# Of the random inputs to properties a tenth: they differ in numbers, not in what is addressed.
+# A tenth of the random inputs to properties: they differ in numbers, not in memory accesses.
 address() {
   check "configure: address" configure address "-DHAPTICUT_PROPERTY_PARAMETERS=seed=1 max_success=10" &&
     check "build: address" build address &&
@@ -167,17 +167,17 @@ address() {
     check "composed ticks: address" build/address/tests/system/test_coupling '--gtest_filter=Composed*'
 }
 
-# Only what threads exchange: the rest of the library is built for it without its optional parts.
+# Only tests of data exchange between threads; the library is built without its optional parts.
 threads() {
   check "configure: threads" cmake --preset threads &&
     check "build: threads" build threads -t test_realtime test_loop test_islands test_device test_force_dimension test_device_contract test_safety test_view &&
     run_tests threads threads
 }
 
-# Room by room, which reads the headers of others a quarter as often; two checks would take the files of a room for headers.
-# That each file says what it includes shows the build of `package`. The adapters of devices are compiled as they are tested,
-# against what stands in for their SDKs. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not
-# looked at.
+# Checks one unity build per folder, which parses third-party headers a quarter as often. Two checks are off, because they
+# would treat the sources of a folder as headers. The build of `package` shows that each file includes its headers. Device
+# adapters are compiled against stand-ins for their SDKs, as in their tests. Sources that replace a part of this build
+# (src/kernels/scalar_kernels.cpp) are not checked.
 lint_is_clean() {
   local not_in_rooms=-bugprone-suspicious-include,-google-global-names-in-headers rooms
   cmake --build --preset lint -t hapticut_commit || return
@@ -203,7 +203,7 @@ python() {
   run_tests python release -L python -L slow
 }
 
-# fuzz_format FORMAT: its fuzzer, from the seeds that our own writers make. The report says how many inputs ran.
+# fuzz_format FORMAT: runs its fuzzer, from the seeds of this project. The report gives the number of inputs.
 fuzz_format() {
   mkdir -p "$logs/corpus/$1"
   ASAN_OPTIONS=allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time=20 -timeout=20 \
@@ -218,12 +218,12 @@ fuzz_all() {
     [ -x "$fuzzer" ] && printf '%s\n' "${fuzzer##*/fuzz_}"
   done | xargs -P "$jobs" -I FORMAT bash -c 'fuzz_format FORMAT'
 }
-# Others at each run; the report ends with the seed that repeats them.
+# Different mutants in each run; the report ends with the seed that repeats them.
 mutants() {
   local seed=$RANDOM status
   build/release/tests/fuzz/hapticut_mutants 20000 "$seed" "$findings/mutants"
   status=$?
-  echo "again: build/release/tests/fuzz/hapticut_mutants 20000 $seed"
+  echo "repeat with: build/release/tests/fuzz/hapticut_mutants 20000 $seed"
   return $status
 }
 fuzz() {
@@ -238,7 +238,7 @@ fuzz() {
 if $install; then
   started=$SECONDS
   scripts/install-deps.sh --for test || exit 1
-  took "packages" "$started"
+  record_time "packages" "$started"
 fi
 
 if $fast; then
@@ -256,6 +256,6 @@ echo
 for name in ${skips[@]+"${skips[@]}"}; do echo "skipped: $name"; done
 for name in ${failures[@]+"${failures[@]}"}; do echo "failed:  $name"; done
 for time in ${times[@]+"${times[@]}"}; do echo "$time"; done
-printf '%5d s  in all\n' "$SECONDS"
+printf '%5d s  in total\n' "$SECONDS"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

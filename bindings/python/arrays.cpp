@@ -35,7 +35,7 @@ bool has_shape(const py::array& array, std::span<const py::ssize_t> shape) {
 [[noreturn]] void refuse(py::handle given, const char* what, std::span<const py::ssize_t> shape) {
   throw Error(std::string(what) + ": " + describe_given(given) +
               " was given; required is a C-contiguous array of shape " + describe_shape(shape) +
-              " and dtype float64. numpy.ascontiguousarray(..., dtype=numpy.float64)  makes one.");
+              " and dtype float64. numpy.ascontiguousarray(..., dtype=numpy.float64) makes one.");
 }
 
 bool is_float64(const py::array& array) {

@@ -89,7 +89,7 @@ void bind_coupled_result(py::module_& m) {
       .def("closure", &E::closure, doc("CouplingEnergy::closure"));
   using R = PythonCoupledResult;
   py::class_<R>(m, "CoupledResult",
-                "Result of one tick of the coupling. It owns its data and does not change when further ticks are  "
+                "Result of one tick of the coupling. It owns its data and does not change when further ticks are "
                 "made.")
       .def_property_readonly("hand", of_result(&CoupledResult::hand), doc("CoupledResult::hand"))
       .def_property_readonly("coupling", of_result(&CoupledResult::coupling), doc("CoupledResult::coupling"))

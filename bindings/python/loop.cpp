@@ -60,7 +60,7 @@ class PythonLoop {
       const py::gil_scoped_release released;  // the device may wait for the interpreter
       loop_.reset();
     }
-    let_go();
+    release_simulation();
   }
 
   void start() {
@@ -71,11 +71,11 @@ class PythonLoop {
   }
 
   RunReport end(RunReport (RealtimeLoop::*how)()) {
-    struct LetGo {
+    struct ReleaseSimulation {
       PythonLoop& loop;
-      ~LetGo() { loop.let_go(); }
+      ~ReleaseSimulation() { loop.release_simulation(); }
     };
-    const LetGo afterwards{*this};
+    const ReleaseSimulation afterwards{*this};
     const py::gil_scoped_release released;
     return ((*loop_).*how)();
   }
@@ -83,7 +83,7 @@ class PythonLoop {
   [[nodiscard]] RealtimeLoop& loop() const { return *loop_; }
 
  private:
-  void let_go() {
+  void release_simulation() {
     if (std::exchange(holds_, false)) simulation_->occupancy.writing_ = false;
     recorder_.reset();
   }

@@ -39,7 +39,7 @@ ModelFactory factory_from(const AnyFactory& given) {
   if (py::isinstance<PythonModelFactory>(given)) return given.cast<const PythonModelFactory&>().make;
   if (PyCallable_Check(given.ptr()) == 0)
     throw Error("factory: " + describe_given(given) +
-                "  was given; required is a function from a stiffness to a model, or contact_models.");
+                " was given; required is a function from a stiffness to a model, or contact_models.");
   return [factory = kept(given)](double stiffness) {
     const py::gil_scoped_acquire lock;
     return model_from((*factory)(stiffness));

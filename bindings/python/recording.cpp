@@ -29,7 +29,7 @@ void bind_recorder(py::module_& m) {
       "workpiece_file", [](const O& o) { return o.workpiece_file.string(); },
       [](O& o, const std::string& path) { o.workpiece_file = path; });
   bind_struct<O>(m, "RecorderOptions", field("device", &O::device), field("note", &O::note),
-                 field("capabilities", &O::capabilities), field("steps", &O::steps),
+                 field("capabilities", &O::capabilities), field("buffered_steps", &O::buffered_steps),
                  field("flush_period", &O::flush_period), field("wait_when_full", &O::wait_when_full), workpiece_file);
   using R = PythonRecorder;
   py::class_<R, std::shared_ptr<R>>(m, "Recorder", doc("Recorder"))
@@ -170,7 +170,7 @@ void bind_replay(py::module_& m) {
   using R = ReplayReport;
   bind_result<R>(m, "ReplayReport", member("steps", &R::steps), member("identical", &R::identical),
                  member("first_difference", &R::first_difference),
-                 member("max_force_difference", &R::max_force_difference), member("left_out", &R::left_out),
+                 member("max_force_difference", &R::max_force_difference), member("skipped", &R::skipped),
                  member("workpiece_hash", &R::workpiece_hash));
   using Law = std::shared_ptr<ForceLaw>;
   m.def(

@@ -38,7 +38,7 @@ RunInput::RunInput(const py::object& given_poses, const py::object& given_veloci
     if (PyErr_Occurred() != nullptr) {
       PyErr_Clear();
       throw Error("dt: " + describe_given(given_dt) +
-                  "  was given; required is a number, or an array of shape (n,) and dtype float64.");
+                  " was given; required is a number, or an array of shape (n,) and dtype float64.");
     }
     require_finite({&dt, 1}, 1, "dt");
   }

@@ -106,7 +106,7 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
     const bool same_shape = fill->ndim() == 3 && std::equal(material.shape(), material.shape() + 3, fill->shape());
     if (fill->dtype().kind() != 'f' || !same_shape)
       throw Error("fill: " + describe_given(*fill) +
-                  " was given; required is a floating dtype and the shape of material,  " +
+                  " was given; required is a floating dtype and the shape of material, " +
                   std::string(py::str(material.attr("shape"))) + ".");
   }
   if (material.size() == 0) throw Error("material has no voxels; every axis must have at least one.");

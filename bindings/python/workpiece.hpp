@@ -16,7 +16,7 @@ namespace hapticut::python {
 class Occupancy {
  public:
   void require_readable(const char* what) const {
-    if (writing_) throw Error(std::string(what) + "  is in use by another thread; wait until that has ended.");
+    if (writing_) throw Error(std::string(what) + " is in use by another thread; wait until that has ended.");
   }
   void require_writable(const char* what) const {
     require_readable(what);

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# In the place of CMake's own module while ITK is looked up for a user of the package: ITK's files ask for HDF5 whatever of
-# ITK is wanted, and that module needs a compiler of C. What hapticut has of ITK reads no HDF5.
+# Replaces CMake's own module during the lookup of ITK for a user of the package. ITK always looks for HDF5, and CMake's
+# module needs a C compiler. The ITK modules of hapticut do not use HDF5.
 set(HDF5_FOUND TRUE)

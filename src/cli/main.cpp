@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program: makes flags from the settings of each subcommand, applies the
-// settings file, then the flags, and runs the command.
+// The program: makes flags from the settings of each subcommand, applies the settings file, then the flags, and runs
+// the command.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>

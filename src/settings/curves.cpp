@@ -30,7 +30,7 @@ struct Station {
 };
 
 /// Adds the points from one station to the next, without the first.
-void wind(const Pose& frame, const Station& from, const Station& to, std::vector<Vec3>& points) {
+void add_arc(const Pose& frame, const Station& from, const Station& to, std::vector<Vec3>& points) {
   const int steps = std::max(1, int(std::ceil(std::abs(to.angle - from.angle) / kAngleStep - 1e-9)));
   for (int i = 1; i <= steps; ++i) {
     const double s = double(i) / steps;
@@ -40,11 +40,11 @@ void wind(const Pose& frame, const Station& from, const Station& to, std::vector
   }
 }
 
-std::vector<Vec3> wind_all(const CurvePlane& plane, const std::vector<Station>& stations) {
+std::vector<Vec3> polyline(const CurvePlane& plane, const std::vector<Station>& stations) {
   const Pose frame = plane.frame();
   std::vector<Vec3> points;
-  wind(frame, stations.front(), stations.front(), points);
-  for (std::size_t i = 1; i < stations.size(); ++i) wind(frame, stations[i - 1], stations[i], points);
+  add_arc(frame, stations.front(), stations.front(), points);
+  for (std::size_t i = 1; i < stations.size(); ++i) add_arc(frame, stations[i - 1], stations[i], points);
   return points;
 }
 
@@ -62,13 +62,13 @@ Pose CurvePlane::frame() const {
 
 std::vector<Vec3> circle(const CurvePlane& plane, double radius, double turns, double start_angle) {
   require_points(std::abs(turns), "path.turns");
-  return wind_all(plane, {{start_angle, radius, 0}, {start_angle + 2 * units::kPi * turns, radius, 0}});
+  return polyline(plane, {{start_angle, radius, 0}, {start_angle + 2 * units::kPi * turns, radius, 0}});
 }
 
 std::vector<Vec3> spiral(const CurvePlane& plane, double start_radius, double end_radius, double pitch, double depth) {
   const double turns = std::hypot(end_radius - start_radius, depth) / pitch;
   require_points(turns, "path.depth_mm or path.pitch_mm");
-  return wind_all(plane, {{0, start_radius, 0}, {2 * units::kPi * turns, end_radius, depth}});
+  return polyline(plane, {{0, start_radius, 0}, {2 * units::kPi * turns, end_radius, depth}});
 }
 
 std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
@@ -94,7 +94,7 @@ std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
       stations.push_back({angle += winding, 0, depth});
     }
   }
-  return wind_all(plane, stations);
+  return polyline(plane, stations);
 }
 
 }  // namespace hapticut::settings

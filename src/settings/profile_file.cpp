@@ -73,7 +73,7 @@ Profile profile_in(const std::filesystem::path& path) {
   const std::vector<NamedMesh> objects = read_mesh(path);
   if (objects.size() != 1)
     throw Error(path.string() + ": there are " + std::to_string(objects.size()) +
-                "  objects; a head is one object. Keep the one that cuts.");
+                " objects; a head is one object. Keep the one that cuts.");
   return profile_from_mesh(objects.front().mesh).profile;
 #else
   throw Error(

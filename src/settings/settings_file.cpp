@@ -37,7 +37,7 @@ std::string cause_of_value(std::string_view value) {
   const std::string_view word = value.substr(0, value.find_first_of(" \t#,"));
   if (value.empty() || starts_with("#")) return "there is no value after the =; write it in the same line.";
   if (starts_with("\"") && value.find('\\') != std::string_view::npos)
-    return std::string("a backslash in double quotes begins an escape such as \\n;  ") + kWritePaths;
+    return std::string("a backslash in double quotes begins an escape such as \\n; ") + kWritePaths;
   if (starts_with("\"") || starts_with("'"))
     return "a text ends at the next quotation mark in the same line, and only a comment may follow; close the text, or "
            "use the other kind of quotation marks when the text contains one.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program of one line, which links where its compiler and the library's mean the same by a type.
+// A one-line program that links only if its compiler and the library's have the same type layouts.
 #include <hapticut/workpiece/workpiece.hpp>
 
 int main() { return 0; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The six components that come with the core, each linked by its own name: a molar, its surface, its temperature, its
-// loose pieces, the sound of a drill and a hand that presses a ball.
+// The six components of the core, each linked by its name: a molar, its surface, its temperature, its loose pieces, the
+// sound of a drill and a hand that presses a ball.
 #include <array>
 #include <hapticut/analysis/pressed_ball.hpp>
 #include <hapticut/build/molar.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes and reads through every library that hapticut::io stands on: what its package leaves out does not link. With
-// WITHOUT_ITK_AND_ASSIMP it is built without these two: all else works, and what needs them says so.
+// Writes and reads through every library that hapticut::io uses: a missing dependency of the package would not link.
+// With WITHOUT_ITK_AND_ASSIMP, hapticut::io lacks these two: everything else works, and functions that need them throw.
 #include <fstream>
 #include <hapticut/hapticut.hpp>
 #include <hapticut/io/mesh/meshes.hpp>
@@ -17,16 +17,16 @@ namespace {
 
 using namespace hapticut;
 
-[[maybe_unused]] bool fails_with(const std::string& said, void (*use)()) {
+[[maybe_unused]] bool fails_with(const std::string& part, void (*use)()) {
   try {
     use();
   } catch (const Error& error) {
-    return std::string(error.what()).find(said) != std::string::npos;
+    return std::string(error.what()).find(part) != std::string::npos;
   }
   return false;
 }
 
-/// A volume in a format that is read without ITK.
+/// A volume in a format that does not need ITK.
 bool reads_meta_image() {
   std::ofstream("consumer.mhd") << "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = "
                                    "MET_UCHAR\nElementDataFile = consumer.raw\n";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program: presses a standing sphere into a block and prints the force in hexadecimal, which loses no bit.
+// An outside program: presses a standing sphere into a block and prints the force in hexadecimal, without rounding.
 #include <cmath>
 #include <cstdio>
 #include <hapticut/hapticut.hpp>
 #include <hapticut/version.hpp>
 
 #ifdef COMPONENT
-bool COMPONENT();  // defined beside this file; whether the component did its work
+bool COMPONENT();  // defined in another file; returns whether the component works
 #endif
 
 int main() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A grid of its own becomes a workpiece.
+// Makes a workpiece from a custom grid.
 #include <hapticut/workpiece/openvdb.hpp>
 
 bool use_openvdb() {

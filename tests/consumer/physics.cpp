@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program with voxels of its own, in one file that links nothing: presses a standing and a spinning sphere
-// into its block, and calls every part of the headers of hapticut::physics that is more than a formula.
+// An outside program with custom voxels, in one file without libraries: presses a standing and a spinning sphere into
+// its block, and calls every non-trivial part of the headers of hapticut::physics.
 #include <bitset>
 #include <cmath>
 #include <cstdio>
@@ -35,9 +35,9 @@ Material bone() {
 }
 
 /// A wall of blocks below z = 0, full of one material: the centre of voxel (i, j, k) is at half an edge and (i, j, k)
-/// edges, so that the wall ends at a face of voxels.
+/// edges, so the wall ends at a face of voxels.
 struct Wall {
-  static constexpr int kBlocks = 3;  // on each side of the axis; three down
+  static constexpr int kBlocks = 3;  // on each side of the axis, and three downwards
   Pose X_WV = Pose::from_translation(Vec3::Constant(kVoxel / 2));
 
   template <class Visit>
@@ -56,7 +56,7 @@ struct Wall {
 struct Contact {
   Resultant resultant;
   LawEnergies energies;
-  double taken = 0;  // [voxels]
+  double removed = 0;  // [voxels]
   int samples = 0;
 };
 
@@ -84,9 +84,9 @@ Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, doubl
     contact.energies += law.evaluate(motion, materials, samples).energies;
     sum_resultant(samples, contact.resultant);
     std::array<float, kBlockVoxels> fill;
-    ByMaterial<double> taken = {};
-    (void)find_changes(samples, block, fill.data(), taken);
-    contact.taken += taken[1];
+    ByMaterial<double> removed = {};
+    (void)find_changes(samples, block, fill.data(), removed);
+    contact.removed += removed[1];
     contact.samples += samples.samples;
   });
   return contact;
@@ -98,21 +98,21 @@ double standing_force(const Tool& tool) {
   const double force = contact.resultant.wrench_T.force.z();
   require(contact.samples > 500, "there are too few samples");
   require(is_near(force, closed_forms::cap_force(kStiffness, kRadius, kDepth), kTolerance), "C1 does not hold");
-  require(contact.taken == 0, "a standing head cut");
+  require(contact.removed == 0, "a standing head cut");
   require(is_near(contact.energies.elastic, closed_forms::cap_energy(kStiffness, kRadius, kDepth), kTolerance),
           "C3 does not hold");
   return force;
 }
 
-/// What is cut costs its energy.
+/// Cutting consumes the energy of the removed volume.
 void require_cut_pays(const Tool& tool) {
   const Contact contact =
       press(tool.head(), FoundationLaw(), Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), tool.spindle().speed);
-  const double cost = bone().specific_cutting_energy * contact.taken * kVoxel * kVoxel * kVoxel;
-  require(contact.taken > 0 && is_near(contact.energies.cutting, cost, 1e-4), "the cut was not paid for");
+  const double cost = bone().specific_cutting_energy * contact.removed * kVoxel * kVoxel * kVoxel;
+  require(contact.removed > 0 && is_near(contact.energies.cutting, cost, 1e-4), "the cut was not paid for");
 }
 
-/// Dragged further than the anchor bears, the contact slides at the dynamic friction.
+/// Dragged beyond the limit of the anchor, the contact slides with the dynamic friction.
 void require_friction(double normal) {
   const DryFriction friction{bone().static_friction, bone().dynamic_friction, 1000};
   validate(friction);
@@ -124,7 +124,7 @@ void require_friction(double normal) {
   require(anchor.sliding() && is_near(-force.x(), friction.dynamic_friction * normal, 1e-9), "friction is not mu_d N");
 }
 
-/// Heads, handles, spindle and effects are those of their headers.
+/// Heads, handles, spindle and effects work from their headers.
 void require_words(const Tool& tool) {
   for (const ToolHead& head : {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{30 * deg, 2 * mm}),
                                ToolHead(FlatHead{kRadius, 2 * mm, FlatRule::both})}) {
@@ -160,7 +160,7 @@ void require_words(const Tool& tool) {
   }
 }
 
-/// The other laws are compiled and give a force.
+/// The other laws compile and give a force.
 void require_laws(const Tool& tool) {
   const HertzianBurrLaw burr(1e9);
   const ContactMechanicsLaw half_space(1e9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fuzzer of one format, FUZZ_FORMAT: the bytes that libFuzzer makes go to the parser that checks them. Parsers say
-// what is wrong by throwing Error; everything else is a finding.
+// A fuzzer of one format, FUZZ_FORMAT: passes libFuzzer's bytes to the parser. Parsers report damage by throwing Error;
+// anything else is a finding.
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fuzzer of recordings: damaged files whose checksums fit, as the library opens them. HDF5 may end the program that
-// reads them, and then they are refused.
+// A fuzzer of recordings: the library opens damaged files with accepted checksums. HDF5 may crash the reader program;
+// then the file is refused.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fuzzer of one of the texts that users write, FUZZ_FORMAT: settings, poses or a profile, and what is made of them
-// short of a workpiece, whose builders estimate their work first.
+// A fuzzer of one kind of user text, FUZZ_FORMAT: settings, poses or a profile, and of the objects made from them,
+// except the workpiece.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -15,7 +15,7 @@
 namespace hapticut::test {
 namespace {
 
-/// A path of so few points that it takes no time; up to 1e7 are allowed.
+/// Limits the path to few points, to save time; up to 1e7 are allowed.
 [[maybe_unused]] bool is_short(const settings::PathSettings& path) {
   constexpr double kFar = 100, kNear = 0.1;  // [mm]
   const auto within = [](const std::optional<double>& length) { return length.value_or(0) <= kFar; };
@@ -37,7 +37,7 @@ namespace {
 }
 
 [[maybe_unused]] void fuzz_profile(const std::string& text) {
-  constexpr double kCoarse = 0.1;  // the most: a finer table is the same work more often
+  constexpr double kCoarse = 0.1;  // the coarsest; a finer table repeats the same work
   (void)ProfileHead(settings::profile_of_text(text, "a.csv"), kCoarse);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk through a .vdb file that stands before OpenVDB, and OpenVDB behind it: as a workpiece that was saved, else
-// as a level set or fog volume of another program.
+// A fuzzer of .vdb files: the check before OpenVDB, then OpenVDB. Reads a saved workpiece, else a level set or fog
+// volume of another program.
 #include <cstdint>
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads many damaged files: hapticut_mutants COUNT [SEED [FOLDER_OF_FINDINGS [MORE_SEEDS...]]]. Each mutant is a right
-// file with some bytes changed, and must be read, or refused by one sentence that names it, within 20 s and 4 GB; the
-// right files are read first. MORE_SEEDS are files; what their names end in says how they are read. The last line
-// counts what was found; the exit code is 0 when nothing was, 1 when something was or a right file is not read, and 2
-// when nobody knows how to read one of MORE_SEEDS.
+// Reads many damaged files: hapticut_mutants COUNT [SEED [FOLDER_OF_FINDINGS [MORE_SEEDS...]]]. Each mutant is a valid
+// file with some changed bytes. It must be read, or refused by one sentence that names it, within 20 s and 4 GB. The
+// valid files are read first. MORE_SEEDS are files, read by their extension. The last line counts the findings. Exit
+// code: 0 without findings, 1 with findings or when a valid file is not read, 2 when the extension of one of MORE_SEEDS
+// is unknown.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned kLongest = 20;                // [s] of a mutant
+constexpr unsigned kMaxSeconds = 20;             // [s] of a mutant
 constexpr rlim_t kMaxMemory = rlim_t(4) << 30U;  // [bytes]
 
 struct MutantSeed {
@@ -34,11 +34,11 @@ struct MutantSeed {
   std::string bytes;
 };
 
-/// What a worker tells of itself.
+/// State that a worker shares.
 struct Shared {
   std::uint64_t index;
   std::uint64_t read, refused;
-  char format[16];  ///< of the mutant at hand; in a file of its own, a slow disk would be waited for each time
+  char format[16];  ///< format of the current mutant; shared memory, because a file would wait for the disk
 };
 
 class Mutator {
@@ -85,7 +85,7 @@ class Mutator {
     }
   }
 
-  /// A number that is often at an edge, in 1, 2, 4 or 8 bytes of either order.
+  /// A number, often a limit value, in 1, 2, 4 or 8 bytes of either order.
   void put_number(std::string& bytes, std::size_t at) {
     constexpr std::uint64_t kEdges[] = {0,
                                         1,
@@ -119,7 +119,7 @@ class Mutator {
   std::mt19937_64 random_;
 };
 
-/// @return what is wrong with a refusal; empty: nothing
+/// @return the fault of a refusal; empty when it is correct
 std::string fault_of(const std::string& sentence, const fs::path& file) {
   if (sentence.find('\n') != std::string::npos) return "more than one line";
   if (sentence.find(file.filename().string()) == std::string::npos &&
@@ -129,12 +129,12 @@ std::string fault_of(const std::string& sentence, const fs::path& file) {
   return "";
 }
 
-/// Writes a file, and beside it the slice that it is read with, which stays right.
+/// Writes a file, and next to it the unchanged slice that is read with it.
 fs::path write_file(const MutantSeed& seed, const std::string& bytes, const fs::path& folder) {
   fs::path path = folder / seed.path.filename();
   write_bytes(path, bytes);
   if (seed.format == "slices") write_bytes(folder / ("a2" + path.extension().string()), seed.bytes);
-  constexpr std::string_view kPlace = "\\20\\0.7", kNext = "\\20\\1.4";  // of the slice among our own seeds
+  constexpr std::string_view kPlace = "\\20\\0.7", kNext = "\\20\\1.4";  // position of the slice in the project's seeds
   if (const std::size_t at = seed.bytes.find(kPlace); seed.format == "dicom" && at != std::string::npos)
     write_bytes(folder / "companion2.dcm", std::string(seed.bytes).replace(at, kPlace.size(), kNext));
   return path;
@@ -144,7 +144,7 @@ void make_empty(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) fs::remove(entry.path());
 }
 
-/// One mutant of many: which seed, and how it is changed, follow from its number alone.
+/// Reads one mutant. Its number determines the seed and the changes.
 void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::uint64_t index, const fs::path& folder,
                  Shared& shared) {
   Mutator mutator(seed * 1'000'003 + index);
@@ -161,7 +161,7 @@ void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::
     fault = fault_of(error.what(), path);
     if (!fault.empty()) fault += ": " + std::string(error.what());
   } catch (const std::exception& error) {
-    fault = std::string("not our error: ") + error.what();
+    fault = std::string("not hapticut::Error: ") + error.what();
   }
   if (!fault.empty()) {
     std::printf("mutant %llu of %s: %s\n", static_cast<unsigned long long>(index), chosen.path.filename().c_str(),
@@ -172,7 +172,7 @@ void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::
   make_empty(folder);
 }
 
-/// Numbers in a file that processes share.
+/// Shared memory of the processes.
 Shared& shared_in(const fs::path& file) {
   const int handle = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
   if (handle < 0 || ::ftruncate(handle, sizeof(Shared)) != 0) throw std::runtime_error("no shared file");
@@ -192,8 +192,8 @@ std::vector<MutantSeed> seeds_in(const fs::path& folder) {
   return seeds;
 }
 
-/// Runs this program again: a fork would not take the threads along that libraries have started.
-/// @return how it ended
+/// Runs this program again: a fork would lose the threads that libraries have started.
+/// @return its exit status
 int run_again(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "hapticut_mutants");
   std::vector<char*> pointers;
@@ -206,7 +206,7 @@ int run_again(std::vector<std::string> arguments) {
   return status;
 }
 
-/// Bounds the memory of this process, and keeps what it prints on stderr.
+/// Limits the memory of this process and redirects its stderr to a file.
 void begin_reading(const fs::path& folder) {
   const rlimit memory = {kMaxMemory, kMaxMemory};
   ::setrlimit(RLIMIT_AS, &memory);
@@ -214,13 +214,13 @@ void begin_reading(const fs::path& folder) {
   ::dup2(errors, STDERR_FILENO);
 }
 
-/// Reads each seed as it is: where one is refused, so are its mutants, and nothing is tried.
+/// Reads each unchanged seed: if a seed is refused, its mutants test nothing.
 /// @return exit code
 int read_seeds(const fs::path& folder) {
   begin_reading(folder);
   int refused = 0;
   for (const MutantSeed& seed : seeds_in(folder / "seeds")) {
-    ::alarm(kLongest);
+    ::alarm(kMaxSeconds);
     const fs::path path = write_file(seed, seed.bytes, folder / "work");
     try {
       read_as(seed.format, path);
@@ -239,16 +239,16 @@ int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
   Shared& shared = shared_in(folder / "shared");
   const std::vector<MutantSeed> seeds = seeds_in(folder / "seeds");
   while (shared.index < count) {
-    ::alarm(kLongest);
+    ::alarm(kMaxSeconds);
     read_mutant(seeds, seed, shared.index, folder / "work", shared);
     ++shared.index;
   }
-  return 0;  // as a program ends: libraries have their last word
+  return 0;  // a normal exit, so exit functions of libraries run
 }
 
-/// Puts files of others beside our own.
-/// @return whether their endings say how each of them is read; else a message says which does not
-bool take_seeds(const std::vector<fs::path>& files, const fs::path& seeds) {
+/// Adds further seed files.
+/// @return false, with a message, when the extension of a file is unknown
+bool copy_seeds(const std::vector<fs::path>& files, const fs::path& seeds) {
   static constexpr std::pair<std::string_view, const char*> kEndings[] = {
       {".nrrd", "nrrd"}, {".nii", "nifti"},    {".gz", "nifti"},     {".mha", "meta"}, {".dcm", "dicom"},
       {".inv3", "inv3"}, {".stl", "stl"},      {".ply", "ply"},      {".obj", "obj"},  {".off", "off"},
@@ -256,7 +256,7 @@ bool take_seeds(const std::vector<fs::path>& files, const fs::path& seeds) {
   for (const fs::path& file : files) {
     const char* const* format = found_in(kEndings, extension_in_lower_case(file));
     if (format == nullptr) {
-      std::fprintf(stderr, "%s: its ending does not say how it is read; seeds end in", file.c_str());
+      std::fprintf(stderr, "%s: its extension is unknown; seeds must end in", file.c_str());
       for (const auto& [ending, name] : kEndings) std::fprintf(stderr, " %s", std::string(ending).c_str());
       std::fputs(".\n", stderr);
       return false;
@@ -274,9 +274,9 @@ int run(int argc, char** argv) {
   fs::create_directories(folder / "work");
   const std::string root = (folder / "").string();
   if (run_again({"--seeds", (folder / "seeds").string()}) != 0) throw std::runtime_error("the seeds cannot be written");
-  if (!take_seeds({argv + std::min(argc, 4), argv + argc}, folder / "seeds")) return 2;
+  if (!copy_seeds({argv + std::min(argc, 4), argv + argc}, folder / "seeds")) return 2;
   if (const int status = run_again({"--unchanged", root}); status != 0) {
-    std::printf("not every seed is read as it is (%s %d)\n", WIFSIGNALED(status) ? "signal" : "exit code",
+    std::printf("not every unchanged seed is read (%s %d)\n", WIFSIGNALED(status) ? "signal" : "exit code",
                 WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
     return 1;
   }

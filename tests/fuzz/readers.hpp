@@ -16,12 +16,12 @@
 #include "settings/settings_file.hpp"
 
 /// @file
-/// Reads a file as what its folder of seeds says it is, and a mesh by the ending of its name.
+/// Reads a file by the format of its seed folder, and a mesh by its extension.
 namespace hapticut::test {
 
-/// @throws Error when it is refused; anything else that is thrown is a finding
+/// @throws Error when the file is refused; any other exception is a finding
 inline void read_as(const std::string& format, const std::filesystem::path& path) {
-  // A slice is one of two.
+  // A slice belongs to a series of two.
   const bool series = std::filesystem::exists(path.parent_path() / "companion2.dcm");
   if (is_mesh_file(path))
     (void)read_mesh(path);

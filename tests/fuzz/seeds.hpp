@@ -20,8 +20,7 @@
 #include "support/volume_files.hpp"
 
 /// @file
-/// Small right files in every format that is read, made by writers of our own: what mutants and fuzzers begin with.
-/// Each format has a folder of its name.
+/// Small valid files in every supported format: the seeds of mutants and fuzzers. Each format has a folder of its name.
 namespace hapticut::test {
 
 inline constexpr const char* kFormats[] = {"dicom", "nrrd", "nifti", "meta",      "slices",   "inv3",  "stl",    "ply",

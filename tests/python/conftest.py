@@ -37,7 +37,7 @@ def plunge() -> tuple[np.ndarray, np.ndarray]:
     """Poses and velocities of 600 ms downwards into the block at 2 mm/s."""
     ticks = np.arange(1, 601)
     hand = np.zeros((len(ticks), 3))
-    hand[:, 2] = (1.5 + 20) * mm - 0.002 * mm * (ticks - 50)  # free at first
+    hand[:, 2] = (1.5 + 20) * mm - 0.002 * mm * (ticks - 50)  # first in free air
     velocities = np.zeros((len(ticks), 6))
     velocities[:, 2] = -2 * mm
     return hapticut.Pose.from_translation(hand), velocities

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the package with pip into a new virtual environment, as a user would, and runs the tests of Python there.
+# Installs the package with pip into a new virtual environment, as a user would, and runs the Python tests there.
 #
 #   tests/python/in_fresh_environment.sh FOLDER [PYTHON [TEST...]]
 #
-#   FOLDER  becomes the environment; what was there is removed
-#   PYTHON  to make it with (default: python3)
-#   TEST    for pytest (default: all of tests/python)
+#   FOLDER  the environment; its old content is removed
+#   PYTHON  interpreter (default: python3)
+#   TEST    arguments of pytest (default: all of tests/python)
 set -euo pipefail
 folder=$(realpath -m "$1")
 python=${2:-python3}
@@ -24,13 +24,13 @@ include=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
 [ -f "$include/Python.h" ] || skip "$python has no headers; sudo apt-get install python3-dev."
 
 unset PYTHONPATH PYTHONHOME
-export CC=${CC:-cc} CXX=${CXX:-c++} # as CMake calls them, so that ccache knows what other builds have compiled
+export CC=${CC:-cc} CXX=${CXX:-c++} # the names that CMake uses, so ccache shares objects with other builds
 rm -rf "$folder"
 "$python" -m venv "$folder"
-# The one thing that may be absent is the index of packages; asked for on its own, so that nothing else looks like it.
+# Only the package index may be missing; checked separately, so no other failure looks like it.
 "$folder/bin/python" -m pip download --quiet --no-deps --dest "$folder/probe" scikit-build-core ||
   skip "pip cannot download scikit-build-core, so nothing can be installed."
 "$folder/bin/python" -m pip install --quiet "$source[test]"
-cd "$folder" # not where `import hapticut` could find anything but what was installed
+cd "$folder" # so `import hapticut` finds only the installed package
 exec "$folder/bin/python" -m pytest -q --rootdir "$source" -c "$source/pyproject.toml" -p no:cacheprovider \
   "${@:-$source/tests/python}"

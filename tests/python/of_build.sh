@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Runs the tests of Python on the package of a build folder: of_build.sh PYTHON PACKAGE [ARGUMENTS OF PYTEST]
+# Runs the Python tests on the package of a build folder: of_build.sh PYTHON PACKAGE [ARGUMENTS OF PYTEST]
 set -eu
 python=$1
 package=$2
@@ -11,5 +11,5 @@ shift 2
   exit 0
 }
 export PYTHONPATH="$package"
-cd "$package" # not where `import hapticut` could find anything else
+cd "$package" # so `import hapticut` finds only this package
 exec "$python" -m pytest -q --rootdir "$source" -c "$source/pyproject.toml" -p no:cacheprovider "$@" "$source/tests/python"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints what pip installs for the tests of Python and for a build by CMake, as pyproject.toml names it, but not hapticut
-itself: one requirement a line, for Python 3.11 and newer."""
+"""Prints the requirements of the Python tests and of a build by CMake from pyproject.toml, without hapticut itself: one
+per line, for Python 3.11 and newer."""
 import re
 import tomllib
 from pathlib import Path
@@ -11,7 +11,7 @@ extras = project["project"]["optional-dependencies"]
 
 
 def plain(requirements):
-    """With the extras of hapticut itself written out."""
+    """Expands the extras of hapticut itself."""
     for requirement in requirements:
         own = re.fullmatch(r"hapticut\[(.+)\]", requirement)
         for extra in own.group(1).split(",") if own else ():

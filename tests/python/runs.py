@@ -30,7 +30,7 @@ def drill(parameters, rng):
 
 
 def takes_no_step(parameters, rng):
-    """Of two runs, one in steps of 10 s."""
+    """One of two runs uses steps of 10 s."""
     block = hapticut.build_block(hapticut.Box([-1 * mm] * 3, [1 * mm] * 3), 0.2 * mm, hapticut.presets.clay())
     simulation = hapticut.Simulation(block, hapticut.Tool(hapticut.SphereHead(0.5 * mm)))
     trace = simulation.run(np.tile(np.eye(4), (3, 1, 1)), np.zeros((3, 6)), parameters["dt"])
@@ -51,7 +51,7 @@ def returns_what_cannot_be_kept(parameters, rng):
 
 
 def returns_more_and_more(parameters, rng):
-    """Arrays of 4 bytes a number, up to 38 kB."""
+    """Returns arrays of 4-byte numbers, up to 38 kB."""
     return {"values": np.zeros(500 * parameters["x"], dtype=np.float32)}
 
 
@@ -60,7 +60,7 @@ def returns_traces_of_odd_names(parameters, rng):
 
 
 def kills_its_process_once(parameters, rng):
-    """In the middle of a sweep, the first time that it comes there."""
+    """Fails in the middle of a sweep, the first time only."""
     mark = Path(parameters["folder"], "killed")
     if parameters["x"] == 25 and not mark.exists():
         mark.touch()

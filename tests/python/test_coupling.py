@@ -12,7 +12,7 @@ from hapticut.units import mm
 
 @pytest.fixture
 def coupled(block, tool) -> h.Simulation:
-    """A stiff simulation, as an implicit coupling wants it, of bone whose thin chips cost no more than thick ones."""
+    """A stiff simulation, as needed by an implicit coupling, of bone without a size effect of thin chips."""
     block.set_materials(h.MaterialTable([h.Material("plain")]))
     return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e16, contact_time=h.ContactTime.end))
 
@@ -31,7 +31,7 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     slope = -(probe(place + [0, 0, 1e-6]).wrench.force - probe(place - [0, 0, 1e-6]).wrench.force) / 2e-6
     assert there.stiffness.shape == (6, 6) and np.allclose(
         there.stiffness, there.stiffness.T, atol=1e-5 * np.abs(there.stiffness).max())
-    # 5 %: the voxels at the rim of the contact count whole or not at all.
+    # 5 %: voxels at the rim of the contact count fully or not at all.
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
     assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
     contact = there.contact
@@ -42,10 +42,11 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs
     still, pose = np.zeros(6), h.Pose.from_translation(place)
-    for law, turns in ((h.FoundationLaw(), True), (h.ContactMechanicsLaw(2e6), False)):  # a law of your own is asked for no more
+    # Laws other than FoundationLaw are probed only along the requested motions.
+    for law, has_rotations in ((h.FoundationLaw(), True), (h.ContactMechanicsLaw(2e6), False)):
         own = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), h.SimulationConfig(law=law))
         straight = own.probe(pose, still, 1e-3, h.ProbedMotions.translations)
-        assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == turns
+        assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == has_rotations
         assert own.probe(pose, still, 1e-3, motions=h.ProbedMotions.all).wrench.force[2] == straight.wrench.force[2]
 
 
@@ -85,13 +86,13 @@ def test_a_tool_that_was_left_waits_for_its_hand(coupled, plunge):
 
 def test_a_run_that_only_waits_says_so(coupled):
     coupling = h.VirtualCoupling(coupled, h.coupling_gains(h.device.capabilities(h.device.device_model("touch"))))
-    inside = h.Pose.from_translation(np.tile([0, 0, 20 * mm], (20, 1)))  # the head is at the end of its handle
+    inside = h.Pose.from_translation(np.tile([0, 0, 20 * mm], (20, 1)))  # the head is below the handle
     with pytest.warns(UserWarning, match="none of the 20 steps was made: tool_waits"):
         coupling.run(inside, np.zeros((20, 6)), 1e-3)
 
 
 def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plunge):
-    poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # and stays
+    poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # then stays
     velocities = np.concatenate([plunge[1], np.zeros((1500, 6))])
     gains = h.coupling_gains(h.device.capabilities(h.device.device_model("touch")))
     h.validate(gains)
@@ -100,7 +101,7 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert coupling.simulation is coupled and coupling.gains.stiffness == gains.stiffness
     assert trace["X_WH"].shape == (2100, 4, 4) and trace["hand"]["force"].shape == (2100, 3)
     assert trace["hand"]["force"][-1, 2] > 0 and not (trace["status"] & h.kRejected).any()
-    # The hand is ahead of the tool, by what the coupling's spring gives.
+    # The hand leads the tool by the deflection of the coupling's spring.
     behind = trace["X_WH"][-1, 2, 3] - poses[-1, 2, 3]
     assert 0 < behind * gains.stiffness == pytest.approx(trace["coupling"]["force"][-1, 2], rel=0.1)  # and the damper
     assert trace["removed_voxels"].sum() == len(coupled.removed_in_run) > 0
@@ -117,13 +118,13 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert result.level_of_detail == 1 and result.newton_steps + result.parts <= coupling.worst_case().contacts
     assert not result.status & h.kRejected and result.removed_volume > 0 and result.V_WH.shape == (6,)
     energy = coupling.last_result.energy
-    assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # Newton's rest
+    assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # remainder of the Newton iteration
     assert energy.turnover >= energy.hand_work
     parts = energy.tool_work + energy.spring + energy.damper + energy.kinetic + energy.implicit
     assert energy.imbalance() == pytest.approx(energy.hand_work - parts, abs=1e-12)
     assert result.coupling.force.shape == (3,)
     other.reset()
-    assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # afresh
+    assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # starts anew
     with pytest.raises(h.Error, match="contact_time"):
         h.VirtualCoupling(h.Simulation(block, tool), gains)
     with pytest.raises(h.Error, match="mass"):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python has the names that the lists in bindings/python/hapticut give: each in one module, which offers it and which it
-says it is of. What is added to the library is bound where somebody needs it in Python."""
+"""Python has the names in the lists of bindings/python/hapticut. Each name is in one module, exported by it and with it as
+``__module__``. New names of the library are bound if Python needs them."""
 from __future__ import annotations
 
 import importlib
@@ -23,7 +23,7 @@ MODULES = [hapticut, *(module for name, module in vars(hapticut).items()
 COMPILED = {name for name in dir(core) if not name.startswith("_")}
 NAMES = [name for name in dir(hapticut) if name in COMPILED or name == "Pose"]
 ROOMS = ("analysis", "device", "io", "loop", "safety")  # folders of C++ that are modules of Python
-# What is looked for elsewhere than in the folder where C++ needs it.
+# Names whose Python module differs from their C++ folder.
 MOVED = {"LabelInterpolation"}
 
 
@@ -93,10 +93,10 @@ except TypeError as error:
 
 
 def test_help_and_errors_speak_of_names_that_can_be_imported():
-    said = subprocess.run([sys.executable, "-c", LOOK], check=True, capture_output=True, text=True).stdout
-    assert "in module hapticut\n" in said and "in module hapticut.analysis\n" in said
-    assert said.count("build_block(box: Box, voxel_size: ") == 1 and "1. (box: Box, " in said
-    assert "hapticut._hapticut." not in said.replace("hapticut._hapticut.kWithIo", "")
+    printed = subprocess.run([sys.executable, "-c", LOOK], check=True, capture_output=True, text=True).stdout
+    assert "in module hapticut\n" in printed and "in module hapticut.analysis\n" in printed
+    assert printed.count("build_block(box: Box, voxel_size: ") == 1 and "1. (box: Box, " in printed
+    assert "hapticut._hapticut." not in printed.replace("hapticut._hapticut.kWithIo", "")
     page = pydoc.plain(pydoc.render_doc(hapticut))
     assert "class Workpiece" in page and "hapticut._hapticut" not in page and "ClosedLoop" not in page
 

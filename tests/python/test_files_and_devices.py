@@ -102,7 +102,7 @@ def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
     seen = []
     report = h.io.replay(recording, progress=seen.append)
     assert report.identical and report.steps == len(poses) and report.first_difference is None
-    assert report.workpiece_hash == simulation.workpiece.hash() and report.left_out == 0
+    assert report.workpiece_hash == simulation.workpiece.hash() and report.skipped == 0
     other = h.io.simulation_of(recording)
     again = other.run(columns["poses"], columns["velocities"], columns["dt"])
     assert np.array_equal(again["force"][1:], trace["force"])
@@ -168,14 +168,14 @@ def test_an_exception_in_a_tick_comes_out_of_the_run():
 def test_a_path_that_fails_takes_the_force_away_and_says_so(path, monkeypatch):
     import sys
 
-    said = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda what: said.append(what.exc_value))
+    errors = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda what: errors.append(what.exc_value))
     device = h.device.MockDevice(h.device.MockOptions(path=path))
     forces = []
     push = h.device.DeviceCommand(h.Wrench([1, 0, 0]))
     report = device.run(lambda s: forces.append(device.output.applied.force.any()) or push,
                         h.device.RunOptions(seconds=0.2, simulated_time=True))
-    assert said and "pose_not_finite" in report.events and not any(forces)
+    assert errors and "pose_not_finite" in report.events and not any(forces)
 
 
 def test_a_path_and_a_mouse_may_come_from_python():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Laws, the material's numbers from tests, and effects: the arguments of Python arrive where those of C++ do."""
+"""Laws, calibration and effects: arguments from Python have the same effect as in C++."""
 from __future__ import annotations
 
 import math
@@ -54,10 +54,10 @@ def test_a_stiffness_goes_to_another_point():
     arm = np.array([0.0, 0.0, -0.1])  # from Ho to To
     about = h.transport(spring, np.eye(3), arm)
     assert np.allclose(about, about.T) and np.allclose(about[:3, :3], spring[:3, :3])
-    turn = np.array([1e-3, 0, 0])  # moves To by turn x arm
-    moved = np.cross(turn, arm)
+    rotation = np.array([1e-3, 0, 0])  # moves To by rotation x arm
+    moved = np.cross(rotation, arm)
     force = -spring[:3, :3] @ moved
-    assert np.allclose(-about[:3, 3:] @ turn, force) and np.allclose(-about[3:, 3:] @ turn, np.cross(arm, force))
+    assert np.allclose(-about[:3, 3:] @ rotation, force) and np.allclose(-about[3:, 3:] @ rotation, np.cross(arm, force))
     with pytest.raises(h.Error, match=r"a stiffness.*\(3, 3\).*\(6, 6\)"):
         h.transport(np.eye(3), np.eye(3), arm)
 

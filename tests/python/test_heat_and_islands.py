@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is left beyond the force: heat, and pieces that were cut loose."""
+"""Heat and loose pieces."""
 from __future__ import annotations
 
 import numpy as np
@@ -14,7 +14,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
     config = h.heat.HeatConfig(by_material=[h.heat.ThermalProperties(0.58, 2.6e6)], cutting_share=0.3)
     field = h.heat.HeatField(simulation.workpiece, config)
     assert field.config.by_material[0].conductivity == 0.58 and field.config.irrigation == 0
-    for part in (slice(0, 300), slice(300, 600)):  # what the second takes away has been warmed by the first
+    for part in (slice(0, 300), slice(300, 600)):  # the second part removes what the first has warmed
         simulation.run(plunge[0][part], plunge[1][part], 1e-3)
         assert field.drain(collector) == pytest.approx(0.3)
         field.advance(0.3)
@@ -38,7 +38,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
 def test_heat_is_given_taken_by_water_and_counted(block):
     field = h.heat.HeatField(block)
     field.add_heat([0, 0, -2 * mm], 0.1)
-    field.add_cutting_heat(0.05)  # waits: nothing has gone
+    field.add_cutting_heat(0.05)  # waits: nothing was removed
     field.set_irrigation(3000.0)
     field.update(block, np.zeros((1, 3), dtype=np.int32))
     field.advance(1.0)
@@ -62,7 +62,7 @@ def test_pulses_and_blocks_can_be_taken_one_by_one(simulation, plunge):
 
 
 def bar_cut_through():
-    """A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that has gone through it at a height of 4 mm."""
+    """A bar of 0.8 mm x 0.8 mm x 6 mm, cut through by a ball at a height of 4 mm."""
     material = h.presets.cortical_bone()
     bar = h.build_block(h.Box([-0.4 * mm, -0.4 * mm, 0], [0.4 * mm, 0.4 * mm, 6 * mm]), 0.1 * mm, material)
     simulation = h.Simulation(bar, h.Tool(h.SphereHead(0.6 * mm), h.RayHandle(0), h.Spindle(3000.0)))

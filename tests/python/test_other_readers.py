@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Right files are read as pydicom, nibabel, SimpleITK and trimesh read them. Each comparison is skipped where its real input
-file is absent."""
+"""Valid files are read as by pydicom, nibabel, SimpleITK and trimesh. Comparisons with missing input files are skipped."""
 from __future__ import annotations
 
 import os
@@ -22,7 +21,7 @@ pytestmark = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built wit
 
 
 def existing(*names: str) -> list[object]:
-    """Files of the data, each skipped with its name where it is absent."""
+    """Data files; a missing file is skipped with its name."""
     absent = pytest.mark.skip(reason="needs real input files, which are not on this machine")
     return [pytest.param(DATA / n, id=n, marks=[] if (DATA / n).exists() else [absent]) for n in names]
 
@@ -57,7 +56,7 @@ def test_nifti_is_what_nibabel_reads(path: Path) -> None:
     compare(h.io.read_grey_volume(path), value_at, 1e-6)
 
 
-# Left out: what ITK reads otherwise, for reasons in docs/files.md (`left-anterior-superior`, a slope of 0, the quaternion
+# Not compared: files that ITK reads differently, for reasons in docs/files.md (`left-anterior-superior`, a slope of 0, the quaternion
 # before the affine map, MONOCHROME1).
 @pytest.mark.parametrize("path", existing(
     "formats/BallBinary30x30x30.nrrd", "formats/BallBinary30x30x30_gz.nrrd", "formats/BallBinary30x30x30.nhdr",

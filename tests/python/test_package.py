@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is installed: its version, its stubs, its speed to import, and that all of it can be called."""
+"""The installed package: version, stubs, import time, and calls of all functions."""
 from __future__ import annotations
 
 import inspect
@@ -36,7 +36,7 @@ def test_types_are_marked_and_there():
         pytest.skip("built with CMake where pybind11-stubgen is not installed")
     assert all(there)
     stub = (PACKAGE / "_hapticut.pyi").read_text(encoding="utf-8")
-    # With what an editor shows beside a name.
+    # With the texts that an editor shows.
     assert "class Spindle:" in stub and stub.count('"""') > 2000
 
 
@@ -112,7 +112,7 @@ def test_nothing_that_is_given_none_ends_the_interpreter():
     done = subprocess.run([sys.executable, "-X", "faulthandler", "-c", CALL_ALL_WITH_NONE], capture_output=True,
                           text=True)
     assert done.returncode == 0, done.stderr
-    assert int(done.stdout) > 2000  # calls that were refused
+    assert int(done.stdout) > 2000  # number of refused calls
 
 
 def test_importing_is_quick_and_leaves_the_large_libraries_alone():
@@ -132,7 +132,7 @@ def test_the_modules_of_python_are_found_when_they_are_used():
 
 def test_where_the_types_cannot_be_written_there_are_none_and_a_sentence_says_why(tmp_path):
     for name in ("_hapticut.pyi", "py.typed"):
-        (tmp_path / name).touch()  # of an earlier build
+        (tmp_path / name).touch()  # from an earlier build
     (tmp_path / "pybind11_stubgen.py").write_text("raise ImportError('as if it were not installed')", encoding="utf-8")
     script = REPOSITORY / "bindings" / "python" / "write_stubs.py"
     done = subprocess.run([sys.executable, str(script), hapticut._hapticut.__file__, str(tmp_path)], check=True,
@@ -148,7 +148,7 @@ def test_mypy_finds_nothing(tmp_path):
     assert result.returncode == 0, result.stdout + result.stderr
 
 
-# What pybind11's classes have and stubs cannot say: their metaclass, and the constructor of object in classes that
+# Properties of pybind11's classes that stubs cannot express: their metaclass, and object's constructor in classes that
 # only the library makes.
 ARTEFACTS = re.compile(r"is inconsistent, metaclass differs$"
                        r'|__init__ is inconsistent, stub does not have \*args parameter "args"$')

@@ -43,7 +43,7 @@ def test_the_force_of_a_still_ball_is_the_closed_form(block):
 def test_dt_may_change_from_step_to_step(simulation, plunge):
     poses, velocities = plunge
     dt = np.full(len(poses), 1e-3)
-    dt[10] = 0.5  # beyond SimulationConfig.max_dt
+    dt[10] = 0.5  # above SimulationConfig.max_dt
     trace = simulation.run(poses, velocities, dt)
     assert trace["status"][10] & hapticut.StepStatus.dt_rejected
     assert np.flatnonzero(trace["status"] & hapticut.StepStatus.dt_rejected).tolist() == [10]
@@ -205,7 +205,7 @@ def test_a_run_releases_the_interpreter_lock_and_no_other_thread_can_step_meanwh
 
 
 class StartsARun:
-    """A number that lets another thread begin a run while it is read."""
+    """A number whose conversion lets another thread begin a run."""
 
     def __init__(self, simulation, *run):
         self.simulation, self.run, self.thread, self.has_begun = simulation, run, None, False

@@ -16,19 +16,19 @@ core = h._hapticut
 
 
 def use_attributes(thing):
-    """Reads every attribute of an object; a getter that fails, fails the test."""
+    """Reads every attribute of an object; a failing getter fails the test."""
     return {name: getattr(thing, name) for name in dir(thing) if not name.startswith("_")}
 
 
 def classes(owner=core):
-    """All classes of the module, those inside of others as well."""
+    """All classes of the module, including nested ones."""
     for _, cls in inspect.getmembers(owner, inspect.isclass):
         if cls.__module__.startswith("hapticut") and cls is not owner:
             yield cls
             yield from classes(cls)
 
 
-# What has no defaults.
+# Arguments without defaults.
 GIVEN = [h.calibration.DrillingTest(1.25 * mm, 100.0, 1e-3, thrust=20.0, torque=0.04),
          h.GreyRange(1.0, 2.0, h.presets.clay()), h.Layer(h.presets.clay(), 1 * mm),
          h.Grade(1.0, 2.0, h.presets.clay(), h.presets.pulp(), steps=3),
@@ -53,11 +53,11 @@ def test_every_struct_is_made_with_its_defaults_copied_changed_and_printed():
         if not hasattr(cls, "__setstate__"):
             for attribute, value in values.items():
                 if getattr(getattr(cls, attribute), "fset", None):
-                    setattr(thing, attribute, value)  # what was read can be written
+                    setattr(thing, attribute, value)  # a read value can be written
             continue
         for attribute, value in values.items():
             if not callable(value) or isinstance(value, h.ForceLaw) or name == "BodyDescription":
-                setattr(thing, attribute, value)  # what was read can be written
+                setattr(thing, attribute, value)  # a read value can be written
         if name not in ("MockOptions", "BodyDescription"):  # hold functions
             assert repr(pickle.loads(pickle.dumps(thing))) == repr(copy.deepcopy(thing)) == repr(copy.copy(thing))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is seen and heard beside the steps."""
+"""The surface for drawing and the sound of the drill."""
 from __future__ import annotations
 
 import numpy as np

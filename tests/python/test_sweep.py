@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps: the same table from every executor, nothing lost, and a sentence for what cannot be made."""
+"""Sweeps: the same table from every executor, no lost runs, and clear errors."""
 from __future__ import annotations
 
 import contextlib
@@ -118,7 +118,7 @@ def test_a_pool_of_mpi_gives_the_same_bits(reference, serial, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     finished = (out / "runs.jsonl").read_bytes()
     assert_same_bits(hapticut.sweep(SPACE, runs.drill, serial, out, units=UNITS), out, reference)
-    assert (out / "runs.jsonl").read_bytes() == finished  # nothing was made again
+    assert (out / "runs.jsonl").read_bytes() == finished  # no run was repeated
 
 
 def test_a_sweep_whose_process_was_killed_goes_on_where_it_was(serial, tmp_path):
@@ -200,7 +200,7 @@ def test_designs_fill_their_bounds_evenly():
 @pytest.mark.parametrize("space, message", [
     ([], "give a dict"), ({}, "without axes"), ({"x": []}, "axis x"), ({"x": "abc"}, "axis x"), (3, "the space is 3"),
     ([{"x": 1}, {"y": 1}], "run 1 has the parameters"), ([{"x": [1]}], "parameter x of run 0"), ([1, 2], "one dict"),
-    ({"run": [1]}, "neither run nor error"), ({1: [1]}, "names must be texts")])
+    ({"run": [1]}, "other than run and error"), ({1: [1]}, "names must be texts")])
 def test_spaces_that_make_no_sense_are_refused(space, message, serial, tmp_path):
     with pytest.raises(hapticut.Error, match=message):
         hapticut.sweep(space, runs.squares, serial, tmp_path)
@@ -244,7 +244,7 @@ def test_a_folder_that_cannot_be_written_is_said_before_the_first_run(serial, tm
 def test_a_disk_that_becomes_full_is_an_error_and_what_was_finished_is_kept(serial, tmp_path):
     space = {"x": list(range(20))}
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (37_000, hard))  # stands for the disk
+    resource.setrlimit(resource.RLIMIT_FSIZE, (37_000, hard))  # simulates a full disk
     try:
         with pytest.raises(hapticut.Error, match="cannot write.*Finished runs are kept"):
             hapticut.sweep(space, runs.returns_more_and_more, serial, tmp_path)
@@ -260,7 +260,7 @@ def test_a_disk_that_becomes_full_is_an_error_and_what_was_finished_is_kept(seri
 def test_an_executor_that_takes_no_more_work_is_an_error(tmp_path):
     class Closed(Executor):
         def submit(self, function, /, *args, **kwargs):
-            raise LookupError("the client is closed")  # as dask's own, which is no RuntimeError
+            raise LookupError("the client is closed")  # like dask's error, which is not a RuntimeError
 
     with pytest.raises(hapticut.Error, match="the executor failed.*LookupError.*kept"):
         hapticut.sweep({"x": [1, 2]}, runs.squares, Closed(), tmp_path)

@@ -52,7 +52,7 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     if isinstance(again.shape, h.ProfileHead):
         spring = again.shape.exact_spring(0.1 * head.max_radius(), 0.45 * box.min[2] + 0.55 * box.max[2])
         assert math.hypot(spring.n_radial, spring.n_axial) == pytest.approx(1)
-        # The table may be off by its tolerance of 1 % of the head.
+        # The table has a tolerance of 1 % of the head.
         assert spring.depth == pytest.approx(inside.depth, abs=0.011 * max(box.max - box.min))
     assert "mm" in head.description() and "Head" in repr(head)
     assert h.max_voxels(head, 0.1 * mm) > h.max_blocks(head, 0.1 * mm) > 0

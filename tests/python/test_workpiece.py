@@ -222,7 +222,7 @@ def test_units_are_those_of_the_header():
     found = dict(re.findall(r"constexpr \w+ (\w+) = (?:AngularSpeed::in_rad_per_s\()?([^;)]+)\)?;", text))
     assert len(found) >= 10
     for name, value in found.items():
-        expected = eval(value, {"kPi": np.pi})  # arithmetic of our own header
+        expected = eval(value, {"kPi": np.pi})  # arithmetic from the project's header
         assert getattr(hapticut.units, name) == pytest.approx(expected, rel=1e-15), name
 
 

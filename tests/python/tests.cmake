@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The tests of Python: on the package of this build, where HAPTICUT_WITH_PYTHON is ON, and as its users meet it, built and
-# installed by pip into a new environment. Not part of sanitizer builds, whose flags Python does not share.
+# The Python tests: on the package of this build if HAPTICUT_WITH_PYTHON is ON, and on a package that pip builds and
+# installs into a new environment. Not part of sanitizer builds, because Python lacks their flags.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
   return()
 endif()

@@ -79,14 +79,14 @@ void run_replay(const ReplaySettings& s) {
                       {"first_difference", to_json(report.first_difference)},
                       {"max_force_difference_N", report.max_force_difference},
                       {"recorded_steps", recording.size()},
-                      {"left_out", report.left_out},
+                      {"skipped", report.skipped},
                       {"recording", to_json(info)},
                       {"build", build_json()}});
   if (!report.identical)
     throw Error("the replay of '" + s.recording + "' differs from the recording at " +
                 text_of(*report.first_difference) + ". docs/files.md says when a replay must be identical.");
-  if (report.left_out > 0)
-    throw Error(std::to_string(report.left_out) + " of " + std::to_string(recording.size()) + " steps of '" +
+  if (report.skipped > 0)
+    throw Error(std::to_string(report.skipped) + " of " + std::to_string(recording.size()) + " steps of '" +
                 s.recording + "' follow a lost step, so they could not be replayed.");
 }
 

@@ -130,10 +130,10 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
                                 {"buzz_N", buzz.force_peak_to_peak}});
     if (!(k_coupled >= kMinGain * k_direct))
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
-                                    "  raises the stiffness less than tenfold");
+                                    " raises the stiffness less than tenfold");
     if (bounce_coupled.restitution > 1)
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
-                                    "  pushes the hand back faster than it arrived");
+                                    " pushes the hand back faster than it arrived");
   }
 }
 
@@ -198,7 +198,7 @@ void run_stability(const StabilitySettings& s) {
                       {"build", {{"version", build.version}, {"commit", build.commit}}}});
   if (findings.complaints.empty()) return;
   throw Error(std::to_string(findings.complaints.size()) +
-              " rules are broken; the first:  " + findings.complaints.front() + ".  The report lists all.");
+              " rules are broken; the first: " + findings.complaints.front() + ". The report lists all.");
 }
 
 /// The names of the presets, each mapped to itself.

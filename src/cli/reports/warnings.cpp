@@ -26,7 +26,7 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warnings.emplace_back("the path starts inside the workpiece; start outside, e.g. with path.approach_mm.");
   if (const std::size_t jumps = r.count(StepStatus::jump_rejected); jumps > 0)
     warnings.push_back(steps(jumps) +
-                       "  moved too far for one step and were rejected; lower the feed or raise the rate.");
+                       " moved too far for one step and were rejected; lower the feed or raise the rate.");
   if (const std::size_t exhausted = r.count(StepStatus::blocks_exhausted); exhausted > 0)
     warnings.emplace_back(
         "in " + steps(exhausted) +
@@ -40,8 +40,8 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
                           "raise simulation.reference_stiffness_N_per_m4 or lower the feed.");
   if (std::abs(r.energy.closure()) > kMaxClosure)
     warnings.emplace_back("the energy ledger does not close: " + rounded(100 * r.energy.closure(), 3) +
-                          " %  of the work is unexplained,  " + rounded(r.energy.entered, 2) +
-                          "  J entered without contact work; raise the rate.");
+                          " % of the work is unexplained, " + rounded(r.energy.entered, 2) +
+                          " J entered without contact work; raise the rate.");
   return warnings;
 }
 

@@ -181,7 +181,7 @@ std::vector<std::uint8_t> replay_stream(const Recording& recording) {
   ProgressBar progress("replaying", std::size_t(recording.size()));
   Film film(recording);
   ReplayOptions options;
-  options.stepped = [&](const Simulation& simulation, const RecordedStep& step) { film.add(simulation, step); };
+  options.on_step = [&](const Simulation& simulation, const RecordedStep& step) { film.add(simulation, step); };
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   (void)replay(recording, options);
   film.end();

@@ -108,7 +108,7 @@ ViewScene make_view_scene(const std::string& name) {
   return scene;
 }
 
-Pose waiting_place(const ViewScene& scene) {
+Pose start_pose(const ViewScene& scene) {
   const Vec3 middle = 0.5 * (scene.box.min + scene.box.max), half = 0.5 * (scene.box.max - scene.box.min);
   const Vec3 z = scene.axis;
   const Vec3 x = (std::abs(z.x()) > 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0));

@@ -24,6 +24,6 @@ struct ViewScene {
 [[nodiscard]] ViewScene make_view_scene(const std::string& name);
 
 /// Initial pose of the tool: above the centre of the workpiece, along its axis.
-[[nodiscard]] Pose waiting_place(const ViewScene& scene);
+[[nodiscard]] Pose start_pose(const ViewScene& scene);
 
 }  // namespace hapticut::cli

@@ -88,7 +88,7 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
       stream_(simulation_.workpiece()),
       sound_({.flutes = scene_.tool.cutter().lips}) {
   simulation_.reserve_undo(kUndoBlocks);
-  pointer_.put(waiting_place(scene_));
+  pointer_.put(start_pose(scene_));
   build_loop();
 }
 
@@ -128,7 +128,7 @@ void ViewSession::build_loop() {
   loop.region = model_->region();
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
   sent_ = 0;
-  owes_controls_ = true;
+  controls_outdated_ = true;
 }
 
 void ViewSession::start() {
@@ -166,7 +166,7 @@ void ViewSession::hold() {
     server_.send_notice(view::Severity::error, as_sentence(error));
   }
   controls_.show_recording(false);
-  owes_controls_ = true;
+  controls_outdated_ = true;
 }
 
 void ViewSession::obey(const view::ViewCommand& command) {
@@ -179,7 +179,7 @@ void ViewSession::obey(const view::ViewCommand& command) {
 }
 
 void ViewSession::send(LoopCommand&& command) {
-  owes_controls_ = true;
+  controls_outdated_ = true;
   if (loop_->send(std::move(command)))
     ++sent_;
   else
@@ -212,7 +212,7 @@ void ViewSession::handle(const view::SetControl& command) {
     controls_.revert();
     server_.send_notice(view::Severity::error, as_sentence(error));
   }
-  owes_controls_ = true;
+  controls_outdated_ = true;
 }
 
 void ViewSession::change(Change what) {
@@ -228,7 +228,7 @@ void ViewSession::change(Change what) {
     case Change::effects:
       return send(commands::SetEffects{controls_.effects()});
     case Change::restart:
-      wants_restart_ = true;
+      restart_requested_ = true;
       return;
     case Change::reset:
       return device().reset_fault();
@@ -305,8 +305,8 @@ void ViewSession::send_pages() {
 /// Shows the values of the model, after it has processed all commands.
 void ViewSession::send_controls() {
   const ModelSettings& has = watched_->settings();
-  if (!owes_controls_ || has.answered != sent_) return;
-  owes_controls_ = false;
+  if (!controls_outdated_ || has.answered != sent_) return;
+  controls_outdated_ = false;
   controls_.show(has);
   server_.send(controls_.all());
 }
@@ -337,7 +337,7 @@ void ViewSession::frame(double seconds) {
   server_.send_trace(trace.first, trace.samples, simulation_.config().update_rate);
   server_.send(instruments(snapshot, seconds));
   send_sound(snapshot, seconds);
-  tell_guard();
+  send_guard_notice();
   if (device_ != nullptr) {  // a device has no press button: a cut begins at a touch
     const bool touches = snapshot.tool.contact_voxels > 0;
     if (touches && !touched_) begin_cut();
@@ -353,14 +353,14 @@ view::Instruments ViewSession::instruments(const LoopSnapshot& snapshot, double 
   const double power = std::max(0.0, snapshot.tool.dissipated - std::exchange(dissipated_, snapshot.tool.dissipated));
   power_ += 0.2 * (power / std::max(seconds, 1e-3) - power_);
   shown.power = power_;
-  watched_->tell(shown, std::size_t(simulation_.workpiece().materials().size()));
+  watched_->fill(shown, std::size_t(simulation_.workpiece().materials().size()));
   return shown;
 }
 
 void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
-  owed_samples_ = std::min(owed_samples_ + seconds * kSampleRate, 0.1 * kSampleRate);
-  samples_.resize(std::size_t(owed_samples_));
-  owed_samples_ -= double(samples_.size());
+  due_samples_ = std::min(due_samples_ + seconds * kSampleRate, 0.1 * kSampleRate);
+  samples_.resize(std::size_t(due_samples_));
+  due_samples_ -= double(samples_.size());
   sound_.render(samples_, kSampleRate, listener_.listen(snapshot));
   if (!controls_.sound() || server_.connections() == 0) return;
   for (float& sample : samples_) sample *= float(2 * controls_.volume());
@@ -368,7 +368,7 @@ void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
 }
 
 /// Sends the guard's reason for holding back the force.
-void ViewSession::tell_guard() {
+void ViewSession::send_guard_notice() {
   for (const SafetyLogEntry& entry : device().drain_log()) {
     const bool is_state = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
                           entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset ||

@@ -52,13 +52,13 @@ class ViewSession {
   void frame(double seconds);
 
   /// Whether a page has requested a restart; resets the request.
-  [[nodiscard]] bool consume_restart() { return std::exchange(wants_restart_, false); }
+  [[nodiscard]] bool consume_restart() { return std::exchange(restart_requested_, false); }
   /// The last tick, including the volume removed by earlier loops.
   [[nodiscard]] LoopSnapshot latest();
   [[nodiscard]] const Tool& tool() const { return tool_; }
   [[nodiscard]] const std::string& name() const { return scene_.name; }
   /// Whether the model has processed all commands and the pages have the result.
-  [[nodiscard]] bool is_settled() const { return !owes_controls_; }
+  [[nodiscard]] bool is_settled() const { return !controls_outdated_; }
   [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }  ///< @pre no run is in progress
 
@@ -76,7 +76,7 @@ class ViewSession {
   void send_pages();
   void send_controls();
   void send_sound(const LoopSnapshot& snapshot, double seconds);
-  void tell_guard();
+  void send_guard_notice();
   [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
 
   template <class Command>
@@ -110,12 +110,12 @@ class ViewSession {
   LoopListener listener_;
   DrillSound sound_;
   std::vector<float> samples_;
-  double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
+  double due_samples_ = 0, dissipated_ = 0, power_ = 0;
   double removed_at_mark_ = -1, removed_before_ = 0;  // [m^3] at the last undo mark; by earlier loops
   std::uint64_t sent_ = 0;                            // number of commands sent to this loop
   std::uint64_t tick_before_ = 0;                     // last tick of the previous run
-  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false,
-       owes_controls_ = false, is_looked_at_ = false;
+  bool pressed_ = false, touched_ = false, restart_requested_ = false, paused_ = true, begins_ = false,
+       controls_outdated_ = false, is_looked_at_ = false;
 };
 
 }  // namespace hapticut::cli

@@ -10,8 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-view::ViewServerOptions heard_by(view::ViewServerOptions options, StopLine& line) {
-  options.on_urgent = [&line](const view::ViewCommand& command) { line.hear(command); };
+view::ViewServerOptions with_stop_line(view::ViewServerOptions options, StopLine& line) {
+  options.on_urgent = [&line](const view::ViewCommand& command) { line.handle(command); };
   return options;
 }
 
@@ -23,13 +23,13 @@ bool is_a_wish(const view::ViewCommand& command) {
 
 }  // namespace
 
-void StopLine::lead_to(Device* device) {
+void StopLine::set_device(Device* device) {
   const std::lock_guard lock(mutex_);
   device_ = device;
   if (device_ != nullptr && std::exchange(stopped_, false)) device_->emergency_stop();
 }
 
-void StopLine::hear(const view::ViewCommand& command) {
+void StopLine::handle(const view::ViewCommand& command) {
   const std::lock_guard lock(mutex_);
   const bool is_stop = std::holds_alternative<view::Stop>(command);
   if (device_ == nullptr)
@@ -41,7 +41,7 @@ void StopLine::hear(const view::ViewCommand& command) {
 }
 
 Viewer::Viewer(const std::string& scene, view::ViewServerOptions options, Device* device, MakeScene make_scene)
-    : make_scene_(std::move(make_scene)), device_(device), server_({}, heard_by(std::move(options), stop_line_)) {
+    : make_scene_(std::move(make_scene)), device_(device), server_({}, with_stop_line(std::move(options), stop_line_)) {
   replace(std::make_unique<ViewSession>(make_scene_(scene), server_, device_));
 }
 
@@ -57,7 +57,7 @@ void Viewer::frame() {
 
 void Viewer::obey(const view::ViewCommand& command) {
   if (is_loading()) {
-    is_led_ = !std::holds_alternative<view::WriterLeft>(command);
+    has_writer_ = !std::holds_alternative<view::WriterLeft>(command);
     if (is_a_wish(command))
       server_.send_notice(view::Severity::warning, loaded_ + " is still loading: try again afterwards.");
   } else if (const auto* request = std::get_if<view::Load>(&command)) {
@@ -70,7 +70,7 @@ void Viewer::obey(const view::ViewCommand& command) {
 void Viewer::load(const std::string& name) {
   session_->hold();
   server_.send_notice(view::Severity::info, "Loading " + name + " ...");
-  is_led_ = true;
+  has_writer_ = true;
   loaded_ = name;
   loading_ = std::async(std::launch::async,
                         [=, this] { return std::make_unique<ViewSession>(make_scene_(name), server_, device_); });
@@ -82,19 +82,19 @@ void Viewer::finish_loading() {
     server_.send_notice(view::Severity::info, loaded_ + " is ready.");
   } catch (const std::exception& error) {
     server_.send_notice(view::Severity::error, as_sentence(error));
-    if (is_led_) session_->start();
+    if (has_writer_) session_->start();
   }
 }
 
 /// An emergency stop also applies to the next session.
 void Viewer::replace(std::unique_ptr<ViewSession> next) {
-  stop_line_.lead_to(nullptr);  // before reading the state: StopLine stores a stop that arrives now
+  stop_line_.set_device(nullptr);  // before reading the state: StopLine stores a stop that arrives now
   const bool is_stopped = session_ != nullptr && session_->device().requests().emergency();
   session_ = std::move(next);
   if (session_ == nullptr) return;
   if (is_stopped) session_->device().emergency_stop();
-  stop_line_.lead_to(&session_->device());
-  session_->begin(is_led_);
+  stop_line_.set_device(&session_->device());
+  session_->begin(has_writer_);
 }
 
 }  // namespace hapticut::cli

@@ -16,8 +16,8 @@ namespace hapticut::cli {
 class StopLine {
  public:
   /// @param device  null: no device can run
-  void lead_to(Device* device);
-  void hear(const view::ViewCommand& command);
+  void set_device(Device* device);
+  void handle(const view::ViewCommand& command);
 
  private:
   std::mutex mutex_;
@@ -62,8 +62,8 @@ class Viewer {
   StopLine stop_line_;
   view::ViewServer server_;
   std::unique_ptr<ViewSession> session_;
-  std::string loaded_;  // name of the loading scene
-  bool is_led_ = true;  // a page has had control since loading began
+  std::string loaded_;      // name of the loading scene
+  bool has_writer_ = true;  // a page has had control since loading began
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::future<std::unique_ptr<ViewSession>> loading_;  // its destructor waits
 };

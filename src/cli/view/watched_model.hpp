@@ -47,7 +47,7 @@ class WatchedModel final : public LoopModel {
     free_from_.store(drained_, std::memory_order_release);
     return trace;
   }
-  void tell(view::Instruments& instruments, std::size_t materials) const {
+  void fill(view::Instruments& instruments, std::size_t materials) const {
     instruments.bucket = kBucket;
     instruments.latency.resize(kBuckets);
     for (std::size_t n = 0; n < kBuckets; ++n) instruments.latency[n] = latency_[n].load(std::memory_order_relaxed);

@@ -112,7 +112,7 @@ void require_all_read(const DicomFolder& folder, const std::optional<std::string
 }
 
 /// @return nullopt when the folder has no DICOM picture
-std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& series) {
+std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& uid) {
   DicomFolder found = pictures_in(folder);
   std::vector<AlikeSlices>& series = found.series;
   if (series.empty()) {
@@ -126,11 +126,11 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   std::string list;
   for (AlikeSlices& one : series) {
     append_part(list, in_words(one), ", ");
-    if (!series.empty() && one.name == series) return slices_of(one);
+    if (!uid.empty() && one.name == uid) return slices_of(one);
   }
-  if (!series.empty()) cannot_read(folder, "it has no DICOM series '" + series + "'; it has " + list + ".");
+  if (!uid.empty()) cannot_read(folder, "it has no DICOM series '" + uid + "'; it has " + list + ".");
   if (series.size() > 1)
-    cannot_read(folder, "it has several DICOM series, or a series of several kinds:  " + list +
+    cannot_read(folder, "it has several DICOM series, or a series of several kinds: " + list +
                             ". Choose one with VolumeReadOptions::dicom_series.");
   std::vector<DicomSlice> slices = slices_of(series.front());
   if (found.unread.size() >= slices.size())  // then the unreadable files may be the wanted ones

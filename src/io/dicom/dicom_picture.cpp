@@ -263,7 +263,7 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
     }
     // The table holds the offset of each frame's first fragment, relative to the first frame.
     if (file.offsets.size() != 4 * frames)
-      throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be assigned to  " +
+      throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be assigned to " +
                   std::to_string(frames) + " frames; it is damaged. Get a complete copy.");
     std::size_t frame = 0;
     std::uint64_t place = 0;

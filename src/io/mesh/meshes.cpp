@@ -18,7 +18,7 @@ void require_readable(const std::filesystem::path& path) {
   if (size == 0) cannot_read(path, "the file is empty.");
   if (size > kMaxMeshBytes)
     cannot_read(path, "it has " + format_number(double(size)) + " bytes; at most " +
-                          format_number(double(kMaxMeshBytes)) + "  are allowed. Reduce the mesh first.");
+                          format_number(double(kMaxMeshBytes)) + " are allowed. Reduce the mesh first.");
 }
 
 void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path, double unit_mm) {
@@ -50,7 +50,7 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optiona
   const MeshFormat* const format = mesh_format_of(path);
   if (format == nullptr)
     cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
-                          "'; supported are:  " + in_one_line(kMeshEndings) + ".");
+                          "'; supported are: " + in_one_line(kMeshEndings) + ".");
   require_readable(path);
   std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(format->read(path), unit * units::mm); });
   if (meshes.empty()) cannot_read(path, "it has no triangle with an area.");

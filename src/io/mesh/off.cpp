@@ -53,7 +53,7 @@ class OffParser {
   std::uint64_t count(std::string_view word, const std::string& what) const {
     const std::optional<std::int64_t> number = parse_whole(word);
     if (!number || *number < 0)
-      lines_.fail(in_quotes(word) + "  is not the number of " + what + "; only OFF files in text form are supported.");
+      lines_.fail(in_quotes(word) + " is not the number of " + what + "; only OFF files in text form are supported.");
     return std::uint64_t(*number);
   }
 

@@ -80,7 +80,7 @@ class StlTextParser {
   }
 
   [[noreturn]] void fail_at(std::string_view word, std::string_view expected) const {
-    lines_.fail(in_quotes(word) + "  is in the place of '" + std::string(expected) + "'; the file is damaged.");
+    lines_.fail(in_quotes(word) + " is in the place of '" + std::string(expected) + "'; the file is damaged.");
   }
 
   TextLines lines_;

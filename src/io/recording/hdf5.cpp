@@ -35,7 +35,7 @@ std::string buffer_for(const DataType& type, const std::string& name) {
 /// @throws Failure when there is no such name, or it is a link
 void require_here(hid_t parent, const std::string& name) {
   H5L_info_t info;
-  checked(H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT), "finding  " + name);
+  checked(H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT), "finding " + name);
   if (info.type != H5L_TYPE_HARD) throw Failure("its '" + name + "' is only a link to another place");
 }
 
@@ -47,7 +47,7 @@ hsize_t size_of_file(hid_t object) {
 }
 
 void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
-  const DataSpace space(H5Screate(H5S_SCALAR), "allocating  " + name);
+  const DataSpace space(H5Screate(H5S_SCALAR), "allocating " + name);
   const Attribute attribute(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
                             "creating " + name);
   checked(H5Awrite(attribute.get(), type, value), "writing " + name);
@@ -56,8 +56,8 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, const vo
 /// @throws Failure when there is no such attribute, or it has several values
 std::pair<Attribute, DataType> open_attribute(hid_t object, const std::string& name, const char* what) {
   Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
-  DataType type(H5Aget_type(attribute.get()), "inspecting  " + name);
-  const DataSpace space(H5Aget_space(attribute.get()), "inspecting  " + name);
+  DataType type(H5Aget_type(attribute.get()), "inspecting " + name);
+  const DataSpace space(H5Aget_space(attribute.get()), "inspecting " + name);
   if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is not a " + what);
   return {std::move(attribute), std::move(type)};
 }
@@ -146,12 +146,12 @@ std::vector<hsize_t> shape_of(hid_t data_set) {
 DataSet open_data_set(hid_t parent, const std::string& name) {
   require_here(parent, name);
   DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
-  const Properties made(H5Dget_create_plist(set.get()), "inspecting  " + name);
+  const Properties made(H5Dget_create_plist(set.get()), "inspecting " + name);
   const H5D_layout_t layout = H5Pget_layout(made.get());
   if (layout == H5D_CHUNKED) {
     std::array<hsize_t, H5S_MAX_RANK> chunk{};
-    const int rank = checked(H5Pget_chunk(made.get(), int(chunk.size()), chunk.data()), "inspecting  " + name);
-    const DataType type(H5Dget_type(set.get()), "inspecting  " + name);
+    const int rank = checked(H5Pget_chunk(made.get(), int(chunk.size()), chunk.data()), "inspecting " + name);
+    const DataType type(H5Dget_type(set.get()), "inspecting " + name);
     auto bytes = double(H5Tget_size(type.get()));
     for (int n = 0; n < rank; ++n) bytes *= double(chunk[std::size_t(n)]);
     require_size_in_file(bytes, size_of_file(set.get()), name);
@@ -162,7 +162,7 @@ DataSet open_data_set(hid_t parent, const std::string& name) {
 }
 
 H5T_class_t number_class(hid_t data_set, const std::string& name) {
-  const DataType type(H5Dget_type(data_set), "inspecting  " + name);
+  const DataType type(H5Dget_type(data_set), "inspecting " + name);
   const H5T_class_t kind = H5Tget_class(type.get());
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Tget_size(type.get()) > sizeof(double))
     throw Failure("its '" + name + "' has no numbers");
@@ -175,7 +175,7 @@ Appender Appender::create(hid_t group, const std::string& name, ValueType type, 
   now.insert(now.begin(), 0);
   max_shape.insert(max_shape.begin(), H5S_UNLIMITED);
   chunk.insert(chunk.begin(), kChunk);
-  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), max_shape.data()), "allocating  " + name);
+  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), max_shape.data()), "allocating " + name);
   const Properties properties(H5Pcreate(H5P_DATASET_CREATE), "creating " + name);
   checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), "creating " + name);
   (void)DataSet(H5Dcreate2(group, name.c_str(), type_of(type), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
@@ -204,7 +204,7 @@ void Appender::append(const void* rows, std::size_t count) {
 
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {
   const DataType type = text_type(text.size());
-  const DataSpace space(H5Screate(H5S_SCALAR), "allocating  " + name);
+  const DataSpace space(H5Screate(H5S_SCALAR), "allocating " + name);
   DataSet set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               "creating " + name);
   checked(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "writing " + name);
@@ -213,8 +213,8 @@ DataSet write_text(hid_t parent, const std::string& name, const std::string& tex
 
 std::string read_text(hid_t parent, const std::string& name) {
   const DataSet set = open_data_set(parent, name);
-  const DataType type(H5Dget_type(set.get()), "inspecting  " + name);
-  const DataSpace space(H5Dget_space(set.get()), "inspecting  " + name);
+  const DataType type(H5Dget_type(set.get()), "inspecting " + name);
+  const DataSpace space(H5Dget_space(set.get()), "inspecting " + name);
   if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is not a text");
   std::string text = buffer_for(type, name);
   checked(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "reading " + name);

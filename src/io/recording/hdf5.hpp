@@ -109,7 +109,7 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 template <class Number>
 DataSet write_array(hid_t parent, const std::string& name, const Number* values, const std::vector<hsize_t>& shape) {
   const hid_t type = type_of(value_type_of<Number>());
-  const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "allocating  " + name);
+  const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "allocating " + name);
   DataSet set(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               "creating " + name);
   checked(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);

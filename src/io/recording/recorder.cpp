@@ -86,11 +86,11 @@ struct Recorder::State {
 };
 
 Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
-  require_between(double(options.steps), 16, 1e7, "RecorderOptions::steps");
+  require_between(double(options.buffered_steps), 16, 1e7, "RecorderOptions::buffered_steps");
   require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
   if (simulation.steps() > 0)
     throw Error("the simulation has already made " + std::to_string(simulation.steps()) +
-                "  steps, so a replay would lack its initial state; record from the first step, or reset the "
+                " steps, so a replay would lack its initial state; record from the first step, or reset the "
                 "simulation to a clone of its workpiece first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);
@@ -135,7 +135,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     fail(path, lacking.what());
   }
   s.writer = std::make_unique<BackgroundWriter<Message>>(
-      options.steps, s.message, options.flush_period,
+      options.buffered_steps, s.message, options.flush_period,
       BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
                                       [&s] { s.flush(); }});
   simulation.add_observer(*this);

@@ -107,39 +107,44 @@ std::vector<Column> make_columns() {
   const char* const about_handle = "on the tool about Ho, in W";
   const char* const about_stylus = "on the stylus about its point, in B";
   ColumnList list;
-  list.add(input, "number", "1", none, "steps since the recording began", at(&Step::number));
-  list.add(input, "time", "s", none, "at the end of the step", at(&Step::time));
-  list.add(input, "pose", "", "X_WH", "of the handle", at(&Step::input, &StepInput::X_WH));
-  list.add(input, "velocity", "", W, "of the handle at Ho", at(&Step::input, &StepInput::V_WH));
-  list.add(input, "dt", "s", none, "since the last step", at(&Step::input, &StepInput::dt));
-  list.add(input, "spindle_setting", "rad/s", about_z, "asked of the spindle", at(&Step::spindle_setting));
-  list.add(input, "reserved_blocks", "1", none, "blocks for cutting that were asked for", at(&Step::reserved_blocks));
-  list.add(input, "free_blocks", "1", none, "blocks for cutting left before the step", at(&Step::free_blocks));
-  list.add(input, "hand_released", "1", none, "1: the hand had let go before the step", at(&Step::hand_released));
-  list.add(input, "halted", "1", none, "1: the spindle had been halted before the step", at(&Step::halted));
+  list.add(input, "number", "1", none, "number of the step since the recording began", at(&Step::number));
+  list.add(input, "time", "s", none, "end of the step", at(&Step::time));
+  list.add(input, "pose", "", "X_WH", "pose of the handle", at(&Step::input, &StepInput::X_WH));
+  list.add(input, "velocity", "", W, "velocity of the handle at Ho", at(&Step::input, &StepInput::V_WH));
+  list.add(input, "dt", "s", none, "time since the last step", at(&Step::input, &StepInput::dt));
+  list.add(input, "spindle_setting", "rad/s", about_z, "set speed of the spindle", at(&Step::spindle_setting));
+  list.add(input, "reserved_blocks", "1", none, "requested free blocks for cutting", at(&Step::reserved_blocks));
+  list.add(input, "free_blocks", "1", none, "free blocks for cutting before the step", at(&Step::free_blocks));
+  list.add(input, "hand_released", "1", none, "1: release_hand was called before the step", at(&Step::hand_released));
+  list.add(input, "halted", "1", none, "1: halt_spindle was called before the step", at(&Step::halted));
   list.add(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", at(&Step::path));
-  list.add(input, "hand", "", "X_WD", "of the hand behind a coupling", at(&Step::hand, &HandOutput::X_WD));
-  list.add(input, "coupling", "", "on the hand about its Ho, in W", "of the coupling",
+  list.add(input, "hand", "", "X_WD", "pose of the hand, with a coupling", at(&Step::hand, &HandOutput::X_WD));
+  list.add(input, "coupling", "", "on the hand about its Ho, in W", "wrench of the coupling",
            at(&Step::hand, &HandOutput::wrench));
-  list.add(input, "coupling_dt", "s", none, "since the coupling last gave something", at(&Step::hand, &HandOutput::dt));
-  list.add(result, "force", "N", about_handle, "what the hand feels", at(&Step::force));
-  list.add(result, "torque", "N m", about_handle, "what the hand feels", at(&Step::torque));
-  list.add(result, "model", "", about_handle, "before effects and limits", at(&Step::model));
-  list.add(result, "removed_volume", "m^3", none, "taken away by the step", at(&Step::removed_volume));
-  list.add(result, "removed_voxels", "1", none, "emptied by the step", at(&Step::removed_voxels));
-  list.add(result, "removed_voxels_hash", "1", none, "of their indices and materials", at(&Step::removed_voxels_hash));
+  list.add(input, "coupling_dt", "s", none, "time since the last output of the coupling",
+           at(&Step::hand, &HandOutput::dt));
+  list.add(result, "force", "N", about_handle, "force on the hand", at(&Step::force));
+  list.add(result, "torque", "N m", about_handle, "torque on the hand", at(&Step::torque));
+  list.add(result, "model", "", about_handle, "wrench of the model, before effects and limits", at(&Step::model));
+  list.add(result, "removed_volume", "m^3", none, "volume removed by the step", at(&Step::removed_volume));
+  list.add(result, "removed_voxels", "1", none, "number of voxels emptied by the step", at(&Step::removed_voxels));
+  list.add(result, "removed_voxels_hash", "1", none, "hash of their indices and materials",
+           at(&Step::removed_voxels_hash));
   list.add_fields(result, "contact_", none, at(&Step::contact));
   list.add_fields(result, "energy_", none, at(&Step::energy));
   list.add_fields(result, "spindle_", about_z, at(&Step::spindle));
-  list.add(result, "sub_steps", "1", none, "0: the input was rejected", at(&Step::sub_steps));
+  list.add(result, "sub_steps", "1", none, "number of sub-steps; 0: the input was rejected", at(&Step::sub_steps));
   list.add(result, "status", "1", none, "bits of StepStatus", at(&Step::status));
   const auto state = at(&Step::device, &DeviceTick::state);
   const auto output = at(&Step::device, &DeviceTick::output);
-  list.add(device, "device", "", "X_BS", "of the stylus", part_of(state, &DeviceState::X_BS));
-  list.add(device, "device_velocity", "", B, "of the stylus at its point", part_of(state, &DeviceState::velocity));
+  list.add(device, "device", "", "X_BS", "pose of the stylus", part_of(state, &DeviceState::X_BS));
+  list.add(device, "device_velocity", "", B, "velocity of the stylus at its point",
+           part_of(state, &DeviceState::velocity));
   list.add_fields(device, "device_", none, state);
-  list.add(device, "commanded", "", about_stylus, "until the step", part_of(output, &DeviceOutput::commanded));
-  list.add(device, "applied", "", about_stylus, "until the step", part_of(output, &DeviceOutput::applied));
+  list.add(device, "commanded", "", about_stylus, "commanded wrench before the step",
+           part_of(output, &DeviceOutput::commanded));
+  list.add(device, "applied", "", about_stylus, "applied wrench before the step",
+           part_of(output, &DeviceOutput::applied));
   list.add(device, "output_limits", "1", none, "bits of OutputChange", part_of(output, &DeviceOutput::changes));
   list.add(device, "arming", "1", none, "ArmingState", at(&Step::device, &DeviceTick::arming));
   return std::move(list.columns);

@@ -82,7 +82,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
   const std::uint64_t steps = RecordingAccess::state(recording).before_first_gap;
   Simulation simulation = simulation_of(recording, options.law);
   ReplayReport report;
-  report.left_out = recording.size() - steps;
+  report.skipped = recording.size() - steps;
   auto next_effects = recording.effects().begin() + 1;
   for (std::uint64_t first = 0; first < steps; first += kStepsPerRead) {
     for (const RecordedStep& recorded : recording.read(first, std::min(kStepsPerRead, steps - first))) {
@@ -96,13 +96,13 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
         report.first_difference = compare(RecordingAccess::state(recording).columns, recorded, replayed);
       report.max_force_difference = std::max(report.max_force_difference, (replayed.force - recorded.force).norm());
       ++report.steps;
-      if (options.stepped) options.stepped(simulation, recorded);
+      if (options.on_step) options.on_step(simulation, recorded);
     }
     if (options.progress) options.progress(report.steps);
   }
   report.workpiece_hash = simulation.workpiece().hash();
   const RecordingInfo& info = recording.info();
-  if (!report.first_difference && report.left_out == 0 && info.lost == 0 && info.workpiece_hash_at_end &&
+  if (!report.first_difference && report.skipped == 0 && info.lost == 0 && info.workpiece_hash_at_end &&
       *info.workpiece_hash_at_end != report.workpiece_hash)
     report.first_difference = ReplayDifference{report.steps, "workpiece", 0, double(*info.workpiece_hash_at_end),
                                                double(report.workpiece_hash)};

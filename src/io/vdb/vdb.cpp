@@ -100,7 +100,7 @@ auto reading(const Function& function) {
   } catch (const std::bad_alloc&) {
     throw Error("there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    throw Error(std::string("it is damaged, or not a supported .vdb file (OpenVDB:  ") + error.what() +
+    throw Error(std::string("it is damaged, or not a supported .vdb file (OpenVDB: ") + error.what() +
                 "); get a complete copy, or save it again with the program that wrote it.");
   }
 }
@@ -274,7 +274,7 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   const openvdb::GridClass says = chosen->getGridClass();
   if (options.kind == VdbImport::Kind::from_class && says != openvdb::GRID_LEVEL_SET &&
       says != openvdb::GRID_FOG_VOLUME)
-    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; set VdbImport::kind:  " +
+    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; set VdbImport::kind: " +
                 "fog_volume for filled fractions, level_set for distances.");
   GridImport import;
   import.unit = options.unit_mm * 1e-3;

@@ -121,8 +121,7 @@ RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
   image.geometry = header.geometry;
   const std::uint64_t samples = image.needed() / size_of(image.type),
                       files = std::max<std::size_t>(1, header.data_files.size());
-  if (samples % files != 0)
-    throw Error("its samples cannot be divided among its  " + std::to_string(files) + " files.");
+  if (samples % files != 0) throw Error("its samples cannot be divided among its " + std::to_string(files) + " files.");
   if (header.data_files.empty()) image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
   for (const std::string& name : header.data_files)
     image.bytes += parse_nrrd_values(header, data_file(name), samples / files);

@@ -113,7 +113,7 @@ void require_sane_dims(const std::array<double, 3>& dims) {
                   " samples; there must be a whole number of them along every axis, at least 1.");
   if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
     throw Error("it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
-                "  are supported. Crop or downsample it first.");
+                " are supported. Crop or downsample it first.");
 }
 
 void require_dimensions(double dimensions, double max_dimensions) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticut drill, run as a user runs it: what it computes, and what it leaves behind.
+// hapticut drill, run like a user does: its results and its files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,8 +54,8 @@ TEST_F(Drill, ReportsEveryField) {
 }
 
 TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
-  // The tip passes 0.5 mm below the face: a circular segment of that height, 6 mm long. The engaged layer stays behind
-  // the ball: 1 % here.
+  // The tip passes 0.5 mm below the face: a circular segment of that height, 6 mm long. The engaged layer remains
+  // behind the ball: 1 % here.
   const nlohmann::json report =
       drill("--workpiece block --size_mm 6,6,3 --material cortical_bone --voxel_mm 0.1 " + kSpinningBall +
             "--reference_stiffness 1e18 --path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 4");
@@ -65,7 +65,7 @@ TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
 }
 
 TEST_F(Drill, WithoutSpindleTakesNothingAway) {
-  // On a foundation so soft that the groove presses it less than the bone's strength: a stiffer one is crushed.
+  // The foundation is soft, so the pressure stays below the bone's strength: a stiffer one would be crushed.
   const nlohmann::json report =
       drill(kBlock + "--head sphere --radius_mm 1 --spindle_rpm 0 --reference_stiffness 1e11 " + kGroove);
   EXPECT_EQ(report["removed_volume_mm3"]["total"], 0);
@@ -79,14 +79,14 @@ TEST_F(Drill, WritesALineForEveryStep) {
   for (const char* name : {"t_s", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz", "force_x_N", "force_y_N", "force_z_N",
                            "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm", "removed_mm3", "contact_voxels", "status"})
     ASSERT_EQ(columns.at(name).size(), steps) << name;
-  double removed = 0, largest = 0;
+  double removed = 0, max_force = 0;
   for (std::size_t i = 0; i < steps; ++i) {
     removed += columns.at("removed_mm3")[i];
-    largest = std::max(largest,
-                       std::hypot(columns.at("force_x_N")[i], columns.at("force_y_N")[i], columns.at("force_z_N")[i]));
+    max_force = std::max(
+        max_force, std::hypot(columns.at("force_x_N")[i], columns.at("force_y_N")[i], columns.at("force_z_N")[i]));
   }
   EXPECT_NEAR(removed / report["removed_volume_mm3"]["total"].get<double>(), 1, 1e-4);  // six printed digits
-  EXPECT_NEAR(largest / report["force_N"]["max"].get<double>(), 1, 1e-4);
+  EXPECT_NEAR(max_force / report["force_N"]["max"].get<double>(), 1, 1e-4);
   EXPECT_NEAR(columns.at("t_s").back(), 0.5, 1e-9);
   EXPECT_NEAR(columns.at("z_mm").back(), 3.5, 1e-9);  // the centre of the ball
 }
@@ -94,13 +94,13 @@ TEST_F(Drill, WritesALineForEveryStep) {
 TEST_F(Drill, FollowsItsOwnStepsAsPoses) {
   const nlohmann::json first = drill(kBlock + kBall + kGroove + "--steps_csv " + path("steps.csv"));
   const nlohmann::json again = drill(kBlock + kBall + "--path poses --point head --poses " + path("steps.csv"));
-  EXPECT_EQ(again["steps"], 499);  // the first line of the file is where the path begins
+  EXPECT_EQ(again["steps"], 499);  // the first line of the file is the start of the path
   EXPECT_NEAR(again["removed_volume_mm3"]["total"].get<double>() / first["removed_volume_mm3"]["total"].get<double>(),
               1, 1e-4);
 }
 
 TEST_F(Drill, InterpolatesBetweenTimedPoses) {
-  // From upright to lying on the side (a quarter turn about y) in half a second, with the centre standing still.
+  // From upright to lying on the side (a quarter turn about y) in half a second, with a fixed centre.
   write_bytes(folder / "poses.csv",
               "# made by hand\n t_s , x_mm, y_mm, z_mm, qw, qx, qy, qz, note\n"
               "0, 3, 3, 5, 1, 0, 0, 0, upright\n\n0.5, 3, 3, 5, 0.70710678, 0, 0.70710678, 0, lying\n");
@@ -137,7 +137,7 @@ TEST_F(Drill, WidensAndDeepensAlongASpiral) {
       "--pitch_mm 0.5 --feed_mm_per_s 20 --approach_mm 1 --point head");
   EXPECT_NEAR(columns.at("z_mm").back(), 2.1, 1e-6);
   EXPECT_NEAR(std::hypot(columns.at("x_mm").back() - 3, columns.at("y_mm").back() - 3), 1.4, 1e-6);
-  // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so it ends where it began to turn.
+  // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so it ends at its initial angle.
   EXPECT_NEAR(columns.at("y_mm").back(), 3, 1e-6);
 }
 
@@ -146,7 +146,8 @@ TEST_F(Drill, ClearsACavityLayerByLayer) {
       drill(kBlock + "--head flat --radius_mm 0.6 --height_mm 4 --spindle_rpm 100000 --reference_stiffness 3e17 " +
             "--path cavity --center_mm 3,3,3 --top_radius_mm 1.2 --bottom_radius_mm 1.2 --depth_mm 1 --layer_mm 0.5 " +
             "--pitch_mm 0.5 --feed_mm_per_s 10 --approach_mm 1 --retract_mm 2");
-  // A cylinder of 1.2 + 0.6 mm radius, 1 mm deep; the first layer leaves what only the engaged layer would reach.
+  // A cylinder of 1.2 + 0.6 mm radius, 1 mm deep; the first layer leaves the part that only the engaged layer would
+  // reach.
   EXPECT_NEAR(report["removed_volume_mm3"]["total"].get<double>() / (units::kPi * 1.8 * 1.8), 1, 0.05);
 }
 

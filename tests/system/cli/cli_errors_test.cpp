@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line program says when it cannot do what is asked: one sentence, a code, and nothing half-written.
+// Errors of the command line program: one sentence, an exit code, and no half-written file.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -49,7 +49,7 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("", kWrongUsage, "subcommand");
 }
 
-// Of every flag: every_setting_test.cpp.
+// Every flag: see every_setting_test.cpp.
 TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
   expect("drill --radius_mm 2mm", kWrongUsage, "--radius_mm 2mm: must be a number > 0");
   expect("drill --spindle_rpm 1e7", kWrongUsage, "must be a number from -1e+06 to 1e+06");
@@ -119,7 +119,7 @@ TEST_F(Flags, NameAFileThatIsNotReadOrWrittenOtherwise) {
   const std::string drill = "drill --settings " + path("scene.toml") + " " + kBlock + kBall + kLine;
   for (const char* output : {"--json ", "--steps_csv ", "--record "})
     for (const char* name : {"scene.toml", "link.toml"})
-      expect(drill + output + path(name), kFailed, "which is the file of --settings. Give it another name.");
+      expect(drill + output + path(name), kFailed, "the file of --settings. Give it another name.");
   expect(drill + "--record " + path("a.vdb") + " --save " + path("./a.vdb"), kFailed, "the file of --record");
   write_bytes(folder / "a.h5", "");
   expect("replay " + path("a.h5") + " --json " + path("a.h5"), kFailed, "the file of RECORDING");
@@ -192,7 +192,7 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "extension must be");
-  if (::geteuid() != 0) {  // nothing is forbidden to root
+  if (::geteuid() != 0) {  // root may write everywhere
     std::filesystem::create_directory(folder / "closed");
     std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);
     expect("drill " + kBlock + kBall + kLine + "--json " + path("closed/x.json"), kFailed, "cannot write");
@@ -200,7 +200,8 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
   }
 }
 
-// A real file system without a free byte: every kind of output keeps the old file, leaves nothing else, and says why.
+// A real file system without a free byte: every kind of output keeps the old file, leaves no other file, and reports
+// the reason.
 TEST_F(Files, OnAFullDiskStayWhatTheyWere) {
   if (std::system("unshare -rm mount -t tmpfs none /tmp 2>/dev/null") != 0)
     GTEST_SKIP() << "this user may not mount a small disk of its own";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program and files of other programs: volumes, meshes, pictures.
+// Files of other programs: volumes, meshes, pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ using Drill = Program;
 using Inspect = Program;
 using Convert = Program;
 
-/// A volume of 12 x 10 x 8 samples, 0.5 mm apart: 0 but in the box 2 ... 9, 2 ... 7, 2 ... 5, where it is 500, and one
-/// loose sample of 900.
+/// A volume of 12 x 10 x 8 samples, 0.5 mm apart: 0 except 500 in the box 2 ... 9, 2 ... 7, 2 ... 5, and one loose
+/// sample of 900.
 void write_test_volume(const std::filesystem::path& path) {
   std::string header =
       "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 10 8\nspacings: 0.5 0.5 0.5\n"
@@ -42,7 +42,7 @@ TEST_F(Drill, LeavesASurfaceAndAPicture) {
                                        path("b.stl") + " --picture " + path("b.png") + " --picture_view 0,1,-1");
   EXPECT_TRUE(read_bytes(folder / "b.nrrd").starts_with("NRRD"));
   EXPECT_TRUE(read_bytes(folder / "b.png").starts_with("\x89PNG"));
-  // The surface encloses what is left: a block of 108 mm^3 without the groove.
+  // The surface encloses the remaining workpiece: a block of 108 mm^3 without the groove.
   const double left = 108 - drilled["removed_volume_mm3"]["total"].get<double>();
   const nlohmann::json report = inspect(path("b.stl") + " --material dentin --voxel_mm 0.2");
   EXPECT_NEAR(report["volume_mm3"]["dentin"].get<double>() / left, 1, 0.02);  // edges are rounded over half a voxel
@@ -83,7 +83,7 @@ TEST_F(Drill, CutsAVolumeOfGreyValues) {
   EXPECT_GT(graded["removed_volume_mm3"]["total"], 0);
   EXPECT_NEAR(bone(all) / 24, 1, 0.1);  // 8 x 6 x 4 samples of 0.125 mm^3; edges are rounded by interpolation
   EXPECT_LT(bone(largest), bone(all));
-  EXPECT_LT(bone(cropped), 0.85 * bone(all));  // at x = 1.75 mm a quarter is cut off
+  EXPECT_LT(bone(cropped), 0.85 * bone(all));  // at x = 1.75 mm a quarter is cropped
 }
 
 TEST_F(Inspect, TellsTheBorderOfAVolumeFromWhatIsSoft) {
@@ -146,7 +146,7 @@ TEST_F(Inspect, FillsNestedShellsOfAMesh) {
 }
 
 /// Two solids of one name: the cubes of 2 mm that begin at the origin and at x = `second` [mm].
-/// @param shared  the sides that they have in common are left out
+/// @param shared  omits their common sides
 std::string solids_of_one_name(int second, bool shared) {
   std::string text;
   for (const int x : {0, second}) {
@@ -168,7 +168,7 @@ std::string solids_of_one_name(int second, bool shared) {
   return text;
 }
 
-// Exporters call every solid the same; and a surface may be cut into open parts.
+// Exporters give every solid the same name, and a surface may consist of open parts.
 TEST_F(Inspect, FillsAllObjectsOfAName) {
   for (const auto& [second, shared] : {std::pair(4, false), std::pair(2, true)}) {
     write_bytes(folder / "cubes.stl", solids_of_one_name(second, shared));
@@ -177,7 +177,7 @@ TEST_F(Inspect, FillsAllObjectsOfAName) {
   }
 }
 
-/// A box of label 1 with a hole in its middle (label 0) that a canal, one sample wide, joins with the outside.
+/// A box of label 1 with a hole in its middle (label 0) that a canal, one sample wide, connects with the outside.
 void write_hollow_volume(const std::filesystem::path& path, bool with_canal) {
   std::string bytes = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 14 14 14\nspacings: 0.5 0.5 0.5\nencoding: raw\n\n";
   for (int k = 0; k < 14; ++k)
@@ -256,17 +256,17 @@ TEST_F(Program, SaysHowManySamplesArePaddingAndTakesThemForAir) {
   EXPECT_EQ(whole["highest"], 1500);
   EXPECT_EQ(whole["lowest"], -1000);
 
-  const std::string said = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
+  const std::string warning = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
   for (const std::string& command : {"inspect " + path("scan") + bone + " --voxel-mm 0.1 --json " + path("i.json"),
                                      "convert " + path("scan") + " " + path("a.vdb") + bone}) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.errors.find(said), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
   }
   EXPECT_LT(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>(), 0.01);  // one sample is 0.004 mm^3
   const nlohmann::json report = drill("--workpiece " + path("scan") + bone + " " + kBall +
                                       "--path line --from_mm 10,20,3 --to_mm 10,20,2.9 --feed_mm_per_s 5");
-  EXPECT_NE(report["warnings"][0].get<std::string>().find(said), std::string::npos) << report["warnings"];
+  EXPECT_NE(report["warnings"][0].get<std::string>().find(warning), std::string::npos) << report["warnings"];
 }
 
 TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Force laws, friction, handle torque and effects on the command line: each setting arrives, and a wrong one is named.
+// Force laws, friction, handle torque and effects on the command line: each setting takes effect, and a wrong one is
+// named.
 #include <cmath>
 
 #include "support/program.hpp"
@@ -8,12 +9,12 @@ namespace hapticut::cli_force_test {
 namespace {
 
 const std::string kDown = "--path line --from_mm 3,3,3.1 --to_mm 3,3,2.6 --feed_mm_per_s 5 ";
-constexpr double kDigits = 1e-5;  // of a file with six of them
+constexpr double kDigits = 1e-5;  // relative precision of a file with six digits
 const std::string kStanding = "--head sphere --radius_mm 1 --spindle_rpm 0 ";
 
 class ForceSettings : public test::Program {
  protected:
-  /// Largest force of a ball, cone or flat head that is driven into bone.
+  /// Maximum force of a ball, cone or flat head pressed into bone.
   double pressed(const std::string& settings, const std::string& head = test::kSpinningBall) {
     return drill(test::kBlock + head + kDown + settings)["force_N"]["max"];
   }
@@ -29,7 +30,7 @@ using EffectsSettings = ForceSettings;
 
 TEST_F(ForceSettings, EveryLawIsChosenAndTakesItsConstants) {
   EXPECT_EQ(pressed("--law foundation"), pressed(""));
-  // Forces that are proportional to a constant say that it has arrived.
+  // The force is proportional to the constant.
   struct Constant {
     std::string flag, once, twice;
     double ratio = 2;
@@ -65,7 +66,7 @@ TEST_F(ForceSettings, TheThesissSpinTorqueTakesItsConstants) {
 TEST_F(ForceSettings, FrictionOfTheStandingSpindleIsThatGiven) {
   const std::string drag = "--path line --from_mm 1.5,3,2.7 --to_mm 4.5,3,2.7 --feed_mm_per_s 20 ";
   const auto ratio = [&](const std::string& settings) {
-    // Soft, so that 0.3 mm of depth are the push of a hand.
+    // Soft, so a depth of 0.3 mm gives the force of a hand.
     const auto columns = steps("--reference_stiffness 1e13 " + settings, kStanding, drag);
     return -columns.at("force_x_N").back() / columns.at("force_z_N").back();
   };
@@ -120,7 +121,7 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   ASSERT_EQ(mode.size(), parts.size());
   for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
   EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
-  // What is set on its own counts, and from 1112 Hz on it shakes.
+  // Other settings override it; at 1112 Hz and above it vibrates.
   const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
   EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
   EXPECT_NE(exact.at("torque_z_Nmm"), mode.at("torque_z_Nmm"));
@@ -134,7 +135,7 @@ TEST_F(EffectsSettings, ArriveInTheForceThatTheHandFeels) {
   const auto columns = steps("--mass_kg 0.1 --center_of_mass_mm 0,0,-50 --tool_axis 1,0,0 --point head", kStanding,
                              "--path line --from_mm 3,3,9 --to_mm 4,3,9 --feed_mm_per_s 20 ");
   EXPECT_NEAR(columns.at("force_z_N").back(), -0.980665, 1e-9);
-  // The handle's z lies along x of the world: the weight acts 50 mm before it.
+  // The handle's z axis is along x of the world: the weight acts at a distance of 50 mm.
   EXPECT_NEAR(std::abs(columns.at("torque_y_Nmm").back()), 0.980665 * 50, 50 * kDigits);
   const auto up = steps("--mass_kg 0.1 --gravity_m_per_s2 0,2,0", kStanding,
                         "--path line --from_mm 3,3,9 --to_mm 4,3,9 --feed_mm_per_s 20 ");
@@ -145,10 +146,10 @@ TEST_F(EffectsSettings, VibrationShakesWhileItCuts) {
   const auto still = steps("", test::kBall);
   const auto max_of = [&](const std::string& settings) {
     const auto shaken = steps("--vibration_Hz 150 --vibration_N " + settings, test::kBall);
-    double largest = 0;
+    double max_change = 0;
     for (std::size_t i = 0; i < still.at("force_z_N").size(); ++i)
-      largest = std::max(largest, std::abs(shaken.at("force_z_N")[i] - still.at("force_z_N")[i]));
-    return largest;
+      max_change = std::max(max_change, std::abs(shaken.at("force_z_N")[i] - still.at("force_z_N")[i]));
+    return max_change;
   };
   const double given = max_of("0.4");
   EXPECT_GT(given, 0.38);

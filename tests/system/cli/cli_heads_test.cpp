@@ -52,7 +52,7 @@ TEST_F(HeadSettings, ARoundHeadIsASphereOfHalfTheDiameter) {
 }
 
 TEST_F(HeadSettings, AProfileFromAFileIsThatHead) {
-  // The tip need not be at 0: heights count from it.
+  // The tip need not be at 0: heights are relative to it.
   write_bytes(folder / "ball.csv",
               "# a ball\nz_mm, rho_mm, radius_mm, kind\n-5, 0, 0, cutting\n-3.6, 0, 0.7, cutting\n");
   const nlohmann::json sphere = plunge("--head sphere --radius_mm 0.7");
@@ -99,7 +99,7 @@ TEST_F(HeadSettings, ThatAreMissingOrDoNotBelongAreNamed) {
   expect_failure("--head tapered --tip_diameter_mm 2 --diameter_mm 1 --length_mm 3", {"tip_diameter = 2 mm", "less"});
 }
 
-// What its lines may hold: text_files_test.cpp.
+// The content of the lines: see text_files_test.cpp.
 TEST_F(HeadSettings, ABadProfileFileIsNamed) {
   expect_failure("--head profile --profile " + path("none.csv"), {"none.csv", "cannot be read"});
   write_bytes(folder / "p.csv", "rho_mm,z_mm\n0,0\n1,0\n1,2\n");

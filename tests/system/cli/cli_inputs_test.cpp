@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files as people have them: in another unit, of another program, beside their settings; and what is said of those that
-// do not fit, in the words of the command line.
+// Files of users: in another unit, from another program, next to their settings file; and the errors about unsuitable
+// files, in terms of flags.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -38,11 +38,11 @@ json = "results/report.json"
 
 class Inputs : public test::Program {
  protected:
-  /// [mm^3] of cortical bone.
+  /// [mm^3] Volume of cortical bone.
   double volume(const std::string& arguments) {
     return inspect(arguments)["volume_mm3"]["cortical_bone"].get<double>();
   }
-  /// A scene with its files in the folder `case`, none of which is in the folder where the program runs.
+  /// A scene with its files in the folder `case`, outside the folder where the program runs.
   void write_scene() {
     std::filesystem::create_directories(folder / "case/shapes");
     write_stl(test::cube_mesh(Vec3::Zero(), 4 * mm, 1), folder / "case/shapes/cube.stl");
@@ -74,11 +74,11 @@ TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
   TriangleMesh plate = test::cube_mesh(Vec3::Zero(), 4 * mm, 1);
   for (Vec3& v : plate.vertices) v.z() *= 1e-6;
   write_stl(plate, folder / "plate.stl");
-  const std::string said = refusal("inspect " + path("plate.stl") + kBone);
-  EXPECT_NE(said.find("encloses nothing that voxels of 0.2 mm can show, and the model is 4 mm long; close it"),
+  const std::string message = refusal("inspect " + path("plate.stl") + kBone);
+  EXPECT_NE(message.find("encloses nothing that voxels of 0.2 mm can show, and the model is 4 mm long; close it"),
             std::string::npos)
-      << said;
-  EXPECT_EQ(said.find("unit"), std::string::npos) << said;
+      << message;
+  EXPECT_EQ(message.find("unit"), std::string::npos) << message;
 }
 
 TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
@@ -90,8 +90,7 @@ TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
   ASSERT_GT(classes, 0);
   write_bytes(folder / "b.vdb", bytes);
   const std::string source = path("b.vdb") + " --material cortical_bone";
-  expect_refused("inspect " + source,
-                 {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
+  expect_refused("inspect " + source, {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
   EXPECT_NEAR(volume(source + " --grid-kind fog_volume"), 8, 1e-3);
   expect_refused("inspect " + source + " --grid other", {"'density' (float)", "with --grid"});
   expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"workpiece.material is missing"});
@@ -104,11 +103,11 @@ TEST_F(Inputs, OfASettingsFileAreBesideIt) {
   const Outcome outcome = run("drill --settings " + path("case/scene.toml"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(test::read_json(folder / "case/results/report.json")["steps"], 100);
-  // However it is named, and whatever else is in the folder where the program runs.
+  // For any form of its path, and with other files in the working folder.
   const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
   EXPECT_EQ(test::run_program(folder, "drill --settings scene.toml", in_folder).code, 0);
   EXPECT_EQ(test::run_program(folder, "drill --settings ../case/scene.toml", in_folder).code, 0);
-  // A flag is of whoever calls the program.
+  // A flag is relative to the working folder.
   const std::string in_shapes = "cd " + path("case/shapes") + " && " + test::kProgram;
   EXPECT_EQ(
       test::run_program(folder, "drill --settings ../scene.toml --workpiece cube.stl --json here.json", in_shapes).code,
@@ -121,8 +120,8 @@ TEST_F(Inputs, OfASettingsFileThatAreNotThereAreNamedWithTheirPlace) {
     write_scene();
     std::filesystem::remove(folder / "case" / file);
     const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
-    const std::string said = refusal("drill --settings scene.toml", test::kFailed, in_folder);
-    EXPECT_NE(said.find(place), std::string::npos) << place << '\n' << said;
+    const std::string message = refusal("drill --settings scene.toml", test::kFailed, in_folder);
+    EXPECT_NE(message.find(place), std::string::npos) << place << '\n' << message;
   };
   expect_missing("shapes/cube.stl", "there is no file '" + path("case/shapes/cube.stl") + "'");
   expect_missing("shapes/head.csv", path("case/shapes/head.csv"));
@@ -141,8 +140,8 @@ TEST_F(Inputs, ThatAreDamagedAreRefusedInOwnWords) {
       "hapticut: cannot read '.*cut.h5': it is [^(]*(\\(HDF5: [^()]*\\))?(\\. Get|; get) a complete copy.*\\.\n");
   for (std::size_t length = 12; length < whole.size(); length += whole.size() / 5) {
     write_bytes(folder / "cut.h5", whole.substr(0, length));
-    const std::string said = refusal("replay " + path("cut.h5"));
-    EXPECT_TRUE(std::regex_match(said, own)) << said;
+    const std::string message = refusal("replay " + path("cut.h5"));
+    EXPECT_TRUE(std::regex_match(message, own)) << message;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticut loop, run as a user runs it.
+// hapticut loop, run like a user does.
 #include <gtest/gtest.h>
 
 #include "hapticut/workpiece/material_presets.hpp"
@@ -77,7 +77,7 @@ TEST_F(Loop, CutsHardBoneBehindItsCouplingUnlessItIsToldOtherwise) {
 }
 
 #ifdef HAPTICUT_HAS_IO
-// As Ctrl-C does: the signal comes while the loop runs, for its recording has steps.
+// Like Ctrl-C: the signal arrives while the loop runs, because its recording has steps.
 TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {
   const std::string program = test::kProgram, recording = path("a.h5");
   for (const bool has_an_end : {false, true}) {
@@ -125,9 +125,10 @@ TEST_F(Loop, RunsInRealTimeAtEveryRate) {
   }
 }
 
-// The hand presses with the same spring on a wall that is stiff beside the device's coupling: it feels the same.
+// The hand presses with the same spring on a wall that is stiff compared with the device's coupling: the force is the
+// same.
 TEST_F(Loop, FeelsTheSameAtTheHandWhateverTheScale) {
-  // Beside what the bone yields, and the device's friction of 0.13 N.
+  // Apart from the compliance of the bone and the device's friction of 0.13 N.
   constexpr double kHand = 300, kTouch = 700, kBelow = 5e-3;  // [N/m], [N/m] that it renders, [m] of the set point
   const double expected = kBelow * kHand * kTouch / (kHand + kTouch);
   for (const char* scale : {"1", "2", "4"}) {

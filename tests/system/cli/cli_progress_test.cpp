@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bar on long work, where a person looks at it and nowhere else.
+// A progress bar for long work, only on a terminal.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -10,11 +10,11 @@
 namespace hapticut::cli_progress_test {
 namespace {
 
-/// What may take long, on something small.
+/// Commands that may take long, on small inputs.
 struct LongWork {
   const char* name;
   std::string arguments;
-  std::string bar;  // regular expression of what is drawn
+  std::string bar;  // regular expression of the output
 };
 
 void PrintTo(const LongWork& work, std::ostream* out) { *out << work.name; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticut drill --record, replay and export, run as a user runs them.
+// hapticut drill --record, replay and export, run like a user does.
 #include <gtest/gtest.h>
 
 #include "support/program.hpp"

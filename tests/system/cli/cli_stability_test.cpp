@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hapticut stability` as a user runs it.
+// `hapticut stability`, run like a user does.
 #include "support/program.hpp"
 
 namespace hapticut::cli_stability_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticut inspect and convert, and what all subcommands share.
+// hapticut inspect and convert, and behaviour common to all subcommands.
 #include <gtest/gtest.h>
 
 #include <cmath>

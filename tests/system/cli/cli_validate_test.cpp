@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hapticut validate` and `hapticut calibrate` as a user runs them.
+// `hapticut validate` and `hapticut calibrate`, run like a user does.
 #include "support/program.hpp"
 
 namespace hapticut::cli_validate_test {
@@ -63,7 +63,7 @@ TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
   EXPECT_FALSE(report["edge_identified"]);
   EXPECT_TRUE(report["edge_assumed"]);
   EXPECT_NE(outcome.out.find("do not identify it"), std::string::npos);
-  // What the fit does without, a preset that the constants are put into may have.
+  // A preset that receives the constants may have terms that the fit sets to zero.
   EXPECT_NE(outcome.out.find("size_length"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("including zeros"), std::string::npos) << outcome.out;
 }

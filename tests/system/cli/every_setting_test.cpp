@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every setting of every command refuses what is of another type, by its flag and by its key, and says what is allowed.
+// Every setting of every command refuses a value of another type, by flag and by key, and says what is allowed.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -50,7 +50,7 @@ TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
   EXPECT_GT(flags, 200U);
 }
 
-/// A value that no setting of a kind takes, as TOML writes it and as messages call it.
+/// A value that no setting of a kind accepts, in TOML and in messages.
 const std::map<Kind, std::vector<std::pair<const char*, const char*>>>& wrong_values() {
   static const std::map<Kind, std::vector<std::pair<const char*, const char*>>> values = {
       {Kind::number,
@@ -65,20 +65,20 @@ const std::map<Kind, std::vector<std::pair<const char*, const char*>>>& wrong_va
 void expect_refused_in_file(const std::vector<Setting>& all, const std::string& begin, const std::string& end,
                             const std::string& prefix, const Setting& setting) {
   const std::string name = prefix + setting.key;
-  const auto said = [&](const std::string& value) {
+  const auto error_for = [&](const std::string& value) {
     return refusal([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
   };
   if (setting.kind == Kind::tables) {
-    EXPECT_EQ(said("3"), "s.toml:2: " + name + ": must be a list of tables, each " + setting.allowed + ".");
+    EXPECT_EQ(error_for("3"), "s.toml:2: " + name + ": must be a list of tables, each " + setting.allowed + ".");
     for (const Setting& inner : setting.open_table(""))
       expect_refused_in_file(all, begin + setting.key + " = [{", "}]", name + ".", inner);
   } else if (setting.kind == Kind::named_tables) {
-    EXPECT_EQ(said("3"), "s.toml:2: " + name + ": must hold tables, written [" + name + ".NAME].");
+    EXPECT_EQ(error_for("3"), "s.toml:2: " + name + ": must hold tables, written [" + name + ".NAME].");
     for (const Setting& inner : setting.open_table("dentin"))
       expect_refused_in_file(all, begin + setting.key + ".dentin.", end, name + ".dentin.", inner);
   } else {
     for (const auto& [value, called] : wrong_values().at(setting.kind))
-      EXPECT_EQ(said(value), "s.toml:2: " + name + ": must be " + setting.allowed + ", not " + called + ".");
+      EXPECT_EQ(error_for(value), "s.toml:2: " + name + ": must be " + setting.allowed + ", not " + called + ".");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that some reader got wrong, each with what must come of it: the right result, or one sentence that names the
-// file and the cause. Never a signal, a hang, a library's own text, or another volume than the file's.
+// Files that some reader misread, each with its required outcome: the right result, or one sentence that names the file
+// and the cause. Never a signal, a hang, a message of another library, or a wrong volume.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using test::Outcome;
 
-/// What must come of a file.
+/// The required outcome of a file.
 struct Hostile {
   const char* file;                             ///< below data/hostile
   const char* before;                           ///< what stands before its name on the command line
@@ -25,7 +25,7 @@ struct Hostile {
   std::function<void(const json&)> check = {};  ///< of what is read
 };
 
-/// Ends what hangs or computes for more than 20 s, and asks for no more memory than a small machine has.
+/// Ends programs that run longer than 20 s, and limits memory to that of a small machine.
 const std::string kLimited = std::string("ulimit -v 8000000; ulimit -t 20; timeout -k 1 300 ") + test::kProgram;
 
 void expect_range(const json& report, double lowest, double highest) {
@@ -41,7 +41,7 @@ void expect_volume(const json& report, double mm3, double tolerance) {
   EXPECT_NEAR(sum, mm3, tolerance);
 }
 
-/// The folder of the data may have any name, and lie anywhere.
+/// The data folder may have any path.
 std::string without_folder_of_data(std::string sentence) {
   const std::string folder = test::data_path("").string();
   for (std::size_t at; (at = sentence.find(folder)) != std::string::npos;) sentence.erase(at, folder.size());
@@ -66,8 +66,8 @@ const Hostile kHostile[] = {
     {"nrrd-las.nrrd", "inspect", "", nullptr,
      [](const json& r) {
        expect_samples(r, 8, 7, 6);
-       // y of `space` is to the front: the first sample lies at 1, -2, 3, and the rows run against y; a left-handed
-       // grid is turned round along z.
+       // y of `space` points to the front: the first sample is at 1, -2, 3, and rows run against y. A left-handed grid
+       // is reversed along z.
        EXPECT_NEAR(r["box"]["max_mm"][1].get<double>(), -1.75, 1e-6);
        EXPECT_NEAR(r["box"]["min_mm"][1].get<double>(), -5.25, 1e-6);
        EXPECT_NEAR(r["box"]["min_mm"][0].get<double>(), 0.75, 1e-6);
@@ -132,14 +132,14 @@ TEST_P(HostileFile, IsReadRightOrRefusedInOneSentence) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(outcome.errors.starts_with("hapticut: "));
   EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
-  // What is wrong among settings is named by its key.
+  // Wrong settings are named by their key.
   if (!name.ends_with(".toml")) {
     EXPECT_NE(outcome.errors.find(test::data_path(name).filename().string()), std::string::npos);
   }
   EXPECT_NE(outcome.errors.find(hostile.cause), std::string::npos);
-  const std::string said = without_folder_of_data(outcome.errors);
-  EXPECT_EQ(said.find("ITK"), std::string::npos);
-  EXPECT_EQ(said.find(std::filesystem::temp_directory_path().string()), std::string::npos) << "a file of our own";
+  const std::string message = without_folder_of_data(outcome.errors);
+  EXPECT_EQ(message.find("ITK"), std::string::npos);
+  EXPECT_EQ(message.find(std::filesystem::temp_directory_path().string()), std::string::npos) << "a file of our own";
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, HostileFile, testing::ValuesIn(kHostile), [](const auto& tested) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands where a file should: pipes, endless devices, a disk that is full, an older recording, a run that is
-// killed.
+// Special cases in place of a file: pipes, endless devices, a full disk, an older recording, a killed run.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -52,7 +51,7 @@ TEST_F(NotFiles, AnOlderRecordingStaysUntilTheNewOneIsComplete) {
                                      std::string("timeout -s KILL 3 ") + test::kProgram);
   EXPECT_NE(killed.code, 0);
   EXPECT_EQ(read_bytes(folder / "a.h5"), old);
-  EXPECT_EQ(run("replay " + path("a.h5.new")).code, 0);  // what the killed one had made
+  EXPECT_EQ(run("replay " + path("a.h5.new")).code, 0);  // the steps of the killed run
   (void)drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.new"));
   EXPECT_EQ(run("replay " + path("a.h5")).code, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hand that a pointer in a page is.
+// The device of the pointer in a page.
 #include "cli/view/pointer_hand.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using units::mm;
 
 const Box kAround{Vec3(-50, -50, -50) * mm, Vec3(50, 50, 50) * mm};
 
-/// What the loop reads while nothing is pressed, tick by tick.
+/// The readings of the loop, tick by tick, without pressing.
 std::vector<DeviceState> read(cli::PointerHand& hand, int ticks) {
   std::vector<DeviceState> states;
   RunOptions options;
@@ -31,21 +31,21 @@ std::vector<DeviceState> read(cli::PointerHand& hand, int ticks) {
 }
 
 TEST(PointerHand, ComesToWhereThePointerIsNoFasterThanAHandThatWorks) {
-  constexpr double kFastest = 0.2, kTurn = 0.5;  // [m/s], [rad]
+  constexpr double kMaxSpeed = 0.2, kAngle = 0.5;  // [m/s], [rad]
   cli::PointerHand hand(kAround);
   hand.put({});
-  const Pose wanted{rotation_from_vector({0, kTurn, 0}), Vec3(20, -10, 5) * mm};
+  const Pose wanted{rotation_from_vector({0, kAngle, 0}), Vec3(20, -10, 5) * mm};
   hand.move_to(wanted, true);
   const std::vector<DeviceState> states = read(hand, 500);
   for (std::size_t n = 1; n < states.size(); ++n) {
     ASSERT_TRUE(states[n].pressed(cli::PointerHand::kPress));
     const double moved = (states[n].X_BS.translation - states[n - 1].X_BS.translation).norm();
-    ASSERT_LE(moved, kFastest * 1e-3 * (1 + 1e-9));
-    ASSERT_LE(states[n].velocity.linear.norm(), kFastest * (1 + 1e-9));
+    ASSERT_LE(moved, kMaxSpeed * 1e-3 * (1 + 1e-9));
+    ASSERT_LE(states[n].velocity.linear.norm(), kMaxSpeed * (1 + 1e-9));
     ASSERT_NEAR(states[n].time - states[n - 1].time, 1e-3, 1e-12);
     ASSERT_EQ(states[n].sequence, states[n - 1].sequence + 1);
   }
-  EXPECT_GT(states.size(), 20 * mm / (kFastest * 1e-3));
+  EXPECT_GT(states.size(), 20 * mm / (kMaxSpeed * 1e-3));
   EXPECT_LT((states.back().X_BS.translation - wanted.translation).norm(), 1e-6);
   EXPECT_LT((states.back().X_BS.rotation - wanted.rotation).norm(), 1e-6);
   EXPECT_LT(states.back().velocity.linear.norm(), 1e-4);

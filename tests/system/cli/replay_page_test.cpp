@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page that replays a recording: what it holds is what was recorded.
+// The page that replays a recording contains the recorded steps.
 #include "cli/view/replay_page.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using view::MessageKind;
 
 constexpr const char* kScene = "circular_groove";
 
-struct Said {
+struct SentMessage {
   double time;
   std::string bytes;
   [[nodiscard]] MessageKind kind() const { return MessageKind(bytes[0]); }
@@ -44,31 +44,31 @@ std::string unpacked(const std::vector<std::uint8_t>& gzip) {
   return bytes;
 }
 
-std::vector<Said> said_in(const Recording& recording) {
+std::vector<SentMessage> messages_in(const Recording& recording) {
   const std::string bytes = unpacked(cli::replay_stream(recording));
   EXPECT_EQ(bytes.substr(0, 8), std::string("HCRP\1\0\0\0", 8));
-  std::vector<Said> said;
+  std::vector<SentMessage> messages;
   for (std::size_t at = 8; at < bytes.size();) {
-    Said one{0, {}};
+    SentMessage one{0, {}};
     std::uint32_t length = 0;
     std::memcpy(&one.time, bytes.data() + at, 8);
     std::memcpy(&length, bytes.data() + at + 8, 4);
     one.bytes = bytes.substr(at + 12, length);
     at += 12 + length;
-    said.push_back(std::move(one));
+    messages.push_back(std::move(one));
   }
-  return said;
+  return messages;
 }
 
-/// Holds what is said to the steps that were recorded.
+/// Compares the messages with the recorded steps.
 void expect_what_was_recorded(const Recording& recording, std::uint64_t steps) {
-  const std::vector<Said> said = said_in(recording);
-  ASSERT_GT(said.size(), 3U);
-  EXPECT_EQ(said[0].kind(), MessageKind::hello);
-  EXPECT_EQ(said[0].at<std::uint32_t>(4), 0U);  // nobody commands a replay
+  const std::vector<SentMessage> messages = messages_in(recording);
+  ASSERT_GT(messages.size(), 3U);
+  EXPECT_EQ(messages[0].kind(), MessageKind::hello);
+  EXPECT_EQ(messages[0].at<std::uint32_t>(4), 0U);  // a replay accepts no commands
   const view::Message tool = view::encode(recording.tool());
-  EXPECT_EQ(said[1].bytes, std::string(tool.begin(), tool.end()));
-  EXPECT_EQ(said[2].kind(), MessageKind::page);
+  EXPECT_EQ(messages[1].bytes, std::string(tool.begin(), tool.end()));
+  EXPECT_EQ(messages[2].kind(), MessageKind::page);
 
   constexpr std::size_t kHead = 4;
   std::uint64_t told = 0;
@@ -76,7 +76,7 @@ void expect_what_was_recorded(const Recording& recording, std::uint64_t steps) {
   int pictures = 0;
   const std::vector<RecordedStep> recorded = recording.read(0, steps);
   ASSERT_EQ(recorded.size(), steps);
-  for (const Said& one : said) {
+  for (const SentMessage& one : messages) {
     EXPECT_GE(one.time, before);
     before = one.time;
     pictures += one.kind() == MessageKind::snapshot ? 1 : 0;
@@ -110,7 +110,7 @@ TEST(ReplayPage, HoldsEveryStepThatWasRecorded) {
   expect_what_was_recorded(read_recording(folder / "a.h5"), 510);
 }
 
-/// A recording of 250 steps, something that no step does, and 100 steps more.
+/// A recording of 250 steps, a change outside the steps, and 100 more steps.
 template <class Happens>
 Recording interrupted(const std::filesystem::path& path, const Happens& happens) {
   const test::Scene& scene = test::find_scene(kScene);
@@ -138,7 +138,7 @@ TEST(ReplayPage, EndsWhereAnotherToolHasEndedTheRecording) {
   expect_what_was_recorded(interrupted(folder / "a.h5", [](Simulation& s) { s.set_tool(s.tool()); }), 250);
 }
 
-/// A recording and a page as it is built.
+/// A recording and a built page.
 class WrittenReplay : public testing::Test {
  protected:
   WrittenReplay() {
@@ -164,7 +164,7 @@ TEST_F(WrittenReplay, IsOnePageThatNeedsNothingElse) {
   cli::write_replay_page(recording(), folder / ".", folder / "a.html");
   const std::string html = test::read_bytes(folder / "a.html");
   EXPECT_NE(html.find("<style>body{}</style>"), std::string::npos);
-  EXPECT_NE(html.find("const end = '<\\/script>';"), std::string::npos);  // ends no element
+  EXPECT_NE(html.find("const end = '<\\/script>';"), std::string::npos);  // does not end the element
   EXPECT_EQ(html.find("src="), std::string::npos);
   const std::string begin = "type=\"application/octet-stream\">";
   const std::size_t at = html.find(begin) + begin.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panels of a page: what each control makes of the model in a loop, and how it stands afterwards.
+// The panels of a page: effect of each control on the model in a loop, and its value afterwards.
 #include "cli/view/view_controls.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using cli::ViewControls;
 using units::mm;
 using units::rpm;
 
-/// A model as in a loop, and the controls of a page, which tell it as a session does.
+/// A model as in a loop, and the controls of a page that change it as in a session.
 struct Panel {
   test::scripted_loop::ScriptedLoop scripted{3000, true};
   cli::WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
@@ -53,7 +53,7 @@ struct Panel {
   [[nodiscard]] const Material& material() const { return scripted.simulation.workpiece().materials()[MaterialId(1)]; }
 };
 
-/// What a control is to be turned to, and what the model then has, in the unit of the control.
+/// A value set by a control, and the resulting value of the model in the unit of the control.
 struct Turned {
   double value;
   std::function<double(const Panel&)> has;
@@ -114,7 +114,7 @@ const std::map<std::string, Turned>& turned() {
   return all;
 }
 
-/// Those that the model has no part in.
+/// Controls that do not affect the model.
 const std::map<std::string, Change> kBeside = {
     {"application/Record", Change::record},   {"application/Reset", Change::reset},
     {"application/Restart", Change::restart}, {"additional/Sound of the drill", Change::haptics},
@@ -168,7 +168,7 @@ TEST(ViewControls, RefuseWhatIsOutOfTheirRange) {
 
 TEST(ViewControls, GiveEachHeadOfTheListItsShape) {
   Panel panel;
-  std::set<std::string> shapes;  // as the page draws them
+  std::set<std::string> shapes;  // shapes that the page draws
   for (double head = 0; head <= panel.control("tool/Head").max; ++head) {
     panel.turn("tool/Head", head);
     const view::Message drawn = view::encode(panel.tool());
@@ -181,7 +181,7 @@ TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   Panel panel;
   panel.turn("tool/Diameter", 8);
   panel.turn("tool/Length", 4);
-  ASSERT_EQ(panel.set("tool/Head", 9), Change::tool);  // a round end needs a length of half the diameter and more
+  ASSERT_EQ(panel.set("tool/Head", 9), Change::tool);  // a round end needs a length of at least half the diameter
   EXPECT_THROW((void)panel.controls.tool(), Error);
   panel.controls.revert();
   EXPECT_EQ(panel.control("tool/Head").value, 0);
@@ -198,7 +198,7 @@ TEST(ViewControls, OfAButtonThatFailedAreWhatTheyWere) {
 
 TEST(ViewControls, StandAsTheModelDoesWhateverWasAsked) {
   Panel panel;
-  // Asked, and never obeyed: a queue was full.
+  // Requested but not executed, as with a full queue.
   (void)panel.set("tool/Speed", 1000);
   (void)panel.set("application/Cutting", 0);
   (void)panel.set("additional/Gravity", 1);
@@ -208,13 +208,13 @@ TEST(ViewControls, StandAsTheModelDoesWhateverWasAsked) {
   EXPECT_EQ(panel.control("application/Cutting").value, 1);
   EXPECT_EQ(panel.control("additional/Gravity").value, 0);
   EXPECT_EQ(panel.control("outputs/force x").value, 1);
-  // Obeyed, and asked by no control.
+  // Executed without a control.
   panel.tell(commands::SetSpindleSpeed{0});
   panel.tell(commands::SetRemoval{RemovalLaw::none});
   panel.tell(commands::SetForceMask{AxisMask{{true, false, true}, {}}});
   panel.controls.show(panel.watched.settings());
   EXPECT_EQ(panel.control("application/Spindle").value, 0);
-  EXPECT_NEAR(panel.control("tool/Speed").value * rpm, 3000, 1e-9);  // for when it turns again
+  EXPECT_NEAR(panel.control("tool/Speed").value * rpm, 3000, 1e-9);  // the value for the next start
   EXPECT_EQ(panel.control("application/Cutting").value, 0);
   EXPECT_EQ(panel.control("outputs/force y").value, 0);
   EXPECT_EQ(panel.control("outputs/force z").value, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of `hapticut view`, and what a drill meets first in the skull.
+// The scenes of `hapticut view`, and the first material that a drill meets in the skull.
 #include "cli/view/view_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -20,10 +20,10 @@ using units::mm;
 
 Simulation simulation_of(const ViewScene& scene) { return {scene.workpiece.clone(), scene.tool, scene.config}; }
 
-/// Whether the tool waits in the air, and meets material on the way along its axis through the middle.
+/// Whether the tool starts in free air and meets material on its axis through the centre.
 void expect_ready_to_drill(const ViewScene& scene) {
   const Simulation simulation = simulation_of(scene);
-  Pose X_WT = cli::waiting_place(scene);
+  Pose X_WT = cli::start_pose(scene);
   const auto touches = [&] { return simulation.touches(X_WT * scene.tool.X_HT().inverse()); };
   EXPECT_FALSE(touches()) << scene.name;
   EXPECT_LT((X_WT.rotation.col(2) - scene.axis).norm(), 1e-12) << scene.name;
@@ -58,7 +58,7 @@ TEST(ViewScenes, OfAWorkpieceHaveABallThatSuitsIt) {
   const std::string path = (folder / "a.vdb").string();
   save_vdb(build_block({Vec3::Zero(), Vec3(24, 12, 12) * mm}, 0.5 * mm, Material{.name = "a"}), path);
   const ViewScene scene = make_view_scene(path);
-  EXPECT_NEAR(scene.tool.head().max_radius(), 1 * mm, 1e-12);  // a twelfth across
+  EXPECT_NEAR(scene.tool.head().max_radius(), 1 * mm, 1e-12);  // a twelfth of the size
   expect_ready_to_drill(scene);
 }
 
@@ -77,12 +77,12 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
     GTEST_SKIP() << "needs the Debian package invesalius-examples";
   ViewScene scene = make_view_scene("skull");
   expect_ready_to_drill(scene);
-  // From where the tool waits, a ball of 3 mm goes in until it has cut 3 mm^3: by the ranges of grey values alone
-  // nine tenths of it were trabecular.
+  // From its start, a ball of 3 mm moves in until it has cut 3 mm^3. By grey values alone, 90 % of this would be
+  // trabecular bone.
   constexpr double kWanted = 3e-9, kMaxTrabecular = 0.2, kDt = 1e-3;
   const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, scene.tool.spindle());
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
-  Pose X_WT = cli::waiting_place(scene);
+  Pose X_WT = cli::start_pose(scene);
   const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};
   const auto& removed = simulation.removed_volume_by_material();
   for (int n = 0; n < 2000 && removed[1] + removed[2] < kWanted; ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene that is drilled: that the loop's model has what a page asks for, and what the page is told of it.
+// A scene during drilling: the model executes the commands of a page, and the page gets the results.
 #include "cli/view/view_session.hpp"
 
 #include <gtest/gtest.h>
@@ -21,10 +21,11 @@ using test::small_scene;
 using units::mm;
 using view_test::soon;
 
-/// A session whose frames go on, and a page that asks.
+/// A session with running frames, and a page that sends commands.
 struct Desk {
   Desk() { session.begin(true); }
-  /// Until the model has what was asked for, and a force, without which its spindle stands; and a tick more.
+  /// Waits until the model has executed the commands and the force is on (without it the spindle stands), plus one
+  /// tick.
   void frames() {
     const auto is_on = [&] { return session.device().is_running() && session.device().arming() == ArmingState::on; };
     ASSERT_TRUE(soon([&] { return session.frame(0.016), session.is_settled() && is_on(); }));
@@ -36,7 +37,7 @@ struct Desk {
       if (control.label == label) return session.obey(view::SetControl{control.id, value});
     ADD_FAILURE() << "there is no control " << label;
   }
-  /// The tip of the ball where the pointer wants it, and frames until its hand is there.
+  /// Moves the tip of the ball to a point, and runs frames until the hand is there.
   void lead(const Vec3& tip, bool pressed) {
     const Pose X_WT = Pose::from_translation(tip + Vec3(0, 0, 0.5 * mm));
     session.obey(view::LookAt{});
@@ -47,7 +48,7 @@ struct Desk {
     }));
     frames();
   }
-  /// Ends the run, so that the model can be looked at.
+  /// Ends the run, so the model can be inspected.
   const Simulation& model() {
     frames();
     session.obey(view::WriterLeft{});
@@ -94,7 +95,7 @@ TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
 
 TEST(ViewSession, ThePointerCutsOnlyWhileItPresses) {
   Desk desk;
-  for (const double x : {1, -1, 1, -1}) desk.lead(Vec3(x * mm, 0, -0.3 * mm), false);  // through the block
+  for (const double x : {1, -1, 1, -1}) desk.lead(Vec3(x * mm, 0, -0.3 * mm), false);  // passes through the block
   EXPECT_GT(desk.session.latest().tool.contact_voxels, 0);
   EXPECT_EQ(desk.session.latest().tool.spindle_speed, 0);
   EXPECT_EQ(desk.session.latest().tool.removed_volume, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hapticut view` without a browser: what lets a hand go, also while a scene loads, and how it ends.
+// `hapticut view` without a browser: release of the hand, also while a scene loads, and the end of the program.
 #include "cli/view/viewer.hpp"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,10 @@ using view_test::Page;
 using view_test::soon;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kAtOnce = 100ms;  // what a stop may take
-constexpr int kTries = 20;       // of which the best counts, for the machine may have other work
+constexpr auto kAtOnce = 100ms;  // maximum time of a stop
+constexpr int kTries = 20;       // the best of these counts, because the machine may be busy
 
-/// Makes scenes; where it is told to, each takes until it is let through, and some cannot be made.
+/// Makes scenes. On request, a scene waits for a signal, and some scenes cannot be made.
 class Maker {
  public:
   cli::Viewer::MakeScene function() {
@@ -64,7 +64,7 @@ class Maker {
   bool slow_ = false;
 };
 
-/// Frames in a thread of their own, as the program makes them.
+/// Runs frames in a separate thread, like the program.
 class Frames {
  public:
   explicit Frames(cli::Viewer& viewer)
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> load(const std::string& name) {
 const std::vector<std::uint8_t> kStop = Bytes(CommandKind::stop).bytes;
 const std::vector<std::uint8_t> kUndo = Bytes(CommandKind::undo).bytes;
 
-/// @return [s] until it was so; infinite after ten seconds
+/// @return [s] time until the condition held; infinite after ten seconds
 template <class Condition>
 double seconds_until(const Condition& condition) {
   const auto begin = Clock::now();
@@ -102,13 +102,13 @@ double seconds_until(const Condition& condition) {
   }
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-/// Whether its motors may have a force: before its first tick the memory is locked, and after its last one it is given
-/// back, which takes a tenth of a second.
+/// Whether the motors may have a force. Locking memory before the first tick, and unlocking after the last one, take a
+/// tenth of a second.
 bool has_ticks(const Device& device) { return device.arming() != ArmingState::off; }
 
 constexpr double kSoonEnough = std::chrono::duration<double>(kAtOnce).count();
 
-/// A page that looks on, and keeps the notices that it is told.
+/// A page that stores the notices it receives.
 class Listener {
  public:
   explicit Listener(const view::ViewServer& server)
@@ -138,8 +138,8 @@ class Listener {
 };
 
 TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
-  double let_go = INFINITY, stopped = INFINITY;  // at best
-  for (int n = 0; n < kTries && std::max(let_go, stopped) >= kSoonEnough; ++n) {
+  double released = INFINITY, stopped = INFINITY;  // best case
+  for (int n = 0; n < kTries && std::max(released, stopped) >= kSoonEnough; ++n) {
     Maker maker;
     const auto device = open_device("mock:rest");
     cli::Viewer viewer("first", {}, device.get(), maker.function());
@@ -148,8 +148,8 @@ TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
     ASSERT_TRUE(soon([&] { return has_ticks(*device); }));
     maker.set_slow(true);
     page.write(load("second"));
-    let_go = std::min(let_go, seconds_until([&] { return !has_ticks(*device); }));
-    page.write(kUndo);  // no command begins a run meanwhile
+    released = std::min(released, seconds_until([&] { return !has_ticks(*device); }));
+    page.write(kUndo);  // commands do not begin a run meanwhile
     page.write(kStop);
     stopped = std::min(stopped, seconds_until([&] { return device->requests().emergency(); }));
     std::this_thread::sleep_for(50ms);
@@ -159,13 +159,13 @@ TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
     EXPECT_TRUE(soon([&] { return device->arming() == ArmingState::fault; })) << "the stop still holds";
     EXPECT_EQ(maker.made, 2);
   }
-  EXPECT_LT(let_go, kSoonEnough);
+  EXPECT_LT(released, kSoonEnough);
   EXPECT_LT(stopped, kSoonEnough);
 }
 
 TEST(Viewer, ObeysAStopAndTheLossOfThePageWhateverElseItDoes) {
   for (const bool stop : {true, false}) {
-    double at_best = INFINITY;  // of some tries, on a machine that has more to do
+    double at_best = INFINITY;  // best of some tries, because the machine may be busy
     for (int n = 0; n < kTries && at_best >= kSoonEnough; ++n) {
       Maker maker;
       const auto device = open_device("mock:rest");
@@ -173,7 +173,7 @@ TEST(Viewer, ObeysAStopAndTheLossOfThePageWhateverElseItDoes) {
       auto page = std::make_unique<Page>(viewer.server());
       ASSERT_TRUE(page->read());
       ASSERT_TRUE(soon([&] { return has_ticks(*device); }));
-      // Nobody calls `frame`: the program is busy.
+      // `frame` is not called: the program is busy.
       stop ? page->write(kStop) : page.reset();
       const auto is_gone = [&] { return stop ? device->arming() == ArmingState::fault : !has_ticks(*device); };
       at_best = std::min(at_best, seconds_until(is_gone));
@@ -199,7 +199,7 @@ TEST(Viewer, AStopOfThePointerHoldsInTheNextScene) {
 }
 
 TEST(Viewer, EndsWellWhateverCameBefore) {
-  // Each of these was an abort.
+  // Each of these once aborted the program.
   {
     Maker maker;
     cli::Viewer viewer("first", {}, nullptr, maker.function());
@@ -220,13 +220,13 @@ TEST(Viewer, EndsWellWhateverCameBefore) {
     ASSERT_TRUE(soon([&] { return viewer.server().connections() == 0; }));
     viewer.frame();
     Page next(viewer.server());
-    next.write(load("second"));  // its first word
+    next.write(load("second"));  // the first command
     ASSERT_TRUE(soon([&] { return viewer.frame(), maker.made == 2 && !viewer.is_loading(); }));
   }
   {
     Maker maker;
     MockOptions options;
-    options.end = 0.05;  // then the device is lost
+    options.end = 0.05;  // then the device disconnects
     MockDevice device(options);
     cli::Viewer viewer("first", {}, &device, maker.function());
     ASSERT_TRUE(soon([&] { return viewer.frame(), !device.is_running(); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page is told of the ticks of a model.
+// Data of the ticks of a model for a page.
 #include "cli/view/watched_model.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using cli::WatchedModel;
 
-/// A ball in a block, deeper from tick to tick, and what it has shown.
+/// A ball that moves deeper into a block in each tick, and its recorded data.
 struct Cut {
   test::scripted_loop::ScriptedLoop scripted{3000};
   WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
@@ -70,10 +70,10 @@ TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
   cut.watched.begin_run();
   cut.run(600);
   view::Instruments shown;
-  cut.watched.tell(shown, 1);
+  cut.watched.fill(shown, 1);
   EXPECT_EQ(shown.ticks, 600U);
   EXPECT_EQ(shown.bucket, WatchedModel::kBucket);
-  EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first is late to nothing
+  EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first tick has no lateness
   ASSERT_EQ(shown.removed.size(), 1U);
   EXPECT_GT(shown.removed[0], 0);
   EXPECT_EQ(shown.removed[0], cut.scripted.simulation.removed_volume_by_material()[1]);
@@ -83,7 +83,7 @@ TEST(WatchedModel, TellsWhatCommandsHaveMadeOfTheModel) {
   Cut cut;
   EXPECT_EQ(cut.watched.settings().spindle_speed, 3000);
   EXPECT_EQ(cut.watched.settings().answered, 0U);
-  LoopCommand refused = commands::Undo{};  // to no mark
+  LoopCommand refused = commands::Undo{};  // there is no mark
   EXPECT_FALSE(cut.watched.obey(refused));
   EXPECT_EQ(cut.watched.settings().answered, 1U);
   Effects effects;

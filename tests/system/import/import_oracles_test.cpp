@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real files that others made, against what is known about them.
+// Real files from other sources, compared with known facts about them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ TEST(ImportOracle, TwelveEncodingsOfTheBallGiveOneBall) {
 
 struct LabelledTooth {
   const char* file;
-  double decay, enamel, dentin, pulp;  // [mm^3] as printed, so rounded to the last digit
+  double decay, enamel, dentin, pulp;  // [mm^3] as printed, rounded to the last digit
 };
 
 void PrintTo(const LabelledTooth& tooth, std::ostream* out) { *out << tooth.file; }
@@ -65,14 +65,14 @@ TEST_P(LabelledToothVolumes, AgreeWithItsDescription) {
   const Workpiece tooth =
       build_from_labels(volume, {{{1}, named("decay")}, {{2}, named("enamel")}, {{3}, named("dentin")}});
   const auto amounts = tooth.amounts();
-  // Samples are counted, so nothing but the printed digits is uncertain: half of the last one, which is 0.3 % of the
-  // enamel and 0.1 % of the dentin at most, and up to 1.4 % of the little decay.
+  // Samples are counted exactly, so only the printed digits are uncertain: half of the last digit is at most 0.3 % of
+  // the enamel, 0.1 % of the dentin, and 1.4 % of the small decay.
   EXPECT_NEAR(amounts[0].volume / mm3, GetParam().decay, 0.05);
   EXPECT_NEAR(amounts[1].volume / mm3, GetParam().enamel, 0.5);
   EXPECT_NEAR(amounts[2].volume / mm3, GetParam().dentin, 0.5);
 
-  // The pulp is not labelled: it is what closing by a ball of 0.8 mm across and filling cavities add inside. Where the
-  // chamber ends in the root canals is a matter of the procedure, so its volume is known to a fifth only.
+  // The pulp is not labelled: closing by a ball of 0.8 mm diameter and filling cavities add it. The border between
+  // chamber and root canals depends on the procedure, so the volume is known only to 20 %.
   constexpr double kProcedure = 0.2;
   LabelVolume solid = keep_largest_component(resample(crop_to_samples(volume, box_around(volume)), 0.068 * mm));
   constexpr std::uint16_t kPulp = 4;
@@ -95,7 +95,7 @@ TEST(ImportOracle, TheSkullHas475759VoxelsOfBone) {
   EXPECT_TRUE(skull.spacing.isApprox(Vec3(0.9570312, 0.9570312, 1.5) * mm, 1e-9));
   EXPECT_EQ(std::count_if(skull.values.begin(), skull.values.end(), [](float v) { return v >= 226; }), 475759);
 
-  // Antialiased voxels of another size hold the same bone: interpolation rounds thin walls by a few per cent.
+  // Antialiased voxels of another size contain the same bone; interpolation changes thin walls by a few per cent.
   constexpr double kThinWalls = 0.03;
   const double threshold_volume = 475759 * skull.spacing.prod();
   const Workpiece bone = build_from_grey(skull, {{226, 1e9, named("bone")}}, {.voxel_size = 1 * mm});
@@ -110,7 +110,7 @@ TEST(ImportOracle, DicomSpacingComesFromThePositionsOfTheSlices) {
   EXPECT_NEAR(ct.spacing.x(), 0.9765625 * mm, 1e-9);
   EXPECT_LT((ct.X_WG.translation - Vec3(-249.51171875, -437.51171875, -804.5) * mm).norm(), 1e-9);
   const auto [low, high] = std::minmax_element(ct.values.begin(), ct.values.end());
-  EXPECT_LE(*low, -1000);  // air, so the values are Hounsfield units
+  EXPECT_LE(*low, -1000);  // air, which shows Hounsfield units
   EXPECT_GT(*high, 300);
 }
 
@@ -123,7 +123,7 @@ TEST(ImportOracle, NiftiWithNegativeDirectionsKeepsItsPlace) {
   EXPECT_TRUE(labels.X_WG.rotation.isApprox(ct.X_WG.rotation, 1e-9));
   EXPECT_LT((labels.X_WG.translation - ct.X_WG.translation).norm(), 1e-9);
   EXPECT_GT(ct.X_WG.rotation.determinant(), 0.999);
-  // Half a turn about z: x and y decrease with the index.
+  // A rotation by 180 degrees about z: x and y decrease with the index.
   EXPECT_LT((ct.position(10, 20, 5) - (ct.position(0, 0, 0) + Vec3(-30, -60, 15) * mm)).norm(), 1e-9);
 }
 
@@ -141,7 +141,7 @@ TEST(ImportOracle, ARotatedOrientationIsHonoured) {
     // The header has six digits; the grid is 3 mm long.
     EXPECT_LT((tooth.position(p[0], p[1], p[2]) - expected).norm(), 1e-5 * mm);
   }
-  // A signed distance: inside is negative. The workpiece lies where the samples lie.
+  // A signed distance, negative inside. The workpiece has the place of the samples.
   const Workpiece workpiece = build_from_grey(tooth, {{-1e9, 0, named("tooth")}}, {.antialias = false});
   ASSERT_FALSE(workpiece.empty());
   for (const VoxelIndex& p : points) {
@@ -167,7 +167,7 @@ TEST(ImportOracle, TheHeaderlessToothScanHasItsPeaks) {
   const auto peak = [&](int from, int to) {
     return int(std::max_element(count.begin() + from, count.begin() + to) - count.begin());
   };
-  constexpr int kBin = 1;                  // how sharply a peak can be read off a histogram
+  constexpr int kBin = 1;                  // precision of a peak in a histogram
   EXPECT_NEAR(peak(0, 54), 17, kBin);      // void
   EXPECT_NEAR(peak(54, 119), 78, kBin);    // mount
   EXPECT_NEAR(peak(119, 192), 162, kBin);  // dentin
@@ -198,13 +198,13 @@ TEST(ImportOracle, MastoidSlicesAreInNumericOrderAndNoiseIsLeftOut) {
   const LabelVolume bone = read_color_slices(data_path("bone/mastoid_RT143_256"), {{{255, 249, 219}, 1}}, spacing);
   EXPECT_EQ(bone.dims, (std::array<int, 3>{256, 256, 253}));
   EXPECT_EQ(std::count(bone.values.begin(), bone.values.end(), 1), 2777917);
-  // In the right order neighbours are alike: lexical order gives several times this.
+  // In the right order neighbouring slices are similar; lexical order gives several times this number.
   EXPECT_LT(change_between_slices(bone), 1500);
-  // (90, 116, 55) occurs only in pixels that are not wholly opaque.
+  // (90, 116, 55) occurs only in pixels that are not fully opaque.
   EXPECT_THROW((void)read_color_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
 }
 
-/// What reading says about a folder of links to some of the files of another one.
+/// The error of reading a folder of links to some of the files of another folder.
 template <class Keep>
 std::string error_of_reading_part(const std::string& name, const Keep& keep) {
   const test::TemporaryFolder folder;

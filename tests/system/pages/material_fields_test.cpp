@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each field of a material, as the struct describes it, goes through settings, grades, .vdb files and recordings and
-// comes out as it went in: a field that is forgotten somewhere comes out with its default.
+// Each described field of a material survives settings, grades, .vdb files and recordings. A forgotten field would come
+// out with its default.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace hapticut::material_fields_test {
 namespace {
 
-/// Every number differs from the default of its member, and from those of the other fields.
+/// Every number differs from the default of its field and from the numbers of other fields.
 Material unusual() {
   Material material;
   material.name = "unusual";
@@ -54,7 +54,7 @@ TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
 
 TEST(MaterialFields, AreAllSettings) {
   settings::MaterialChanges changes;
-  changes.cutter = *unusual().cutter;  // which a scene has from its tool
+  changes.cutter = *unusual().cutter;  // a scene gets it from its tool
   std::vector<settings::Setting> settings = changes.setting().open_table("unusual");
   std::size_t n = 0;
   ASSERT_EQ(settings.at(n).key, "based_on");
@@ -75,7 +75,7 @@ TEST(MaterialFields, AreAllGraded) {
   for_each_number<Material>([&](const auto& field) { grade.at_high.*field.member *= 2; });
   const Material middle = materials_of(grade).at(0);
   for_each_number<Material>([&](const auto& field) {
-    // Their products with u are what is graded: Grade.CutsLinearlyBetweenItsEnds.
+    // The grade is linear in their products with u: Grade.CutsLinearlyBetweenItsEnds.
     if (field.member == &Material::edge_length || field.member == &Material::size_length) {
       EXPECT_GT(middle.*field.member, unusual().*field.member) << field.name;
       return;

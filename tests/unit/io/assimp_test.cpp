@@ -18,10 +18,10 @@ namespace {
 
 using units::mm;
 
-/// A scene with one node that holds a mesh, shifted by a transform of its own.
+/// A scene with one node that has a mesh and a translation.
 std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
   auto scene = std::make_unique<aiScene>();
-  auto* const shape = new aiMesh;  // owned by the scene, as everything below
+  auto* const shape = new aiMesh;  // owned by the scene, like everything below
   shape->mName = "ball";
   shape->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
   shape->mNumVertices = unsigned(mesh.vertices.size());
@@ -65,7 +65,7 @@ std::string export_ball(const char* format, const std::filesystem::path& path) {
 TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
   const test::TemporaryFolder folder;
   const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 8);
-  const Vec3 shift(50 * mm, 0, 0);  // Assimp takes 5 mm for no shift, and does not write it
+  const Vec3 shift(50 * mm, 0, 0);  // Assimp treats 5 mm as no translation and does not write it
   const auto scene = scene_of(ball, shift);
   for (const auto& [format, name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.GLB"}}) {
     export_scene(*scene, format, folder / name);
@@ -80,12 +80,12 @@ TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
     Vec3 center = Vec3::Zero();
     for (const Vec3& v : mesh.vertices) center += v / double(mesh.vertices.size());
     EXPECT_LT((center - shift).norm(), kSingle * shift.norm()) << format;
-    const TriangleMesh in_mm = read_mesh(folder / name, 1).at(0).mesh;  // as a program wrote it that knows no units
+    const TriangleMesh in_mm = read_mesh(folder / name, 1).at(0).mesh;  // as written by a program without units
     EXPECT_NEAR(test::signed_volume(in_mm) * 1e9, test::signed_volume(mesh), kSingle * test::signed_volume(mesh));
   }
 }
 
-// A mirror turns faces inside out, so that both halves of a jaw are outside out (glTF 2.0, 3.7.4).
+// A mirrored node reverses its faces, so they still point outwards (glTF 2.0, 3.7.4).
 TEST(Assimp, AMirroredNodeEnclosesWhatItDid) {
   const test::TemporaryFolder folder;
   const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 8);
@@ -115,7 +115,7 @@ TEST(Assimp, RefusalsAreOfOurOwnWords) {
   }
 }
 
-/// A .gltf or .glb whose JSON ends with another member.
+/// A .gltf or .glb with an additional last member in its JSON.
 std::string with_member(const std::string& file, const std::string& member) {
   constexpr std::size_t kHeader = 20;
   const auto extended = [&](const std::string& json) { return json.substr(0, json.rfind('}')) + "," + member + "}"; };
@@ -135,7 +135,7 @@ std::string with_member(const std::string& file, const std::string& member) {
 TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
   const test::TemporaryFolder folder;
   for (const auto& [format, file_name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.glb"}}) {
-    const char* name = file_name;  // which a lambda may capture
+    const char* name = file_name;  // copy for the lambda capture
     const std::string file = export_ball(format, folder / name);
     const auto refusal_with = [&](const std::string& member) {
       test::write_bytes(folder / name, with_member(file, member));
@@ -147,7 +147,7 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
           std::string("it needs the glTF extension '") + extension + "', which is not supported; export");
     }
     test::expect_part(refusal_with(R"("extensionsUsed":["EXT_mesh_gpu_instancing"])"), "_gpu_");
-    // Whatever the encoding of its names.
+    // For any encoding of its names.
     test::expect_part(refusal_with("\"extras\":\"\xe4\",\"extensionsRequired\":[\"VENDOR_shape\"]"), "VENDOR_shape");
     EXPECT_EQ(refusal_with(R"("extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])"), "");
     EXPECT_EQ(refusal_with(R"("extras":{"a":"\"[","extensionsRequired":["VENDOR_shape"]})"), "");

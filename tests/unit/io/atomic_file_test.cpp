@@ -19,7 +19,7 @@ TEST(AtomicFile, WhatAKilledProgramLeftIsRemovedByTheNext) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     const AtomicFile file(folder / "a.txt");
-    ::_exit(0);  // as if it were killed: nothing is tidied up
+    ::_exit(0);  // like a kill: no cleanup
   }
   ASSERT_EQ(::waitpid(child, nullptr, 0), child);
   EXPECT_EQ(folder.file_count(), 1U);

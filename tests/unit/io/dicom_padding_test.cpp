@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scanner writes where it measured nothing: padding, which is air.
+// Padding: the value of samples without a measurement, treated as air.
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
@@ -16,7 +16,7 @@ using test::little;
 constexpr std::uint32_t kIntercept = 0x00281052, kPadding = 0x00280120, kLimit = 0x00280121, kPixels = 0x7fe00010;
 constexpr float kAir = -1000;
 
-/// Two slices with the values 1 to 4, of which `change` makes something else.
+/// Two slices with the values 1 to 4, modified by `change`.
 template <class Change>
 GreyVolume two_slices(const Change& change, const std::string& syntax = "1.2.840.10008.1.2.1") {
   const test::TemporaryFolder folder;
@@ -28,7 +28,7 @@ GreyVolume two_slices(const Change& change, const std::string& syntax = "1.2.840
   return read_grey_volume(folder / "");
 }
 
-/// The same with these values and this padding.
+/// Two slices with given values and padding.
 GreyVolume with_padding(const std::vector<std::int16_t>& values, bool has_sign, const std::string& kind,
                         const std::string& padding, const std::string& limit = "", int stored = 16) {
   return two_slices([&](DicomElements& e) {
@@ -107,8 +107,8 @@ TEST(DicomPadding, StandsInTheFileOrInAnyFunctionalGroup) {
     other.set_word(kPadding, 1);
     std::vector<DicomElements> frames(2);
     if (where == 0) e.set_word(kPadding, 7);
-    if (where == 1) shared.set_items(0x00209170, {converted});  // what a converter found in all slices
-    if (where == 2) shared.set_items(0x00289145, {converted});  // beside the scale
+    if (where == 1) shared.set_items(0x00209170, {converted});  // from a converter, shared by all slices
+    if (where == 2) shared.set_items(0x00289145, {converted});  // in the group of the scale
     if (where == 3) frames[0].set_items(0x00209171, {converted}), frames[1].set_items(0x00209171, {other});
     e.set_items(0x52009229, {shared}).set_items(0x52009230, frames);
     const test::TemporaryFolder folder;

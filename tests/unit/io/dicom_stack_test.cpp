@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where frames and slices lie: their order, their distance, and what is missing among them.
+// Positions of frames and slices: order, distance, and missing ones.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -20,8 +20,8 @@ using units::mm;
 
 constexpr std::uint32_t kPosition = 0x00200032, kOrientation = 0x00200037;
 
-/// A file with frames of one sample at these heights [mm]; the value of each is its height in hundredths, but stored
-/// with an intercept of its own.
+/// A file with frames of one sample at given heights [mm]. The value of a frame is its height in hundredths, stored
+/// with a different intercept per frame.
 DicomElements frames_at(const std::vector<double>& heights, bool implicit = false) {
   std::vector<std::int16_t> values;
   std::vector<DicomElements> frames;
@@ -64,7 +64,7 @@ TEST(DicomFrames, OfAFileThatNamesNoKindsOfElementsArePlacedByThem) {
     const GreyVolume volume = read(e, {}, syntax);
     EXPECT_EQ(volume.values, (std::vector<float>{0, 50, 100})) << syntax;
     EXPECT_LT((volume.position(0, 0, 0) - Vec3(10, 20, 0) * mm).norm(), 1e-12);
-    e.values[0x52009230].first = "UN";  // as an archive that does not know the tag stores it
+    e.values[0x52009230].first = "UN";  // as stored by an archive that does not know the tag
   }
 }
 
@@ -107,7 +107,7 @@ TEST(DicomFrames, WithoutPositionsAreNotAsFarApartAsTheyAreThick) {
   EXPECT_NEAR(read(e.set(0x00180088, "DS", "0.5")).spacing.z(), 0.5 * mm, 1e-12);
 }
 
-/// Slices at these places, named s0, s1, ...
+/// Slices at given positions, named s0, s1, ...
 class DicomSlices : public testing::Test {
  protected:
   void write(const std::vector<Vec3>& places, const std::string& orientation = "1\\0\\0\\0\\1\\0") {
@@ -151,7 +151,7 @@ TEST_F(DicomSlices, WithPositionsRoundedToHundredthsAreRead) {
   EXPECT_NEAR(read_grey_volume(folder_ / "").spacing.z(), 0.625 * mm, 1e-3 * mm);
 }
 
-// Directions of three digits lead off by a millimetre over a long series; its positions do not.
+// Directions with three digits cause an error of a millimetre over a long series; positions do not.
 TEST_F(DicomSlices, WithDirectionsRoundedToThreeDigitsLieWhereTheirPositionsSay) {
   const Mat3 turn = rotation_from_vector({0.3, -0.2, 0.5});
   const auto place = [&](int n) { return Vec3(turn * Vec3(0, 0, 0.5 * n)); };

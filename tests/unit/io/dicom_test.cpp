@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// DICOM files that the test writes itself: what is left out of a folder, run lengths, and the program that unpacks the
-// rest.
+// DICOM files written by the test: ignored files of a folder, run lengths, and the decoder program.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -29,7 +28,7 @@ test::DicomElements elements(int number) {
 
 std::string slice(int number) { return test::dicom_file(elements(number)); }
 
-/// The same slice with its values in one compressed part.
+/// A slice with its values in one compressed part.
 std::string compressed(int number, const std::string& syntax, const std::string& packed) {
   return test::dicom_file(elements(number).set_fragments({packed}), syntax);
 }
@@ -52,7 +51,7 @@ TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
   EXPECT_EQ(read_grey_volume(folder / "").dims, (std::array<int, 3>{4, 3, 3}));
 }
 
-// As an export leaves them in one folder: a report in colour, a mask, a damaged file.
+// An export folder has such files: a report in colour, a mask, a damaged file.
 TEST(Dicom, PicturesOfOtherSeriesThatAreNoneOfAVolumeAreLeftOut) {
   const TemporaryFolder folder;
   write_slices(folder);
@@ -78,7 +77,7 @@ TEST(Dicom, PicturesOfOtherSeriesThatAreNoneOfAVolumeAreLeftOut) {
   test::expect_part(error_of(folder / ""), "other': ");
 }
 
-// A damaged name of a series has a line break in it.
+// The damaged name of a series contains a line break.
 TEST(Dicom, SeveralSeriesAreListedInOneLine) {
   const TemporaryFolder folder;
   write_bytes(folder / slice_name(1), slice(1));

@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 TEST(MeshFormats, ABoxThatIsNotConvexKeepsItsVolume) {
-  // A cube with a notch, whose top and bottom are polygons of eight corners that no fan covers once.
+  // A cube with a notch. Its top and bottom are polygons with eight corners, whose fans overlap.
   const std::string text =
       "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nv 0 0 1\nv 3 0 1\nv 3 3 1\nv 2 3 1\n"
       "v 2 1 1\nv 1 1 1\nv 1 3 1\nv 0 3 1\nf 8 7 6 5 4 3 2 1\nf 9 10 11 12 13 14 15 16\nf 1 2 10 9\nf 2 3 11 10\n"
@@ -33,8 +33,7 @@ TEST(MeshFormats, VerticesAtTheSamePlaceAreOneAndTrianglesWithoutAreaAreDropped)
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
-/// Bytes of any kind: parts, and copies with some bytes changed. Each must give meshes whose triangles have vertices,
-/// or one sentence.
+/// Arbitrary bytes: parts, and copies with changed bytes. Each must give valid meshes or one sentence.
 void try_hostile(Parser parse, const std::string& bytes, std::mt19937& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     std::string hostile = bytes.substr(0, round % 3 == 0 ? random() % (bytes.size() + 1) : bytes.size());
@@ -79,7 +78,7 @@ TEST(MeshFormats, HostileBytesGiveAMeshOrOneSentence) {
   try_hostile(parse_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", random, kRounds);
 }
 
-/// The corners of all triangles, one after the other: indices change where vertices are in another order.
+/// The corners of all triangles in order, because indices depend on the order of vertices.
 std::vector<Vec3> corners_of(const TriangleMesh& mesh) {
   std::vector<Vec3> corners;
   for (const auto& t : mesh.triangles)
@@ -155,12 +154,12 @@ TEST(MeshFormats, MeshesOfOthersAreWhatAnotherReaderFinds) {
                                         {"teeth/URI1_tooth_mesh1.ply", 1, 16403, 114.878732, 233.831862},
                                         {"teeth/URI1_tooth_mesh2.ply", 1, 31026, 549.347502, 451.744926},
                                         {"teeth/URI1_tooth_mesh3.ply", 1, 72704, 19.5911106, 65.9380392},
-                                        // Not by Assimp: a cube of edge 1 that it refuses, one of edge 2 of which it
-                                        // loses two triangles and whose volume is that of mixed windings.
+                                        // Not from Assimp: it refuses a cube of edge 1; of a cube of edge 2 it loses
+                                        // two triangles, and the volume is that of mixed windings.
                                         {"hostile/ply-nl.ply", 1, 12, 1, 6},
                                         {"hostile/mesh-winding.off", 1, 12, 4.0 / 3, 24}};
   HAPTICUT_NEEDS_DATA(known[0].name);
-  constexpr double kSingle = 3e-7;  // coordinates in text were rounded to single precision by the other reader
+  constexpr double kSingle = 3e-7;  // the other reader rounds coordinates to single precision
   for (const KnownMesh& expected : known) {
     const std::vector<NamedMesh> meshes = read_mesh(test::data_path(expected.name));
     EXPECT_EQ(meshes.size(), expected.objects) << expected.name;

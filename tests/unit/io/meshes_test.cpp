@@ -99,8 +99,8 @@ TEST(Meshes, BadFilesAreRefusedByName) {
 TEST(Meshes, TheIncisorsDentinHasItsVolume) {
   HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh2.ply");
   const Workpiece dentin = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh2.ply"), named("dentin"), {0.1 * mm, 4});
-  // The mesh has holes of 30 edges in all: the cap that a winding number puts over a hole is not the one that the
-  // published volume has. Measured: 0.16 %.
+  // The mesh has holes with 30 edges in total. The winding number closes a hole differently from the published volume.
+  // Measured: 0.16 %.
   constexpr double kCapsOfHoles = 0.005;
   EXPECT_NEAR(volume_mm3(dentin), 549.3, kCapsOfHoles * 549.3);
 }
@@ -108,7 +108,7 @@ TEST(Meshes, TheIncisorsDentinHasItsVolume) {
 TEST(Meshes, TheIncisorsPulpHasItsVolume) {
   HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh3.ply");
   const Workpiece pulp = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh3.ply"), named("pulp"), {0.1 * mm, 4});
-  // Watertight: four digits of the published volume, and the 4^3 points of a cut voxel. Measured: 0.004 %.
+  // Watertight: limited by four digits of the published volume and 4^3 points per cut voxel. Measured: 0.004 %.
   constexpr double kSubsamples = 0.001;
   EXPECT_NEAR(volume_mm3(pulp), 19.59, kSubsamples * 19.59);
 }
@@ -121,8 +121,8 @@ TEST(Meshes, TheIncisorNestsEnamelDentinAndPulp) {
   const Workpiece tooth =
       build_from_shells(shells, MaterialTable({named("enamel"), named("dentin"), named("pulp")}), {0.2 * mm, 4});
   const auto amounts = tooth.amounts();
-  // A voxel with two materials counts for the larger share, at 0.2 mm and along a surface that is thinner by far
-  // around the pulp. The cap of enamel is about a millimetre thick; its mesh is open, so no more is known of it.
+  // A voxel with two materials counts for the larger fraction, which matters at 0.2 mm and thin layers around the pulp.
+  // The enamel cap is about a millimetre thick; its mesh is open, so its volume is unknown.
   constexpr double kSharedByDentin = 0.01, kSharedByPulp = 0.05;
   EXPECT_GT(amounts[0].volume, 60 * mm3);
   EXPECT_LT(amounts[0].volume, 200 * mm3);
@@ -140,7 +140,7 @@ TEST(Meshes, TheMolarHasTwoNamedShells) {
   const double nerve = test::signed_volume(meshes[0].mesh), whole = test::signed_volume(meshes[1].mesh);
   const Workpiece molar = build_from_shells({{meshes[1].mesh, 1}, {meshes[0].mesh, 2}},
                                             MaterialTable({named("tooth"), named("pulp")}), {0.2 * mm, 4});
-  // Points of cut voxels for the sum; for the nerve, voxels of its thin canals count for the larger share.
+  // The sum is limited by the points per cut voxel; in the nerve, voxels of thin canals count for the larger fraction.
   constexpr double kSubsamples = 0.005, kShared = 0.025;
   EXPECT_NEAR(molar.amounts()[0].volume + molar.amounts()[1].volume, whole, kSubsamples * whole);
   EXPECT_NEAR(molar.amounts()[1].volume, nerve, kShared * nerve);
@@ -153,7 +153,7 @@ TEST(Meshes, TheBurHasItsVolume) {
               0.001 * test::signed_volume(bur) / mm3);
 }
 
-/// A hostile file, and what has to come of it.
+/// A malicious file and its required outcome.
 struct Hostile {
   const char* name;
   double voxel_size_mm;

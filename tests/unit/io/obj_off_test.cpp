@@ -36,7 +36,7 @@ TEST(ObjFormat, CornersMayHaveTexturesAndNormalsAndCountBackwards) {
       text = replaced(text, std::string("@").append(std::to_string(n)), std::to_string(n - 9).append(more));
     expect_unit_cube(only_mesh_in(parse_obj, text));
   }
-  expect_unit_cube(only_mesh_in(parse_obj, kCubeFaces + std::string(kCubeCorners)));  // vertices behind the faces
+  expect_unit_cube(only_mesh_in(parse_obj, kCubeFaces + std::string(kCubeCorners)));  // vertices after the faces
 }
 
 TEST(ObjFormat, VerticesMayHaveAWeightOrAColor) {
@@ -82,7 +82,7 @@ TEST(ObjFormat, WhatIsNoMeshIsRefusedWithTheLine) {
                       {"v 0 0 0\ncurv2 1 2\n", "free-form"},
                       {"\n\nthis is no mesh\n", "line 3: 'this' is not a keyword"},
                       {"\x89PNG\r\n", "'?PNG'"}});
-  // What no face uses may be anything that is a number.
+  // Vertices that no face uses may be any numbers.
   EXPECT_EQ(only_mesh_in(parse_obj, "v nan 1e999 0\nv 0 0 1e-999\nv 1 0 0\nv 0 1 0\nf 2 3 4\n").vertices[0].z(), 0);
 }
 

@@ -72,7 +72,7 @@ TEST(Picture, ShowsABallRoundFramedAndLitFromTheUpperLeft) {
         bottom = std::max(bottom, y);
       }
   EXPECT_NEAR(right - left, bottom - top, 1);
-  EXPECT_NEAR(left + right, 159, 1);  // in the middle
+  EXPECT_NEAR(left + right, 159, 1);  // centred
   EXPECT_NEAR(top + bottom, 119, 1);
   EXPECT_GT(bottom - top, 95);
   EXPECT_GT(pixels.brightness(60, 40), pixels.brightness(100, 80) + 60);
@@ -113,7 +113,7 @@ TEST(Picture, ASurfaceTakesTheColorsOfItsMaterials) {
   ASSERT_EQ(mesh.colors.size(), mesh.mesh.vertices.size());
   for (std::size_t n = 0; n < mesh.colors.size(); ++n) {
     const double z = mesh.mesh.vertices[n].z();
-    if (std::abs(z - 1 * mm) < 0.06 * mm) continue;  // within half a voxel of the interface either is right
+    if (std::abs(z - 1 * mm) < 0.06 * mm) continue;  // within half a voxel of the interface both are right
     EXPECT_EQ(mesh.colors[n], material_color(z > 1 * mm ? "enamel" : "dentin"));
   }
   EXPECT_NE(material_color("enamel"), material_color("dentin"));

@@ -27,7 +27,7 @@ bool same(const DeviceState& a, const DeviceState& b) {
          a.valid == b.valid && a.fault == b.fault;
 }
 
-/// What a recording says of a device, reading by reading.
+/// A device reading in a recording.
 std::vector<DeviceState> readings_of(PlaybackDevice& playback) {
   std::vector<DeviceState> readings;
   (void)playback.run(
@@ -78,7 +78,7 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   }
 }
 
-// It gave one reading: all the others were the same nothing.
+// Regression: it gave one reading, because all readings were equal.
 TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
@@ -112,8 +112,8 @@ TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
   };
   record(0.001, 1);
   record(0.002, 2);
-  for (int part = 0; part < 3; ++part) record(0.003, 3);  // a fast tick behind a coupling
-  record(0.004, 3);                                       // the driver said the same again
+  for (int part = 0; part < 3; ++part) record(0.003, 3);  // a fast tick with a coupling
+  record(0.004, 3);                                       // the driver repeats its reading
   record(0.005, 3);
   record(0.006, 4);
   recorder.close();

@@ -15,7 +15,7 @@ TEST(RecorderStep, AllocatesNothingAndTakesNoLock) {
     Simulation simulation = scene.make();
     RecorderOptions options;
     options.device = "a device";
-    options.steps = steps;
+    options.buffered_steps = steps;
     Recorder recorder(folder / "a.h5", simulation, options);
     const DeviceTick device;
     std::vector<StepInput> inputs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recorder when something goes wrong: killed, without memory, without disk; and beside other observers.
+// The recorder in failures: killed process, full buffer, full disk; and with other observers.
 #include "hapticut/io/recording/recorder.hpp"
 
 #include <fcntl.h>
@@ -35,7 +35,7 @@ using test::TemporaryFolder;
 
 constexpr char kFolderVariable[] = "HAPTICUT_TEST_RECORDING_FOLDER";
 
-/// A counter that two processes see.
+/// A counter shared by two processes.
 class SharedCounter {
  public:
   explicit SharedCounter(const std::filesystem::path& path) {
@@ -54,7 +54,7 @@ class SharedCounter {
   std::atomic<long>* count_;
 };
 
-// The process that the next test kills: a loop of 1 kHz that records until the end of time.
+// The process that the next test kills: an endless 1 kHz loop that records.
 TEST(RecorderChild, DISABLED_RecordsUntilItIsKilled) {
   const std::filesystem::path folder = std::getenv(kFolderVariable);
   SharedCounter steps(folder / "counter");
@@ -70,7 +70,7 @@ TEST(RecorderChild, DISABLED_RecordsUntilItIsKilled) {
 }
 
 TEST(Recorder, LosesLessThanASecondWhenItsProcessIsKilled) {
-  const long kAtOneKilohertz = 1000;  // steps of a second
+  const long kAtOneKilohertz = 1000;  // steps per second
   for (const long when : {350, 1501}) {
     const TemporaryFolder folder;
     SharedCounter steps(folder / "counter");
@@ -109,7 +109,7 @@ TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options;
-  options.steps = 16;
+  options.buffered_steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
   step_in_the_air(recorder, 100000);  // faster than any disk
   const std::uint64_t lost = recorder.lost();
@@ -123,17 +123,17 @@ TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {
   ASSERT_EQ(recording.info().remarks.size(), 1U);
   EXPECT_NE(recording.info().remarks[0].find(std::to_string(lost)), std::string::npos);
   const ReplayReport report = replay(recording);
-  EXPECT_TRUE(report.identical);  // as far as it goes
+  EXPECT_TRUE(report.identical);  // up to the first gap
   EXPECT_GE(report.steps, 16U);
-  EXPECT_EQ(report.steps + report.left_out, recording.size());
-  EXPECT_GT(report.left_out, 0U);
+  EXPECT_EQ(report.steps + report.skipped, recording.size());
+  EXPECT_GT(report.skipped, 0U);
 }
 
 TEST(Recorder, LosesNothingWhereItMayWait) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = patient();
-  options.steps = 16;
+  options.buffered_steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
   step_in_the_air(recorder, 5000);
   EXPECT_EQ(recorder.lost(), 0U);
@@ -145,7 +145,7 @@ TEST(Recorder, CountsTheStepsAfterItsEndAsLostAndDoesNotWaitForRoom) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = patient();
-  options.steps = 16;
+  options.buffered_steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
   step_in_the_air(recorder, 10);
   recorder.close();
@@ -208,7 +208,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   EXPECT_TRUE(report.identical) << report.first_difference->column << " in step " << report.first_difference->step;
   EXPECT_EQ(report.steps, parts);
 
-  // The column `force` is what the hand felt, though the contact's own force is another.
+  // The column `force` is the force on the hand, which differs from the contact force.
   const std::vector<RecordedStep> steps = recording.read(0, parts);
   double max_difference = 0;
   for (const auto& [step, force] : felt) {
@@ -243,7 +243,7 @@ TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
     const std::string refusal = test::refusal([&] { recorder.close(); });
     for (const char* part : {"a.h5", "free disk space"}) test::expect_part(refusal, part);
   }
-  // What was written before is in order.
+  // The steps written before are readable.
   const Recording recording = read_recording(folder / "a.h5");
   EXPECT_GT(recording.size(), 1000U);
   EXPECT_TRUE(replay(recording).identical);
@@ -255,7 +255,7 @@ TEST(Recorder, HasFailedWhereItsEndCannotBeWritten) {
   Recorder recorder(folder / "a.h5", simulation, patient());
   step_in_the_air(recorder, 10);
   EXPECT_FALSE(recorder.failed());
-  std::filesystem::remove(folder / "a.h5");  // the hash of the workpiece comes after the file was opened again
+  std::filesystem::remove(folder / "a.h5");  // `close` reopens the file to write the hash of the workpiece
   EXPECT_THROW(recorder.close(), Error);
   EXPECT_TRUE(recorder.failed());
   EXPECT_EQ(recorder.lost(), 0U);
@@ -267,7 +267,7 @@ TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
   EXPECT_THROW(Recorder(folder / "no/such/folder.h5", simulation), Error);
   EXPECT_THROW(Recorder(folder / "", simulation), Error);
   RecorderOptions options;
-  options.steps = 1;
+  options.buffered_steps = 1;
   EXPECT_THROW(Recorder(folder / "a.h5", simulation, options), Error);
   options = {};
   options.flush_period = 2;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings that are none, that another version wrote, or that somebody damaged on purpose: HDF5 finds them in order,
-// and what they say of themselves is wrong.
+// Files that are no recordings, of another version, or damaged on purpose: valid for HDF5, but with wrong content.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -29,7 +28,7 @@ const std::string& good_recording() {
   return bytes;
 }
 
-/// The same, in a folder of its own, and what is said of it.
+/// A recording in a separate folder, modified, and the error of reading it.
 struct Damaged {
   explicit Damaged(const std::string& bytes) { test::write_bytes(path, bytes); }
   explicit Damaged(const std::function<void(hid_t file)>& change) : Damaged(good_recording()) { also(change); }
@@ -51,7 +50,7 @@ void remove(hid_t file, const std::string& name) {
   hdf5::checked(H5Ldelete(file, name.c_str(), H5P_DEFAULT), "deleting");
 }
 
-/// Puts an empty data set in the place of another.
+/// Replaces a data set by an empty one.
 void replace(hid_t file, const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
              const std::function<void(hid_t properties)>& prepare) {
   remove(file, name);
@@ -62,7 +61,7 @@ void replace(hid_t file, const std::string& name, hid_t type, const std::vector<
                           "replacing");
 }
 
-// A list of texts was read into the room of one.
+// Regression: a list of texts was read into the memory of one.
 TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
   expect_refused("'note' is not a text", [](hid_t file) {
     const hsize_t many = 1000;
@@ -74,7 +73,7 @@ TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
   });
 }
 
-// HDF5 opens whatever a link or a data set names: a device, a pipe, another user's file.
+// HDF5 opens any target of a link or data set: a device, a pipe, a file of another user.
 TEST(DamagedRecording, IsReadOnlyFromItself) {
   expect_refused("'simulation' is only a link", [](hid_t file) {
     remove(file, "simulation");
@@ -124,12 +123,12 @@ TEST(DamagedRecording, CountsTheLostStepsUpToTheLargestNumber) {
   });
 }
 
-// The places of a column's values are looked up when it is read, so an export is the first to see that they are wrong.
+// The positions of a column's values are read with the values, so an export is the first to detect errors.
 TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
   const TemporaryFolder folder;
   const std::string& bytes = good_recording();
   int refused = 0;
-  const std::string index = "EAIB";  // begins the places of a data set that grows
+  const std::string index = "EAIB";  // marks the index of a growing data set
   for (std::size_t at = bytes.find(index); at != std::string::npos && refused < 3; at = bytes.find(index, at + 1)) {
     std::string wrong = bytes;
     wrong[at + index.size()] = char(wrong[at + index.size()] ^ 1);
@@ -138,7 +137,7 @@ TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
     try {
       recording.emplace(read_recording(folder / "b.h5"));
     } catch (const Error&) {
-      continue;  // of a column that the reader needs
+      continue;  // belongs to a column that the reader needs
     }
     for (const auto& write : {write_csv, write_npz}) {
       const std::string refusal = test::refusal([&] { write(*recording, folder / "out"); });
@@ -193,7 +192,7 @@ TEST(BadRecording, ThatIsCutShortIsRefusedAtEveryLength) {
     EXPECT_NE(Damaged(bytes.substr(0, std::size_t(share * double(bytes.size())))).complaint(), "") << share;
 }
 
-/// Changes the list of what a group holds, as another version of hapticut would have written it.
+/// Changes the list of fields of a group, as if another version had written it.
 void change_fields(hid_t file, const char* group_name, const std::function<std::string(std::string)>& change) {
   const hdf5::Group group = hdf5::open_group(file, group_name);
   const std::string fields = hdf5::read_text_attribute(group.get(), "fields");
@@ -206,7 +205,7 @@ TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUn
                                                {"tool", "spindle_droop"},
                                                {"materials", "density"},
                                                {"steps", "contact_level_of_detail"}}) {
-    const char* const group = group_name;  // which lambdas may capture
+    const char* const group = group_name;  // copy for the lambda captures
     const std::string field = field_name, place = std::string(group) + "/" + field;
     SCOPED_TRACE(place);
     const Damaged recording([&](hid_t file) { remove(file, place); });

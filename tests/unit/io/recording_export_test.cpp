@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as CSV and NumPy: every digit arrives.
+// Export of recordings to CSV and NumPy: with all digits.
 #include <gtest/gtest.h>
 
 #include <charconv>
@@ -126,7 +126,7 @@ TEST(RecordingExport, WritesTheSoundOfTheDrill) {
   for (const RecordedStep& step : recording.read(0, kSteps)) seconds += step.input.dt, speed = step.spindle.speed;
   const std::size_t count = (bytes.size() - 44) / 2;
   EXPECT_NEAR(double(count), 16'000 * seconds, 1);
-  // Its strength in the second half, once the spindle has run up, and beside the tone.
+  // Its amplitude in the second half, after the spindle has accelerated, and the amplitude next to the tone.
   const auto strength = [&](double frequency) {
     double cosine = 0, sine = 0;
     for (std::size_t n = count / 2; n < count; ++n) {

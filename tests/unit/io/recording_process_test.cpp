@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings are read by a program of their own, which a file may kill.
+// A separate program reads recordings, because a file may crash it.
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have kill
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ using test::TemporaryFolder;
 constexpr int kSteps = 5;
 constexpr const char* kVariable = "HAPTICUT_RECORDING_READER";
 
-/// Names another program to read recordings, for as long as it lives.
+/// While it lives, another program reads recordings.
 struct OtherReader {
   explicit OtherReader(const std::string& program) { ::setenv(kVariable, program.c_str(), 1); }
   ~OtherReader() { ::unsetenv(kVariable); }
@@ -41,14 +41,14 @@ std::filesystem::path recorded(const TemporaryFolder& folder) {
   return test::record_scene(folder / "a.h5", "axial_flat", kSteps);
 }
 
-/// A program in the place of the reader, in the language of the shell.
+/// A shell script that replaces the reader.
 std::string script(const TemporaryFolder& folder, const std::string& text) {
   test::write_bytes(folder / "reader", "#!/bin/sh\n" + text);
   std::filesystem::permissions(folder / "reader", std::filesystem::perms::owner_all);
   return (folder / "reader").string();
 }
 
-/// An reply as the reader gives it, in the notation of printf(1).
+/// A reply of the reader, in the notation of printf(1).
 std::string octal(const Reply& reply) {
   std::string text;
   const auto* bytes = reinterpret_cast<const unsigned char*>(&reply);
@@ -82,7 +82,7 @@ TEST(RecordingProcess, GivesWhatHdf5GivesInThisProcess) {
   EXPECT_EQ(process.number_attribute("workpiece", "hash"), here->number_attribute("workpiece", "hash"));
   EXPECT_FALSE(process.has_attribute("steps", "taste"));
   EXPECT_THROW((void)process.text("tool/taste"), hdf5::Failure);
-  EXPECT_EQ(process.text("tool/head"), here->text("tool/head"));  // a refusal is not the end
+  EXPECT_EQ(process.text("tool/head"), here->text("tool/head"));  // a refusal does not end the reader
   std::vector<std::byte> rows;
   EXPECT_THROW(process.rows("steps/dt", ValueType::float64, 1, kSteps, 1, rows), hdf5::Failure);
   EXPECT_THROW(process.rows("steps/dt", ValueType::float64, 3, 0, kSteps, rows), hdf5::Failure);
@@ -102,7 +102,7 @@ TEST(RecordingProcess, MayBeAskedBySeveralThreads) {
   for (std::thread& thread : threads) thread.join();
 }
 
-// The number of entries in the root of a B-tree is believed: HDF5 1.10.8 reads and writes as many beyond its buffers.
+// HDF5 1.10.8 trusts the number of entries in the root of a B-tree, and reads and writes beyond its buffers.
 TEST(RecordingProcess, DiesOfAFileWhoseChecksumsFitAndIsOneSentence) {
   const TemporaryFolder folder;
   std::string bytes = test::read_bytes(recorded(folder));
@@ -116,7 +116,7 @@ TEST(RecordingProcess, DiesOfAFileWhoseChecksumsFitAndIsOneSentence) {
   }
   ASSERT_GT(trees, 0);
   test::write_bytes(folder / "hurts.h5", bytes);
-  // In this process: a child of this test, which it ends.
+  // In a child of this test, which crashes.
   const pid_t child = ::fork();
   if (child == 0) {
     try {
@@ -142,7 +142,7 @@ TEST(RecordingProcess, ThatIsMissingOrEndsOrLiesIsOneSentence) {
   }
   for (const std::string& program :
        {std::string("/bin/false"), script(folder, "kill -SEGV $$"),
-        // More than was asked for, and a sentence of any length.
+        // More bytes than requested, and a message of any length.
         script(folder, "printf '" + octal({Reply::Result::done, 1ULL << 40U}) + "' >&0; sleep 9"),
         script(folder, "printf '" + octal({Reply::Result::refused, 1ULL << 40U}) + "' >&0; sleep 9"),
         script(folder, "printf '" + octal({Reply::Result(7), 0}) + "' >&0; sleep 9")}) {
@@ -150,8 +150,7 @@ TEST(RecordingProcess, ThatIsMissingOrEndsOrLiesIsOneSentence) {
     const OtherReader other(program);
     test::expect_part(complaint_about(path), "crashed or took too long");
   }
-  const OtherReader tells(
-      script(folder, "printf '" + octal({Reply::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
+  const OtherReader tells(script(folder, "printf '" + octal({Reply::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
   test::expect_part(complaint_about(path), "a?b?");
 }
 
@@ -163,7 +162,7 @@ TEST(RecordingProcess, ThatHangsIsNotWaitedForLonger) {
   EXPECT_LE(RecordingProcess::kMaxReplyTime, std::chrono::seconds(20));
 }
 
-/// The one child of this process; 0: none.
+/// The only child of this process; 0: none.
 pid_t child_of_this_process() {
   const std::string list = test::read_bytes("/proc/self/task/" + std::to_string(::getpid()) + "/children");
   return list.empty() ? 0 : pid_t(std::stol(list));

@@ -34,7 +34,7 @@ Simulation small_cut(const SimulationConfig& config = {},
   return {build_block({Vec3(-2e-3, -2e-3, -3e-3), Vec3(2e-3, 2e-3, 0)}, 1e-4, test::plain_material()), tool, config};
 }
 
-/// Straight down with 2 mm/s from just above the face.
+/// Straight down at 2 mm/s from just above the face.
 StepInput plunge(const Simulation& simulation, int tick) {
   const HeadBox box = simulation.tool().head().bounding_box();
   const double z = -box.min.z() + 1e-5 - 2e-6 * tick;
@@ -179,7 +179,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
                            Tool(pear_head(2e-3, 4e-3, 1e-3), angled, air_turbine)}) {
     Simulation simulation = small_cut(config, tool);
     Material material = test::plain_material();
-    material.cutter = CutterKind::twist_drill;  // which none of the tools is, and the status says so
+    material.cutter = CutterKind::twist_drill;  // no tool has this kind, which the status reports
     simulation.set_materials(MaterialTable({material}));
     record_plunge(folder / "a.h5", simulation, 200);
     const Recording recording = read_recording(folder / "a.h5");
@@ -199,11 +199,11 @@ TEST(Recording, SaysWhereAReplayLeavesIt) {
   const TemporaryFolder folder;
   const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", 200));
   ASSERT_TRUE(recording.default_law());
-  // Another law must give other forces from the first contact on.
+  // Another law gives other forces from the first contact on.
   const ReplayReport report = replay(recording, {std::make_shared<ContactMechanicsLaw>(1e9), {}, {}});
   EXPECT_FALSE(report.identical);
   ASSERT_TRUE(report.first_difference);
-  // Parts of voxels are touched a little before or after their centroids are.
+  // Parts of voxels are touched slightly before or after their centroids.
   const std::vector<RecordedStep> steps = recording.read(report.first_difference->step, 50);
   EXPECT_GT(steps.back().contact.voxels, 0);
   EXPECT_GT(report.max_force_difference, 0);
@@ -231,7 +231,7 @@ TEST(Recording, MayNameTheFileOfItsWorkpieceInsteadOfHoldingIt) {
   record_plunge(folder / "a.h5", simulation, 300, options);
   expect_identical(replay_file(folder / "a.h5"), 300, "file");
 
-  // Moved together to another folder.
+  // Both files moved to another folder.
   std::filesystem::create_directory(folder / "moved");
   for (const char* name : {"a.h5", "ball.vdb"}) std::filesystem::rename(folder / name, folder / "moved" / name);
   expect_identical(replay_file(folder / "moved/a.h5"), 300, "moved");
@@ -304,7 +304,7 @@ TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
   SimulationConfig config;
   config.voxel_budget = 4096;
   Simulation simulation(build_block({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 5e-5, test::plain_material()),
-                        Tool(SphereHead{1e-3}, RayHandle{20e-3}), config);  // which presses on ever more voxels
+                        Tool(SphereHead{1e-3}, RayHandle{20e-3}), config);  // presses on more and more voxels
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::vector<int> levels;
   for (int tick = 0; tick < 300; ++tick)
@@ -316,7 +316,7 @@ TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
   expect_identical(replay_file(folder / "a.h5"), 300, "in turns");
 }
 
-// What a step returns is recorded: a field of StepResult is a column, or its own fields are columns.
+// A recording has all results of a step: each field of StepResult, or each of its subfields, is a column.
 TEST(Recording, HasAColumnForEachFieldOfAResult) {
   const TemporaryFolder folder;
   test::record_scene(folder / "a.h5", "axial_flat", 2);

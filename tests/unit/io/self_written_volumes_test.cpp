@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG and TIFF slices, NRRD, MetaImage and NIfTI files, DICOM series and InVesalius projects that the test writes
-// itself: what is in them comes back, and damaged ones give a clear error or the volume, whatever is done to them.
+// PNG and TIFF slices, NRRD, MetaImage and NIfTI files, DICOM series and InVesalius projects written by the test: valid
+// files are read back exactly, and damaged ones give a clear error or a valid volume.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::array<int, 3> kDims = {4, 3, 5};
 const Vec3 kSpacing = Vec3(0.1, 0.2, 0.7) * mm;
 constexpr int kSlice = kDims[0] * kDims[1];
 
-/// The values of all volumes here: different everywhere, so that no mix-up of axes goes unnoticed.
+/// The values of all volumes here: all different, to detect swapped axes.
 template <class Value>
 std::vector<Value> ramp(int first = 0, int count = kSlice * kDims[2]) {
   std::vector<Value> values(static_cast<std::size_t>(count));
@@ -49,7 +49,7 @@ GreyVolume read(const std::filesystem::path& path) { return read_grey_volume(pat
 
 // --- slices
 
-/// Slices 9, 10, 11 ... 13, so that lexical order would put the first one last.
+/// Slices 9, 10, 11 ... 13: lexical order would put the first one last.
 void write_slices(const TemporaryFolder& folder, const std::string& ending,
                   const std::function<std::string(int)>& slice) {
   for (int k = 0; k < kDims[2]; ++k) write_bytes(folder / ("slice" + std::to_string(9 + k) + ending), slice(k));
@@ -136,7 +136,7 @@ TEST(Slices, AreInTheOrderOfTheNumberThatChanges) {
 TEST(Slices, InOneFileOfSeveralPagesAreRefusedAsThat) {
   const TemporaryFolder folder;
   const std::string page = tiff<std::uint8_t>(0);
-  constexpr std::size_t kDirectory = 2 + 9 * 12 + 4;  // [bytes], with the place of the next one at its end
+  constexpr std::size_t kDirectory = 2 + 9 * 12 + 4;  // [bytes], with the offset of the next directory at its end
   const std::string next = test::little(std::uint32_t(page.size()));
   write_bytes(folder / "stack.tif", page.substr(0, page.size() - 4) + next + page.substr(page.size() - kDirectory));
   expect_refused(folder / "", "it has several pages; save one slice per file");
@@ -182,10 +182,10 @@ TEST(Nifti, ScaledValuesAreScaled) {
     EXPECT_FLOAT_EQ(volume.values[n], 0.5F * float(file.values[n]) - 10);
 }
 
-// Files have x to the right and y to the front, the library x to the left and y to the back: both change their sign.
+// In files x points right and y to the front; in the library x points left and y to the back. Both change sign.
 TEST(Nifti, PoseComesFromItsAffineMap) {
   NiftiFile file = ramp_file();
-  // Index i along -z, j along x, k along -y of the file: 10, 20, 30 mm is the first sample's place.
+  // Index i along -z, j along x, k along -y of the file: the first sample is at 10, 20, 30 mm.
   file.rows = {0, 0.2F, 0, 10, 0, 0, -0.7F, 20, -0.1F, 0, 0, 30};
   const GreyVolume volume = read_nifti(file);
   expect_ramp(volume);
@@ -195,7 +195,7 @@ TEST(Nifti, PoseComesFromItsAffineMap) {
 
 TEST(Nifti, PoseComesFromItsQuaternionAndALeftHandedGridIsTurnedRound) {
   NiftiFile file = ramp_file();
-  file.quaternion = {0, 0, float(std::sqrt(0.5)), 1, 2, 3};  // a quarter turn about z
+  file.quaternion = {0, 0, float(std::sqrt(0.5)), 1, 2, 3};  // 90 degrees about z
   const GreyVolume volume = read_nifti(file);
   expect_ramp(volume);
   // Of the file: i along y, j along -x.
@@ -211,7 +211,7 @@ TEST(Nifti, PoseComesFromItsQuaternionAndALeftHandedGridIsTurnedRound) {
 // --- DICOM and InVesalius
 
 void write_series(const TemporaryFolder& folder) {
-  for (int k = 0; k < kDims[2]; ++k)  // named against the order of their places
+  for (int k = 0; k < kDims[2]; ++k)  // names in reverse order of positions
     write_bytes(folder / ("image" + std::to_string(9 - k)),
                 test::dicom_file(test::dicom_slice(4, 3, 0.7 * k, ramp<std::int16_t>(k * kSlice, kSlice))));
 }
@@ -235,13 +235,13 @@ TEST(InVesalius, AProjectIsReadWithItsSpacing) {
 
 // --- damage
 
-/// A format, as a file to damage within a folder to read.
+/// A format: a file to damage and a path to read.
 struct Format {
   const char* name;
-  std::string file;                                       // that is damaged
-  bool is_folder;                                         // that is read
-  std::function<void(const TemporaryFolder&)> write;      // a whole volume
-  std::function<std::string(std::uint32_t)> claims = {};  // the file with a header that claims this many samples a side
+  std::string file;                                       // file to damage
+  bool is_folder;                                         // true: read the folder
+  std::function<void(const TemporaryFolder&)> write;      // writes a valid volume
+  std::function<std::string(std::uint32_t)> claims = {};  // file whose header claims this many samples per side
 };
 
 void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
@@ -263,7 +263,7 @@ std::string meta_file(std::uint32_t side) {
 }
 
 std::vector<Format> formats() {
-  // A format of one file, which a function of the claimed side gives; 0: as it is.
+  // A single-file format, from a function of the claimed side; 0: valid.
   const auto one_file = [](const char* name, const char* file, const std::function<std::string(std::uint32_t)>& bytes) {
     return Format{name, file, false, [=](const TemporaryFolder& f) { write_bytes(f / file, bytes(0)); }, bytes};
   };
@@ -308,8 +308,9 @@ class DamagedVolume : public testing::TestWithParam<Format> {
     return GetParam().is_folder ? folder_ / "" : folder_ / GetParam().file;
   }
 
-  /// Reads with other bytes in the file: prints nothing, and gives an error that names the file or its folder, or a
-  /// volume that is consistent.  @return whether it was refused
+  /// Reads the file with changed bytes. Expects no output, and an error that names the file or its folder, or a
+  /// consistent volume.
+  /// @return true when reading was refused
   bool is_refused(const std::string& bytes, const std::function<void(const GreyVolume&)>& check) {
     write_bytes(folder_ / GetParam().file, bytes);
     testing::internal::CaptureStderr();
@@ -337,7 +338,7 @@ TEST_P(DamagedVolume, CutShortAnywhereIsRefusedOrStillTheWholeVolume) {
       EXPECT_EQ(volume.dims, volume_.dims) << "cut to " << length << " of " << whole_.size();
       EXPECT_EQ(volume.values, volume_.values) << "cut to " << length << " of " << whole_.size();
     });
-  EXPECT_GT(refused, 0.7 * tried);  // what follows the values is not needed by every format
+  EXPECT_GT(refused, 0.7 * tried);  // some formats do not need the bytes after the values
   EXPECT_LT(growth.bytes(), test::kModestMemory);
 }
 
@@ -355,7 +356,7 @@ TEST_P(DamagedVolume, WithRandomBytesIsRefusedOrConsistent) {
     (void)is_refused(bytes, check);
   }
   for (const std::size_t kept : {std::size_t(0), std::size_t(4), whole_.size() / 4, whole_.size() / 2}) {
-    std::string noise = whole_.substr(0, kept);  // nothing but noise behind the beginning of the file
+    std::string noise = whole_.substr(0, kept);  // only noise after the beginning of the file
     while (noise.size() < 4096) noise += char(random());
     const bool refused = is_refused(noise, check);
     EXPECT_TRUE(refused || kept > 4) << kept;

@@ -68,7 +68,7 @@ TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
 std::string binary_stl(const std::string& begin, std::uint32_t announced, const std::vector<float>& coordinates) {
   std::string bytes = begin + std::string(80 - begin.size(), ' ') + test::little(announced);
   for (std::size_t at = 0; at < coordinates.size(); at += 9)
-    bytes += std::string(12, '\xff') +  // a normal that is no number
+    bytes += std::string(12, '\xff') +  // a NaN normal
              test::little(std::vector<float>(coordinates.begin() + long(at), coordinates.begin() + long(at) + 9)) +
              std::string(2, '\0');
   return bytes;
@@ -128,7 +128,7 @@ class PlyFormats : public testing::TestWithParam<const char*> {};
 
 TEST_P(PlyFormats, ACubeIsReadWhateverItsTypesAndWhateverElseIsThere) {
   PlyWriter w(GetParam());
-  for (const auto& p : kCorners) {  // properties in another order than usual, and a list among them
+  for (const auto& p : kCorners) {  // properties in an unusual order, with a list between them
     w.add(std::uint8_t(2)).add(std::int16_t(-1)).add(std::int16_t(7));
     w.add(double(p[2])).add(float(p[0])).add(std::uint16_t(400)).add(std::int8_t(p[1]));
   }

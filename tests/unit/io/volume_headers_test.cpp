@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of NRRD, MetaImage and NIfTI leave out, round, or say beside what is read.
+// Headers of NRRD, MetaImage and NIfTI with missing, rounded or additional information.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -123,7 +123,7 @@ TEST(Nrrd, WithAnAxisThatIsNoneOfSpaceIsRefused) {
   expect_ramp(read_nrrd("dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\nkinds: domain space ???\n"));
 }
 
-// As somebody writes one by hand for values in a file of their own: of 16 bits, or one slice short.
+// A hand-written header for values in a separate file: 16-bit type, or one slice missing.
 TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
   const std::string detached = "dimension: 3\nspacings: 1 1 1\ndata file: v.raw\n";
   expect_refused("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
@@ -215,7 +215,7 @@ TEST(MetaImage, ReadsWhatStandsBehindTheNameOfItsDataFile) {
   expect_refused("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\nabc\n", "damaged at 'abc'");
 }
 
-/// Directions of a turned grid as a writer rounds them, times a length, each in brackets or not.
+/// Rounded directions of a rotated grid, times a length, with or without brackets.
 std::string rounded_directions(const Mat3& turn, const Vec3& lengths, const char* between, const char* open,
                                const char* close) {
   std::string text;

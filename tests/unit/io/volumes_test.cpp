@@ -35,7 +35,7 @@ std::filesystem::path written(const TemporaryFolder& folder, const std::string& 
   return folder / name;
 }
 
-/// Values of 16 bits, as files store them.
+/// 16-bit values as stored in files.
 std::string short_bytes(int count) {
   std::string bytes;
   for (int n = 0; n < count; ++n) bytes += test::little(std::int16_t(n * 7 - 50));
@@ -52,7 +52,7 @@ std::string meta(const std::string& fields) {
          "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
 }
 
-/// Expects that reading is refused by a sentence that names the file, and that nothing is printed.
+/// Expects an error that names the file, and no output.
 void expect_clear_error(const std::filesystem::path& path, const std::string& part) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
@@ -108,7 +108,7 @@ TEST(WriteNrrd, LeavesWhatWasThereWhenItFails) {
   EXPECT_EQ(test::read_bytes(folder / "old.nrrd"), "precious");
   EXPECT_EQ(folder.file_count(), 1U);
   EXPECT_THROW(write_nrrd(folder / "no/such/folder.nrrd", rotated_ramp()), Error);
-  EXPECT_THROW(write_nrrd("/proc/volume.nrrd", rotated_ramp()), Error);  // not even the administrator may write there
+  EXPECT_THROW(write_nrrd("/proc/volume.nrrd", rotated_ramp()), Error);  // even root may not write there
 }
 
 TEST(ReadVolume, ReadsNrrdAndMetaImageAlike) {
@@ -186,7 +186,7 @@ TEST(ReadVolume, RefusesWhatItCannotReadAndPrintsNothing) {
   for (const auto& [name, bytes, part] : files) expect_clear_error(written(folder, name, bytes), part);
 }
 
-// What comes of other formats, and without saying "claims": DamagedVolume in self_written_volumes_test.cpp.
+// Other formats: DamagedVolume in self_written_volumes_test.cpp.
 TEST(ReadVolume, RefusesHeadersThatClaimMoreThanTheFileHolds) {
   const TemporaryFolder folder;
   const auto claim = [](const char* sizes, const char* encoding) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws that a user can choose are those that the tests of laws walk.
+// The laws that a user can choose are the laws that the tests cover.
 #include "settings/force_settings.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Law = settings::ForceSettings::Law;
 
-/// A law with 1 for each of its constants.
+/// A law with all constants set to 1.
 std::shared_ptr<const ForceLaw> law_named(const std::string& name) {
   settings::ForceSettings chosen;
   for (const settings::Setting& setting : settings::law_settings_of(chosen)) {

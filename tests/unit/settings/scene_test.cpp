@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as text: what an application makes of it, and what it is told where the text is wrong.
+// A scene as text: the resulting objects, and the errors for wrong texts.
 #include "hapticut/settings/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ to_mm = [3, 1.5, 1.5]
 feed_mm_per_s = 3
 )";
 
-/// What is said of a scene that differs from `kScene`.
+/// The error for a scene that differs from `kScene`.
 std::string complaint(const std::string& part, const std::string& in_its_place) {
   std::string text = kScene + kPath;
   text.replace(text.find(part), part.size(), in_its_place);
@@ -108,11 +108,11 @@ TEST(Scene, NamesLineKeyAndRangeOfAWrongValue) {
 
 TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
   const auto expect = [](const std::string& in_its_place, const std::string& part, int line = 3) {
-    const std::string said = complaint("size_mm = [3, 3, 1]", in_its_place);
-    EXPECT_TRUE(said.starts_with("scene:" + std::to_string(line) + ": ")) << in_its_place << '\n' << said;
-    EXPECT_NE(said.find(part), std::string::npos) << in_its_place << '\n' << said;
-    EXPECT_EQ(said.find("pars"), std::string::npos) << "words of a library: " << said;
-    EXPECT_EQ(said.back(), '.');
+    const std::string message = complaint("size_mm = [3, 3, 1]", in_its_place);
+    EXPECT_TRUE(message.starts_with("scene:" + std::to_string(line) + ": ")) << in_its_place << '\n' << message;
+    EXPECT_NE(message.find(part), std::string::npos) << in_its_place << '\n' << message;
+    EXPECT_EQ(message.find("pars"), std::string::npos) << "words of a library: " << message;
+    EXPECT_EQ(message.back(), '.');
   };
   for (const char* path : {R"(grid = "C:\Users\me")", R"(grid = "C:\data\skull.stl")"})
     expect(path, "write paths with / or in single quotes.");
@@ -141,8 +141,8 @@ TEST(Scene, RefusesControlCharactersInNamesOfFiles) {
 }
 
 TEST(Scene, NamesTheNearestKeyOfAnUnknownOne) {
-  const auto expect = [](const std::string& part, const std::string& in_its_place, const std::string& said) {
-    EXPECT_EQ(complaint(part, in_its_place), "scene:" + said);
+  const auto expect = [](const std::string& part, const std::string& in_its_place, const std::string& message) {
+    EXPECT_EQ(complaint(part, in_its_place), "scene:" + message);
   };
   const std::string no = ": there is no such setting. Did you mean ";
   expect("radius_mm = 0.8", "radios_mm = 0.8", "12: tool.radios_mm" + no + "tool.radius_mm?");

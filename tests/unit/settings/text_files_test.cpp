@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poses and profiles as text: what their files say, and where they are wrong.
+// Poses and profiles as text: valid files and errors.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -36,7 +36,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// What spreadsheets of other countries make of one path, and what people make of it by hand.
+// One path as written by spreadsheets of other countries and by hand.
 TEST(PosesOfText, AreTheSameFromEverySpreadsheet) {
   const std::string plain = "t_s,x_mm,y_mm,z_mm,note\n0,-3,1500,4,a\n0.01,1.125,3e-1,3.98,b\n0.02,+3,3,0.5,c\n";
   const auto path = kReadPoses(plain);
@@ -67,8 +67,7 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
   const auto expect = [](const std::string& text, const std::string& part) {
     EXPECT_NE(refusal(kReadPoses, text).find(part), std::string::npos) << refusal(kReadPoses, text);
   };
-  expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n",
-         "a.csv:2: \"1,234\" may have a decimal comma or a mark for thou");
+  expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n", "a.csv:2: \"1,234\" may have a decimal comma or a mark for thou");
   EXPECT_EQ(kReadPoses("t_s,x_mm,y_mm,z_mm\n0,\"0,234\",0,0\n\"0,5\",\"1,5\",0,0\n")[1].t, 0.5);
   const std::string thousands = "t_s;x_mm;y_mm;z_mm\n0;0;0;0\n1;-1,005;0;0\n2;3,000;0;0\n";
   for (const char* separator : {";", "\t", "  "})
@@ -76,7 +75,7 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
            "a.csv:3: \"-1,005\" may have a decimal comma or a mark for thousands; write -1,0050, or -1005.");
   expect(replaced(thousands, ",", "."), "a.csv:3: \"-1.005\" may have a decimal point or a mark for thousands");
   EXPECT_DOUBLE_EQ(kReadPoses(replaced(replaced(thousands, ",", "."), ";", "\t"))[2].pose.translation.x(), 3e-3);
-  for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // one number tells of all
+  for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // one number decides for all
     EXPECT_DOUBLE_EQ(kReadPoses(replaced(thousands, "3,000", decimal))[1].pose.translation.x(), -1.005e-3) << decimal;
   expect("t_s;x_mm;y_mm;z_mm\n0;1.5;0;0\n1;1,5;0;0\n", "a.csv:3: some numbers have a decimal point, others a comma");
   expect("t_s;x_mm;y_mm;z_mm\n0;1.234,5;0;0\n", "a.csv:2: x_mm = \"1.234,5\"; must be a number.");

@@ -24,8 +24,8 @@ struct RecorderOptions {
   /// of the handle is recorded as the reading.
   const Device* driven_by = nullptr;
 
-  std::size_t steps = 8192;   ///< capacity of the buffer between loop and disk, about 1.5 kB per step
-  double flush_period = 0.2;  ///< [s] 0.01 ... 0.5; a killed process loses about this much of the recording
+  std::size_t buffered_steps = 8192;  ///< capacity of the buffer between loop and disk, about 1.5 kB per step
+  double flush_period = 0.2;          ///< [s] 0.01 ... 0.5; a killed process loses about this much of the recording
 
   /// When the buffer is full: true waits for the disk (for simulations without a hand); false drops the step and counts
   /// it in the recording (for loops).
@@ -73,10 +73,8 @@ class Recorder final : public StepObserver {
   void on_removal(const BlockVoxels& removed) noexcept override;
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< number of recorded steps
-  [[nodiscard]] std::uint64_t lost()
-      const noexcept;  ///< number of steps dropped: buffer full, or after the end of the recording
-  [[nodiscard]] bool failed()
-      const noexcept;  ///< whether writing or `close` failed, e.g. disk full; `close` throws the reason
+  [[nodiscard]] std::uint64_t lost() const noexcept;      ///< number of steps lost: buffer full, or recording over
+  [[nodiscard]] bool failed() const noexcept;             ///< whether writing or `close` failed; `close` throws why
 
   /// Writes the remaining steps and the hash of the workpiece, and ends the recording. On a full disk the recording
   /// keeps the steps that fit and the number of missing steps.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program that unpacks compressed pictures for the library. It reads frames from,
-// and writes values to, the socket at standard input. If it ends in any way, the library reports a damaged picture.
+// Program that unpacks compressed pictures for the library. It reads frames from, and writes values to, the socket at
+// standard input. If it ends in any way, the library reports a damaged picture.
 #include <gdcmImageReader.h>
 #include <gdcmTrace.h>
 #include <sys/prctl.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program that reads recordings for the library. It replies to queries about one
-// HDF5 file over the socket at standard input. A malicious file may end it in any way; the library then reports a
-// damaged file.
+// Program that reads recordings for the library. It replies to queries about one HDF5 file over the socket at standard
+// input. A malicious file may end it in any way; the library then reports a damaged file.
 #include <unistd.h>
 
 #include <csignal>
