@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
-constexpr double kMaxRotation = 1;           // [rad] of a step; a script may rotate the tool faster than a hand
+constexpr double kMaxStepRotation = 1;       // [rad] of a step; a script may rotate the tool faster than a hand
 constexpr double kCancelled = 1e-4;          // [1] of the normal forces: rounding error of single precision
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
@@ -119,7 +119,7 @@ bool Simulation::State::is_placed_elsewhere(const Pose& X_WH, const Twist& V_WH,
 /// Whether the input is too far from the tool to be a motion: too far for one step, or for the time of refused steps.
 bool Simulation::State::is_jump() const noexcept {
   const int sub_steps = sub_steps_between(last_X_WH, input.X_WH);
-  return sub_steps > config.max_sweep || rotated_beyond(last_X_WH, input.X_WH, kMaxRotation) ||
+  return sub_steps > config.max_sweep || rotated_beyond(last_X_WH, input.X_WH, kMaxStepRotation) ||
          (after_refusal && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
 
@@ -128,7 +128,7 @@ bool Simulation::State::jumps_into_material(const Pose& X_WH) noexcept {
   if (motor.setting() == 0 && motor.speed() == 0) return false;
   const Vec3 shift = X_WH * tool.X_HT().translation - last_X_WH * tool.X_HT().translation;
   const bool is_elsewhere =
-      shift.norm() > tool.head().cutting_radius() || rotated_beyond(last_X_WH, X_WH, kMaxRotation);
+      shift.norm() > tool.head().cutting_radius() || rotated_beyond(last_X_WH, X_WH, kMaxStepRotation);
   return is_elsewhere && touches(X_WH);
 }
 
@@ -139,7 +139,7 @@ StepStatus Simulation::State::follow_jump() noexcept {
   const Pose& X_WH = input.X_WH;
   const bool waits = jumps_into_material(X_WH);
   const bool is_confirmed = jumped_to && sub_steps_between(*jumped_to, X_WH) <= config.max_sweep &&
-                            !rotated_beyond(*jumped_to, X_WH, kMaxRotation);
+                            !rotated_beyond(*jumped_to, X_WH, kMaxStepRotation);
   if (!waits && is_confirmed) {
     place_at(X_WH);
     return StepStatus::ok;
