@@ -69,7 +69,7 @@ TEST(ContactPoint, OfTheEndOfACylinderIsItsMiddleAndThePressureThatOfItsDepth) {
   EXPECT_LT((contact.normal_W - Vec3::UnitZ()).norm(), 1e-3);
   const Contact none = contact_of(head, {0, 0, 4 * mm}, 0.05 * mm, 0, tilted);
   EXPECT_EQ(none.voxels, 0);
-  EXPECT_TRUE(none.point.isZero(0) && none.normal.isZero(0));
+  EXPECT_TRUE(none.point_W.isZero(0) && none.normal_W.isZero(0));
   EXPECT_EQ(none.area + none.pressure, 0);
 }
 
@@ -79,8 +79,8 @@ TEST(ContactPoint, DirectionIsWithoutTheDragOfTheSpin) {
   // Rotated so that the axis is along x: the drag is sideways.
   const Contact turning =
       contact_of(SphereHead{kRadius}, place, 0.05 * mm, 100, rotation_from_vector(Vec3(0, kPi / 2, 0)));
-  EXPECT_LT((turning.normal - standing.normal).norm(), 0.01);
-  EXPECT_LT((turning.point - standing.point).norm(), 0.01 * kRadius);
+  EXPECT_LT((turning.normal_W - standing.normal_W).norm(), 0.01);
+  EXPECT_LT((turning.point_W - standing.point_W).norm(), 0.01 * kRadius);
 }
 
 TEST(ContactPoint, IsThereUnderOtherLawsToo) {
