@@ -29,7 +29,7 @@ hapticut_loop_options for_mock(double seconds) {
 }
 
 /// A loop on a mock device, as fast as it goes.
-struct ScriptedLoop {
+struct Rig {
   Owned simulation{simulation_of(kScene, 1, 8192)};
   Owned device{device_of()};
   Owned surface, loop;
@@ -87,32 +87,32 @@ void take_pages(hapticut_surface surface, Pages& pages) {
 }
 
 TEST(CLoop, CutsAndIsSeen) {
-  ScriptedLoop scripted;
-  scripted.open_surface();
-  const double whole = volume_of(scripted.simulation.get());
-  scripted.start(5);
+  Rig rig;
+  rig.open_surface();
+  const double whole = volume_of(rig.simulation.get());
+  rig.start(5);
   Pages pages;
   for (int running = 1; running == 1;) {
-    ASSERT_EQ(hapticut_loop_is_running(scripted.loop.get(), &running), HAPTICUT_OK);
-    take_pages(scripted.surface.get(), pages);
+    ASSERT_EQ(hapticut_loop_is_running(rig.loop.get(), &running), HAPTICUT_OK);
+    take_pages(rig.surface.get(), pages);
   }
-  const hapticut_loop_state last = scripted.latest();
+  const hapticut_loop_state last = rig.latest();
   auto report = sized<hapticut_loop_report>();
-  ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), &report), HAPTICUT_OK) << hapticut_last_error();
+  ASSERT_EQ(hapticut_loop_stop(rig.loop.get(), &report), HAPTICUT_OK) << hapticut_last_error();
   EXPECT_GE(report.ticks, 5000U);
   EXPECT_EQ(report.fault, 0U);
   EXPECT_NE(std::string(report.end), "");
-  EXPECT_EQ(hapticut_loop_stop(scripted.loop.get(), &report), HAPTICUT_NOTHING);
+  EXPECT_EQ(hapticut_loop_stop(rig.loop.get(), &report), HAPTICUT_NOTHING);
   EXPECT_EQ(last.tick, report.ticks);
   EXPECT_GT(last.removed_volume, 0);
   EXPECT_EQ(last.arming, std::uint32_t(HAPTICUT_ARMING_ON));
-  EXPECT_NEAR(whole - volume_of(scripted.simulation.get()), last.removed_volume, 1e-6 * whole);
+  EXPECT_NEAR(whole - volume_of(rig.simulation.get()), last.removed_volume, 1e-6 * whole);
 
   // The pages of the screen are those of the workpiece as it is.
-  ASSERT_EQ(hapticut_surface_catch_up(scripted.surface.get()), HAPTICUT_OK) << hapticut_last_error();
-  take_pages(scripted.surface.get(), pages);
+  ASSERT_EQ(hapticut_surface_catch_up(rig.surface.get()), HAPTICUT_OK) << hapticut_last_error();
+  take_pages(rig.surface.get(), pages);
   Owned fresh;
-  ASSERT_EQ(hapticut_surface_open(scripted.simulation.get(), fresh.to()), HAPTICUT_OK);
+  ASSERT_EQ(hapticut_surface_open(rig.simulation.get(), fresh.to()), HAPTICUT_OK);
   Pages expected;
   take_pages(fresh.get(), expected);
   EXPECT_FALSE(expected.empty());
@@ -120,78 +120,77 @@ TEST(CLoop, CutsAndIsSeen) {
 }
 
 TEST(CLoop, ObeysCommandsWhileItRuns) {
-  ScriptedLoop scripted;
-  scripted.start(0);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.removed_volume > 0; }));
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_HOLD_FORCE, 1), HAPTICUT_OK);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return (state.flags & HAPTICUT_LOOP_FORCE_HELD) != 0; }));
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_HOLD_FORCE, 0), HAPTICUT_OK);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return (state.flags & HAPTICUT_LOOP_FORCE_HELD) == 0; }));
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_UNDO_MARK), HAPTICUT_OK) << hapticut_last_error();
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.undo_marks == 1; }));
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_OK);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.undo_marks == 0; }));
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_OPEN_CLUTCH), HAPTICUT_OK);
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_CLOSE_CLUTCH), HAPTICUT_OK);
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_SCALE, 1.5), HAPTICUT_OK) << hapticut_last_error();
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_FORCE_MASK, 63), HAPTICUT_OK);
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_REMOVAL, 1), HAPTICUT_OK);
-  ASSERT_EQ(hapticut_loop_set_tool(scripted.loop.get(), kOtherTool.c_str()), HAPTICUT_OK) << hapticut_last_error();
-  ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_SPINDLE_SPEED, 2000), HAPTICUT_OK);
+  Rig rig;
+  rig.start(0);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.removed_volume > 0; }));
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_HOLD_FORCE, 1), HAPTICUT_OK);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return (state.flags & HAPTICUT_LOOP_FORCE_HELD) != 0; }));
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_HOLD_FORCE, 0), HAPTICUT_OK);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return (state.flags & HAPTICUT_LOOP_FORCE_HELD) == 0; }));
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_SET_UNDO_MARK), HAPTICUT_OK) << hapticut_last_error();
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.undo_marks == 1; }));
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_OK);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.undo_marks == 0; }));
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_OPEN_CLUTCH), HAPTICUT_OK);
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_CLOSE_CLUTCH), HAPTICUT_OK);
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_SET_SCALE, 1.5), HAPTICUT_OK) << hapticut_last_error();
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_SET_FORCE_MASK, 63), HAPTICUT_OK);
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_SET_REMOVAL, 1), HAPTICUT_OK);
+  ASSERT_EQ(hapticut_loop_set_tool(rig.loop.get(), kOtherTool.c_str()), HAPTICUT_OK) << hapticut_last_error();
+  ASSERT_EQ(rig.send(HAPTICUT_COMMAND_SET_SPINDLE_SPEED, 2000), HAPTICUT_OK);
 
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_SET_SCALE, -1), HAPTICUT_ERROR_REFUSED);
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_HOLD_FORCE, 0.5), HAPTICUT_ERROR_ARGUMENT);
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_SET_FORCE_MASK, 64), HAPTICUT_ERROR_ARGUMENT);
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_SET_FORCE_MASK, std::nan("")), HAPTICUT_ERROR_ARGUMENT);
-  EXPECT_EQ(scripted.send(0), HAPTICUT_ERROR_ARGUMENT);
-  EXPECT_EQ(scripted.send(999), HAPTICUT_ERROR_ARGUMENT);
-  EXPECT_EQ(hapticut_loop_set_tool(scripted.loop.get(), "[tool]\nradius_mm = -1\n"), HAPTICUT_ERROR_REFUSED);
+  EXPECT_EQ(rig.send(HAPTICUT_COMMAND_SET_SCALE, -1), HAPTICUT_ERROR_REFUSED);
+  EXPECT_EQ(rig.send(HAPTICUT_COMMAND_HOLD_FORCE, 0.5), HAPTICUT_ERROR_ARGUMENT);
+  EXPECT_EQ(rig.send(HAPTICUT_COMMAND_SET_FORCE_MASK, 64), HAPTICUT_ERROR_ARGUMENT);
+  EXPECT_EQ(rig.send(HAPTICUT_COMMAND_SET_FORCE_MASK, std::nan("")), HAPTICUT_ERROR_ARGUMENT);
+  EXPECT_EQ(rig.send(0), HAPTICUT_ERROR_ARGUMENT);
+  EXPECT_EQ(rig.send(999), HAPTICUT_ERROR_ARGUMENT);
+  EXPECT_EQ(hapticut_loop_set_tool(rig.loop.get(), "[tool]\nradius_mm = -1\n"), HAPTICUT_ERROR_REFUSED);
 
-  ASSERT_EQ(hapticut_loop_emergency_stop(scripted.loop.get()), HAPTICUT_OK);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.arming == HAPTICUT_ARMING_FAULT; }));
-  ASSERT_EQ(hapticut_loop_reset_fault(scripted.loop.get()), HAPTICUT_OK);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.arming != HAPTICUT_ARMING_FAULT; }));
-  EXPECT_EQ(scripted.latest().commands_refused, 0U);
-  ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), nullptr), HAPTICUT_OK);
-  EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_ERROR_REFUSED) << "it was stopped";
+  ASSERT_EQ(hapticut_loop_emergency_stop(rig.loop.get()), HAPTICUT_OK);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.arming == HAPTICUT_ARMING_FAULT; }));
+  ASSERT_EQ(hapticut_loop_reset_fault(rig.loop.get()), HAPTICUT_OK);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.arming != HAPTICUT_ARMING_FAULT; }));
+  EXPECT_EQ(rig.latest().commands_refused, 0U);
+  ASSERT_EQ(hapticut_loop_stop(rig.loop.get(), nullptr), HAPTICUT_OK);
+  EXPECT_EQ(rig.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_ERROR_REFUSED) << "it was stopped";
 }
 
 TEST(CLoop, HasItsSimulationAndItsDeviceToItself) {
-  ScriptedLoop scripted;
-  scripted.open_surface();
+  Rig rig;
+  rig.open_surface();
   Owned coupling;
-  ASSERT_EQ(hapticut_coupling_open(scripted.simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
-  scripted.start(0);
+  ASSERT_EQ(hapticut_coupling_open(rig.simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
+  rig.start(0);
   const hapticut_step_input input = above(0);
   auto result = sized<hapticut_step_result>();
-  EXPECT_EQ(hapticut_step(scripted.simulation.get(), &input, &result), HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_step(rig.simulation.get(), &input, &result), HAPTICUT_ERROR_BUSY);
   EXPECT_NE(std::string(hapticut_last_error()).find("hapticut_loop_stop"), std::string::npos);
   EXPECT_EQ(hapticut_coupling_step(coupling.get(), &input, &result), HAPTICUT_ERROR_BUSY);
-  EXPECT_EQ(hapticut_undo(scripted.simulation.get()), HAPTICUT_ERROR_BUSY);
-  EXPECT_EQ(hapticut_surface_catch_up(scripted.surface.get()), HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_undo(rig.simulation.get()), HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_surface_catch_up(rig.surface.get()), HAPTICUT_ERROR_BUSY);
   hapticut_handle made = 0;
-  EXPECT_EQ(hapticut_surface_open(scripted.simulation.get(), &made), HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_surface_open(rig.simulation.get(), &made), HAPTICUT_ERROR_BUSY);
   const hapticut_loop_options options = for_mock(1);
-  EXPECT_EQ(hapticut_loop_start(scripted.simulation.get(), scripted.device.get(), &options, &made),
-            HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_loop_start(rig.simulation.get(), rig.device.get(), &options, &made), HAPTICUT_ERROR_BUSY);
   const Owned other(simulation_of(kScene, 1));
-  EXPECT_EQ(hapticut_loop_start(other.get(), scripted.device.get(), &options, &made), HAPTICUT_ERROR_BUSY);
+  EXPECT_EQ(hapticut_loop_start(other.get(), rig.device.get(), &options, &made), HAPTICUT_ERROR_BUSY);
   auto info = sized<hapticut_scene_info>();
-  EXPECT_EQ(hapticut_scene(scripted.simulation.get(), &info), HAPTICUT_OK) << "what never changes";
-  ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), nullptr), HAPTICUT_OK);
-  EXPECT_EQ(hapticut_step(scripted.simulation.get(), &input, &result), HAPTICUT_OK) << hapticut_last_error();
+  EXPECT_EQ(hapticut_scene(rig.simulation.get(), &info), HAPTICUT_OK) << "what never changes";
+  ASSERT_EQ(hapticut_loop_stop(rig.loop.get(), nullptr), HAPTICUT_OK);
+  EXPECT_EQ(hapticut_step(rig.simulation.get(), &input, &result), HAPTICUT_OK) << hapticut_last_error();
   // The device runs again, with another simulation.
   Owned again;
-  ASSERT_EQ(hapticut_loop_start(other.get(), scripted.device.get(), &options, again.to()), HAPTICUT_OK)
+  ASSERT_EQ(hapticut_loop_start(other.get(), rig.device.get(), &options, again.to()), HAPTICUT_OK)
       << hapticut_last_error();
 }
 
 TEST(CLoop, EndsWithItsHandleInWhateverOrderHandlesAreReleased) {
   for (const int order : {0, 1, 2, 3, 4, 5}) {
-    ScriptedLoop scripted;
-    scripted.open_surface();
-    scripted.start(0);
-    std::array<Owned*, 4> owned = {&scripted.simulation, &scripted.surface, &scripted.device, &scripted.loop};
+    Rig rig;
+    rig.open_surface();
+    rig.start(0);
+    std::array<Owned*, 4> owned = {&rig.simulation, &rig.surface, &rig.device, &rig.loop};
     std::rotate(owned.begin(), owned.begin() + order % 4, owned.end());
     if (order > 3) std::swap(owned[0], owned[1]);
     for (Owned* one : owned) EXPECT_EQ(one->release(), HAPTICUT_OK) << hapticut_last_error();
@@ -225,7 +224,7 @@ TEST(CLoop, RefusesWhatDoesNotFit) {
 }
 
 TEST(CLoop, LeavesTheSignalsOfTheProcessAlone) {
-  ScriptedLoop scripted;
+  Rig rig;
   std::map<int, void (*)(int)> before;
   const auto handler_of = [](int signal) {
     struct sigaction action {};
@@ -234,16 +233,16 @@ TEST(CLoop, LeavesTheSignalsOfTheProcessAlone) {
   };
   const std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
   for (const int signal : kSignals) before[signal] = handler_of(signal);
-  scripted.start(0);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.tick > 100; }));
+  rig.start(0);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.tick > 100; }));
   for (const int signal : kSignals) EXPECT_EQ(handler_of(signal), before[signal]) << signal;
 }
 
 TEST(CSound, IsMadeOfWhatTheLoopShows) {
-  ScriptedLoop scripted;
-  scripted.start(0);
-  ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.power > 0 && state.spindle_speed > 0; }));
-  const hapticut_loop_state state = scripted.latest();
+  Rig rig;
+  rig.start(0);
+  ASSERT_TRUE(rig.becomes([](const auto& state) { return state.power > 0 && state.spindle_speed > 0; }));
+  const hapticut_loop_state state = rig.latest();
   auto options = sized<hapticut_sound_options>();
   options.volume = 1;
   Owned sound;
@@ -268,15 +267,14 @@ TEST(CSound, IsMadeOfWhatTheLoopShows) {
 TEST(CRecording, HoldsEveryStepOfALoop) {
   const test::TemporaryFolder folder;
   const std::string path = (folder / "loop.h5").string();
-  ScriptedLoop scripted;
+  Rig rig;
   Owned recording;
-  ASSERT_EQ(hapticut_recording_start(scripted.simulation.get(), scripted.device.get(), path.c_str(), recording.to()),
-            HAPTICUT_OK)
+  ASSERT_EQ(hapticut_recording_start(rig.simulation.get(), rig.device.get(), path.c_str(), recording.to()), HAPTICUT_OK)
       << hapticut_last_error();
-  scripted.start(1);
+  rig.start(1);
   EXPECT_EQ(hapticut_recording_stop(recording.get(), nullptr), HAPTICUT_ERROR_BUSY);
-  for (int running = 1; running == 1;) ASSERT_EQ(hapticut_loop_is_running(scripted.loop.get(), &running), HAPTICUT_OK);
-  ASSERT_EQ(hapticut_loop_stop(scripted.loop.get(), nullptr), HAPTICUT_OK);
+  for (int running = 1; running == 1;) ASSERT_EQ(hapticut_loop_is_running(rig.loop.get(), &running), HAPTICUT_OK);
+  ASSERT_EQ(hapticut_loop_stop(rig.loop.get(), nullptr), HAPTICUT_OK);
   auto report = sized<hapticut_recording_report>();
   ASSERT_EQ(hapticut_recording_stop(recording.get(), &report), HAPTICUT_OK) << hapticut_last_error();
   EXPECT_GE(report.recorded, 1000U);
@@ -288,7 +286,7 @@ TEST(CRecording, HoldsEveryStepOfALoop) {
   ASSERT_EQ(hapticut_device_describe(player.get(), &info), HAPTICUT_OK);
   EXPECT_EQ(info.input_degrees_of_freedom, 6);
   hapticut_recording late = 0;
-  EXPECT_EQ(hapticut_recording_start(scripted.simulation.get(), 0, path.c_str(), &late), HAPTICUT_ERROR_REFUSED)
+  EXPECT_EQ(hapticut_recording_start(rig.simulation.get(), 0, path.c_str(), &late), HAPTICUT_ERROR_REFUSED)
       << "it has made steps";
 }
 #endif
