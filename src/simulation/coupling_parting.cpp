@@ -10,7 +10,7 @@ namespace hapticut {
 
 namespace {
 
-constexpr double kMaxRotationFromTool = 0.9 * std::numbers::pi;  // [rad] between hand and tool
+constexpr double kMaxLag = 0.9 * std::numbers::pi;  // [rad] between hand and tool
 
 }  // namespace
 
@@ -58,7 +58,7 @@ bool VirtualCoupling::is_jump(const Pose& X_WD, double dt) const noexcept {
 
 /// Whether the hand is rotated so far from the tool that with a little more the torque would change its sign.
 bool VirtualCoupling::is_rotated_away(const Pose& X_WD) const noexcept {
-  return has_torque() && rotated_beyond(result_.X_WH, X_WD, kMaxRotationFromTool);
+  return has_torque() && rotated_beyond(result_.X_WH, X_WD, kMaxLag);
 }
 
 /// Whether the hand is near its pose at which the tool was parked.

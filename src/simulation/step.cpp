@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
-constexpr double kMaxStepRotation = 1;           // [rad] of a step; a script may rotate the tool faster than a hand
+constexpr double kMaxStepRotation = 1;       // [rad] of a step; a script may rotate the tool faster than a hand
 constexpr double kCancelled = 1e-4;          // [1] of the normal forces: rounding error of single precision
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 

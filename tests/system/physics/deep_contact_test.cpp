@@ -108,6 +108,7 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
 
 // A ball that spins about a horizontal axis is dragged along the surface by kappa f. The spring that holds it is along
 // the push of the springs alone.
+// Proves: deep contact.
 TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   const auto pushed = [](bool deep_contact) {
     Simulation simulation = ball_over(swept(deep_contact), kBlock, Spindle{2000 * units::rad_per_s});

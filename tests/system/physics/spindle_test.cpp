@@ -110,8 +110,8 @@ TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
   EXPECT_FALSE(is_told());
 }
 
-// A ball pushed in at 20 mm/s, held, and drawn out slowly: a turbine stalls, stays stalled while held, and starts
-// again. Proves: droop.
+// A ball pushed in at 20 mm/s, held, and drawn out slowly: a turbine stalls, stays stalled, and starts again.
+// Proves: droop.
 TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
   for (const double inertia : {0.0, 1e-10})
     for (const double sign : {1.0, -1.0})

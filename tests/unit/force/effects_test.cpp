@@ -109,9 +109,9 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
   vibration.amplitude_per_watt = 0.1;
   const auto peak = [&](double power) {
     VibrationPhase phase;
-    double highest = 0;
-    for (int i = 0; i < 1000; ++i) highest = std::max(highest, phase.advance(vibration, true, power, 1e-4));
-    return highest;
+    double maximum = 0;
+    for (int i = 0; i < 1000; ++i) maximum = std::max(maximum, phase.advance(vibration, true, power, 1e-4));
+    return maximum;
   };
   EXPECT_EQ(peak(0), 0);
   EXPECT_NEAR(peak(2), 0.2, kSampledPeak);

@@ -86,8 +86,8 @@ Vector6 twist_of(double x, double y, double z, double a, double b, double c) {
   return twist;
 }
 
-// Friction is proportional to the sum of the normal forces, not to their resultant, which is zero for a pin in its
-// hole. Proves: slipping.
+// Friction is proportional to the sum of the normal forces. Their resultant is zero for a pin in its hole.
+// Proves: slipping.
 TEST(LimitSurface, IsExactWhereAllPointsSlipAlike) {
   const double pull = kMu * kNormal;
   EXPECT_NEAR(slid(contact_of(pin()), twist_of(0, 0, kR, 0, 0, 0)).force.z(), -pull, 1e-9);
