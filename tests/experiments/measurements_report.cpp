@@ -114,24 +114,24 @@ the normal force rose by 30 %: h_e = 17 ... 25 um. The size effect alone would p
 }
 
 void add_tooth(std::ostream& report) {
-  report
-      << R"(## Tooth (DC4, DC9)
+  report << R"(## Tooth (DC4, DC9)
 
 Fais et al. 2010, Braz J Oral Sci 9:39: 0.1117 g of enamel in 12 min under 50 ... 80 g with a diamond bur. At 65 g
 with
 a bur of 1.2 mm at 300000 rpm and kappa = 0.5 (assumed) its side spends )"
-      << digits(DiamondBur::power(DiamondBur::kLoad)) << " W on " << digits(DiamondBur::kRemoval / 1e-9) << R"( mm^3/s:
+         << digits(DiamondBur::power(DiamondBur::kLoad)) << " W on " << digits(DiamondBur::kRemoval / 1e-9)
+         << R"( mm^3/s:
 
     u = kappa F omega R / (dV/dt) = )"
-      << digits(DiamondBur::energy()) << R"( J/m^3
+         << digits(DiamondBur::energy()) << R"( J/m^3
 
 This is the preset of enamel for a fine diamond; loads far from 0.6 N are extrapolated. `hapticut validate` presses
 this bur into a plate of enamel (DC4).
 
 White 1998, Proc SPIE 3248 (10.1117/12.306013): a carbide bur at high speed, axially, )"
-      << digits(CarbideBur::kInEnamel / mm) << " +- 0.047 mm/s in enamel and\n"
-      << digits(CarbideBur::kInDentin / mm)
-      << R"( in dentin; the load is not given. The presets for blades were fitted to these rates with 0.98 N,
+         << digits(CarbideBur::kInEnamel / mm) << " +- 0.047 mm/s in enamel and\n"
+         << digits(CarbideBur::kInDentin / mm)
+         << R"( in dentin; the load is not given. The presets for blades were fitted to these rates with 0.98 N,
 250000 rpm and six blades of a bur of 0.84 mm; `hapticut validate` pushes such a bur (DC9). Axial rates [mm/s] of the
 model under other loads:
 

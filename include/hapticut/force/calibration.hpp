@@ -62,7 +62,8 @@ struct Calibration {
 };
 
 inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa when tests do not determine it: that of burs
-/// [m] h_e when tests do not determine it: the middle of the range found in bone, 20 ... 40 um (docs/heads-and-materials.md).
+/// [m] h_e when tests do not determine it: the middle of the range found in bone, 20 ... 40 um
+/// (docs/heads-and-materials.md).
 inline constexpr double kAssumedEdgeLength = 30e-6;
 
 /// Steady thrust and torque of a flat head fed axially (C22, C35).

@@ -14,8 +14,8 @@ namespace hapticut {
 
 class HeatCollector;
 
-/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/beside-the-step.md lists those of
-/// enamel, dentin and pulp, with their sources.
+/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/beside-the-step.md lists
+/// those of enamel, dentin and pulp, with their sources.
 struct ThermalProperties {
   double conductivity = 0.55;
   double heat_capacity = 2.5e6;

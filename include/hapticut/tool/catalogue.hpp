@@ -12,9 +12,9 @@
 #include "hapticut/tool/head.hpp"
 
 /// @file
-/// Heads by their usual names; docs/heads-and-materials.md shows drawings. All lengths in [m], all angles in [rad]. The frame's
-/// origin is the tip, except for `round_head`, where it is the centre; +z points to the shank. Unless stated otherwise,
-/// every surface cuts except the disk on the shank's side.
+/// Heads by their usual names; docs/heads-and-materials.md shows drawings. All lengths in [m], all angles in [rad]. The
+/// frame's origin is the tip, except for `round_head`, where it is the centre; +z points to the shank. Unless stated
+/// otherwise, every surface cuts except the disk on the shank's side.
 ///
 /// Each function throws Error if a dimension is not positive, or if the dimensions do not fit together.
 namespace hapticut {
@@ -106,8 +106,8 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 }
 
 /// A head shape: its name, its dimensions and the function that makes it. Settings, the browser page, tests and the
-/// drawing in docs/heads-and-materials.md read `head_shapes`. A shape has a `diameter` or a `tip_diameter`; the browser page scales
-/// the other dimensions with it. CONTRIBUTING.md lists the places to add a new bur.
+/// drawing in docs/heads-and-materials.md read `head_shapes`. A shape has a `diameter` or a `tip_diameter`; the browser
+/// page scales the other dimensions with it. CONTRIBUTING.md lists the places to add a new bur.
 struct HeadShape {
   struct Dimension {
     HeadDimension what;

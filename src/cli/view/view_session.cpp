@@ -287,8 +287,7 @@ void ViewSession::end_recording() {
   const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
   recorder->close();
   recorder->require_complete();
-  server_.send_notice(view::Severity::info,
-                      recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
+  server_.send_notice(view::Severity::info, recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
 }
 
 void ViewSession::drain_blocks() {

@@ -35,8 +35,9 @@ std::string RecordingProcess::reply_to(const Query& query, const std::string& pl
   receive(reinterpret_cast<char*>(&reply), sizeof reply);
   if (reply.result == Reply::Result::no_memory) throw std::bad_alloc();
   const bool done = reply.result == Reply::Result::done;
-  const std::uint64_t max_bytes =
-      done && head.kind == QueryKind::block ? head.numbers * head.count * size_of(ValueType(head.value_type)) : kMaxReply;
+  const std::uint64_t max_bytes = done && head.kind == QueryKind::block
+                                      ? head.numbers * head.count * size_of(ValueType(head.value_type))
+                                      : kMaxReply;
   if ((!done && reply.result != Reply::Result::refused) || reply.bytes > max_bytes) die();
   std::string content(reply.bytes, '\0');
   receive(content.data(), content.size());

@@ -140,8 +140,8 @@ void expect_no_body_of_revolution(const TriangleMesh& mesh, std::initializer_lis
 TEST(RecognizedProfile, SaysHowFarAMeshIsOff) {
   // A square prism: its corners are at sqrt(2) of the distance of its faces, 29 % of the largest radius.
   const TriangleMesh prism = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 4);
-  expect_no_body_of_revolution(
-      prism, {"not a body of revolution", "mm off", "% of its radius", "at most 2 %", "more facets"});
+  expect_no_body_of_revolution(prism,
+                               {"not a body of revolution", "mm off", "% of its radius", "at most 2 %", "more facets"});
 
   TriangleMesh oval = mesh_of_revolution(test::flat_profile(1 * mm, 2 * mm), 90);
   for (Vec3& v : oval.vertices) v.x() *= 1.2;

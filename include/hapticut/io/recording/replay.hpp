@@ -24,7 +24,7 @@ struct ReplayReport {
   bool identical = false;   ///< every bit of every result is equal, and the hash of the workpiece at the end, if known
   std::optional<ReplayDifference> first_difference;
   double max_force_difference = 0;  ///< [N] maximum over all steps
-  std::uint64_t skipped = 0;       ///< recorded steps after the first lost one, which cannot be repeated
+  std::uint64_t skipped = 0;        ///< recorded steps after the first lost one, which cannot be repeated
   std::uint64_t workpiece_hash = 0;
 };
 
