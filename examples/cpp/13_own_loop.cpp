@@ -77,7 +77,7 @@ int main() {
       removed += felt.removed_volume;
     }
     const Wrench allowed = guard.limit(wrench, contact);
-    guard.applied(driver.write(allowed));
+    guard.report_applied(driver.write(allowed));
     max_force = std::max(max_force, allowed.force.norm());
   }
   driver.write({});  // no force
