@@ -139,6 +139,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void change_all() noexcept;
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
 
+  /// The voxels that were ever solid.
+  [[nodiscard]] const IndexBox& bounds() const noexcept { return bounds_; }
+
   /// Whether some material can be crushed, which only the default law does.
   [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
 
