@@ -7,17 +7,18 @@
 namespace hapticut {
 namespace {
 
-/// The voxels of an island in the block that begins there.
-BlockMask voxels_at(const Island& island, const VoxelIndex& origin) noexcept {
+/// The block of an island that begins there; null: it has none.
+const BlockVoxels* block_at(const Island& island, const VoxelIndex& origin) noexcept {
   const auto at = std::ranges::lower_bound(island.blocks, origin, {}, &BlockVoxels::origin);
-  return at != island.blocks.end() && at->origin == origin ? at->voxels : BlockMask{};
+  return at != island.blocks.end() && at->origin == origin ? &*at : nullptr;
 }
 
 /// The voxels of a block that belong to an island or touch it.
 BlockMask around(const Island& island, const BlockVoxels& block) noexcept {
   BlockMask mask = block.voxels.grown();
   for (int side = 0; side < kSides; ++side)
-    mask = mask | voxels_at(island, beside(block.origin, side)).across(side ^ 1);
+    if (const BlockVoxels* next = block_at(island, beside(block.origin, side)))
+      mask = mask | next->voxels.across(side ^ 1);
   return mask;
 }
 
@@ -30,7 +31,14 @@ BlockMask filled_enough(const Island& island, const BlockView& block) noexcept {
 bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
   const BlockVoxels& here = island.blocks[block];
   const BlockMask others = filled_enough(island, workpiece.block(here.origin)).without(here.voxels);
-  return (around(island, here) & others).empty();
+  if (!(around(island, here) & others).empty()) return false;
+  for (int side = 0; side < kSides; ++side) {
+    const VoxelIndex origin = beside(here.origin, side);
+    const BlockMask touched = here.voxels.across(side);
+    if (touched.empty() || block_at(island, origin) != nullptr) continue;  // a listed block is checked itself
+    if (!(touched & filled_enough(island, workpiece.block(origin))).empty()) return false;
+  }
+  return true;
 }
 
 BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {

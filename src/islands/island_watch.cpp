@@ -4,7 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -17,6 +20,7 @@ namespace {
 
 constexpr std::size_t kIslands = 256;    // in the rings at once; more wait in the watching thread
 constexpr std::size_t kMaxRemoved = 64;  // kept for `removed`
+constexpr std::size_t kWorkpieces = 4;   // in the rings at once
 
 Simulation& simulation_of(LoopModel& model) {
   Simulation* const simulation = model.simulation();
@@ -27,34 +31,84 @@ Simulation& simulation_of(LoopModel& model) {
 
 }  // namespace
 
-struct IslandWatch::State {
-  using Removal = std::unique_ptr<IslandRemoval>;
+struct IslandWatch::State final : StepObserver {
+  /// Changed blocks of one workpiece, from the loop to the search.
+  struct Feed {
+    std::uint64_t workpiece = 0;  // Simulation::workpiece_replacements
+    std::shared_ptr<ChangeFeed> blocks;
+  };
+  /// A workpiece that needs another search.
+  struct Replaced {
+    std::uint64_t workpiece = 0;
+    IndexBox bounds;
+    GridFrame frame;
+  };
+  struct Search {
+    IslandFinder finder;
+    Feed feed;
+  };
+  struct Tagged {
+    IslandRemoval removal;
+    std::uint64_t workpiece;
+  };
+  using Removal = std::unique_ptr<Tagged>;
 
   State(Simulation& a_simulation, const IslandWatchOptions& some_options)
-      : simulation(a_simulation),
-        options(some_options),
-        finder(simulation.workpiece(), options.islands),
-        feed(simulation, options.blocks) {}
+      : simulation(a_simulation), options(some_options), exchanges(simulation.workpiece_exchanges()) {
+    feed = {simulation.workpiece_replacements(), new_feed(simulation.first_bounds())};
+    asked_for = feed.workpiece;
+    search.emplace(Search{IslandFinder(simulation.workpiece(), simulation.first_bounds(), options.islands), feed});
+    simulation.add_observer(*this);
+  }
+  ~State() override { simulation.remove_observer(*this); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
 
+  [[nodiscard]] std::shared_ptr<ChangeFeed> new_feed(const IndexBox& bounds) const {
+    return std::make_shared<ChangeFeed>(simulation, bounds, options.blocks.block_capacity);
+  }
+
+  // In the watching thread.
   void watch();
-  void search();
+  void find();
+  void begin_anew(const Replaced& replaced);
+
+  // In the thread of the loop.
+  [[nodiscard]] bool is_current() const noexcept { return feed.workpiece == simulation.workpiece_replacements(); }
+  [[nodiscard]] bool follow_workpiece() noexcept;
+  void on_step(const ObservedStep& step) noexcept override {
+    if (!is_current()) return;
+    feed.blocks->on_step(step);
+    feed.blocks->tick(options.blocks.blocks_per_step, 0);
+  }
+  void on_exchange() noexcept override {
+    if (is_current()) feed.blocks->on_exchange();
+  }
+  void on_removal(const BlockVoxels& voxels) noexcept override {
+    if (is_current()) feed.blocks->on_removal(voxels);
+  }
 
   Simulation& simulation;
   IslandWatchOptions options;
 
   // The watching thread's side.
-  IslandFinder finder;
+  std::optional<Search> search;  // empty: the workpiece cannot be watched
+  Feed to_send;                  // while its ring is full
   std::vector<Removal> waiting;  // found, while the ring is full
   std::mutex mutex;              // of the members below; the loop never locks it
   std::condition_variable wake;
   bool stopping = false;
   std::vector<Island> removed;
 
-  // Between the two. Finished removals are freed in the watching thread.
-  ChangeFeed feed;
+  // Between the two. Finished removals and old feeds are freed in the watching thread.
+  HandoverRing<Replaced> replaced{kWorkpieces};
+  HandoverRing<Feed> feeds{kWorkpieces}, old_feeds{kWorkpieces};
   HandoverRing<Removal> to_remove{kIslands}, over{kIslands};
 
   // The loop's side.
+  Feed feed;
+  std::uint64_t asked_for = 0;  // the last workpiece for which a search was asked
+  std::uint64_t exchanges;      // Simulation::workpiece_exchanges at the last tick
   Removal current;
   std::atomic<std::uint64_t> count = 0;
 
@@ -63,6 +117,7 @@ struct IslandWatch::State {
 
 IslandWatch::IslandWatch(Simulation& simulation, const IslandWatchOptions& options) {
   require_fields_within(options, "IslandWatchOptions::");
+  require_fields_within(options.blocks, "ChangeFeedOptions::");
   state_ = std::make_unique<State>(simulation, options);
   state_->thread = std::thread([state = state_.get()] { state->watch(); });
 }
@@ -80,36 +135,84 @@ void IslandWatch::State::watch() {
   std::unique_lock lock(mutex);
   while (!wake.wait_for(lock, std::chrono::duration<double>(options.period), [this] { return stopping; })) {
     lock.unlock();
-    search();
+    find();
     lock.lock();
   }
 }
 
-void IslandWatch::State::search() {
-  for (ChangedBlock block; feed.receive(block);) finder.update(block.origin, block.fill.data());
-  for (Island& island : finder.find())
-    waiting.push_back(std::make_unique<IslandRemoval>(IslandRemoval{std::move(island)}));
+/// Begins a search in another workpiece, whose bodies as they are now are the reference.
+void IslandWatch::State::begin_anew(const Replaced& next) {
+  search.reset();
+  to_send = {};
+  try {
+    search.emplace(
+        Search{IslandFinder(next.bounds, next.frame, options.islands), {next.workpiece, new_feed(next.bounds)}});
+    to_send = search->feed;
+  } catch (const std::exception&) {  // too large a workpiece, or one without voxels: it is not watched
+    search.reset();
+  }
+}
+
+void IslandWatch::State::find() {
+  std::optional<Replaced> last;
+  for (Replaced next; replaced.pop(next);) last = next;
+  if (last) begin_anew(*last);
+  if (to_send.blocks && feeds.push(Feed(to_send))) to_send = {};
+  for (Feed old; old_feeds.pop(old);) {
+  }
+  if (search) {
+    for (ChangedBlock block; search->feed.blocks->receive(block);)
+      search->finder.update(block.origin, block.fill.data());
+    for (Island& island : search->finder.find())
+      waiting.push_back(std::make_unique<Tagged>(Tagged{IslandRemoval{std::move(island)}, search->feed.workpiece}));
+  }
   std::size_t sent = 0;
   while (sent < waiting.size() && to_remove.push(std::move(waiting[sent]))) ++sent;
   waiting.erase(waiting.begin(), waiting.begin() + std::ptrdiff_t(sent));
   for (Removal done; over.pop(done);) {
-    if (done->joined) continue;
+    if (done->removal.joined) continue;
     const std::lock_guard lock(mutex);
     if (removed.size() == kMaxRemoved) removed.erase(removed.begin());
-    removed.push_back(std::move(done->island));
+    removed.push_back(std::move(done->removal.island));
   }
+}
+
+/// After a replacement of the workpiece, asks for another search and takes its feed.
+/// @return false while the present workpiece is not watched
+bool IslandWatch::State::follow_workpiece() noexcept {
+  if (is_current()) return true;
+  while (old_feeds.has_room()) {
+    Feed next;
+    if (!feeds.pop(next)) break;
+    std::swap(feed, next);
+    old_feeds.push(std::move(next));
+  }
+  const std::uint64_t workpiece = simulation.workpiece_replacements();
+  if (is_current())
+    feed.blocks->send_all();
+  else if (asked_for != workpiece &&
+           replaced.push({workpiece, simulation.first_bounds(), simulation.workpiece().frame()}))
+    asked_for = workpiece;
+  return is_current();
 }
 
 void IslandWatch::tick() noexcept {
   State& s = *state_;
+  const bool is_watched = s.follow_workpiece();
+  // Between two parts of an undo, a piece may be loose that the undo will join again.
+  const std::uint64_t exchanges = s.simulation.workpiece_exchanges();
+  if (std::exchange(s.exchanges, exchanges) != exchanges) return;
   if (!s.current && !(s.over.has_room() && s.to_remove.pop(s.current))) return;
-  IslandRemoval& removal = *s.current;
-  const bool is_over = remove_island(s.simulation, removal, s.options.blocks_per_tick);
-  if (!is_over) return;
-  if (removal.joined)  // it stays, so the search must know its blocks again
-    for (const BlockVoxels& block : removal.island.blocks) s.feed.mark(block.origin);
-  else
+  IslandRemoval& removal = s.current->removal;
+  const bool is_of_workpiece = s.current->workpiece == s.simulation.workpiece_replacements();
+  if (!is_of_workpiece)
+    removal.joined = true;
+  else if (!remove_island(s.simulation, removal, s.options.blocks_per_tick))
+    return;
+  if (!removal.joined)
     ++s.count;
+  else if (is_of_workpiece && is_watched)  // it stays, so the search must know its blocks again
+    for (const BlockVoxels& block : removal.island.blocks) s.feed.blocks->mark(block.origin);
   s.over.push(std::move(s.current));
 }
 

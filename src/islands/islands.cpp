@@ -3,254 +3,75 @@
 #include "hapticut/islands/islands.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <unordered_map>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "islands/island_search.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr double kMaxWatchedBlocks = 1 << 25;  // 2 GB of bits
 
-/// Disjoint sets that can be joined, with data of each set.
-template <class Of>
-class JoinedSets {
- public:
-  std::size_t add(Of of) {
-    parent_.push_back(parent_.size());
-    of_.push_back(std::move(of));
-    return parent_.size() - 1;
-  }
-  [[nodiscard]] std::size_t root(std::size_t n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-  /// @pre both are roots
-  void join(std::size_t into, std::size_t other) { parent_[other] = into; }
-  [[nodiscard]] Of& operator[](std::size_t root) { return of_[root]; }
-  [[nodiscard]] std::size_t size() const { return parent_.size(); }
-
- private:
-  std::vector<std::size_t> parent_;
-  std::vector<Of> of_;
-};
-
 }  // namespace
 
-/// A search for pieces. Each grows over the voxels that are joined to it, until it meets another piece or is closed.
-/// Pieces that were one body before belong to one group; one piece of each group stays.
-class IslandSearch {
- public:
-  using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // of a piece, by number of the block
+void validate(const IslandOptions& options) {
+  require_fields_within(options, "IslandOptions::");
+  const std::optional<Box>& box = options.fixed;
+  if (!box) return;
+  if (!is_finite(box->min) || !is_finite(box->max))
+    throw Error("IslandOptions::fixed is not finite; give both corners of the box in m, or leave it empty.");
+  if (!(box->min.array() <= box->max.array()).all())
+    throw Error("IslandOptions::fixed has a min that is larger than its max along an axis; exchange the two.");
+}
 
-  explicit IslandSearch(const IslandFinder& finder) : finder_(finder) {}
-
-  std::size_t add_group() { return groups_.add({}); }
-
-  /// Begins pieces at some voxels of a block, all of one group.
-  void begin(std::size_t block, BlockMask seeds, std::size_t group) {
-    for (seeds = seeds & finder_.solid_[block]; !seeds.empty();) {
-      const BlockMask one = seeds.first();
-      const std::size_t piece = pieces_.add({groups_.root(group), 0, true, false, {{block, one}}});
-      ++groups_[groups_.root(group)].open;
-      grow(piece);
-      enqueue(piece);
-      for (const Part& part : found_[block])  // parts of other groups must still be met
-        if (!(one & part.voxels).empty()) seeds = seeds.without(part.voxels);
-    }
-  }
-
-  /// Grows the smallest pieces until it is known which pieces of each group are closed and do not stay.
-  void grow_until_settled() {
-    while (!waiting_.empty()) {
-      const auto [voxels, piece] = waiting_.top();
-      waiting_.pop();
-      const bool has_grown = pieces_.root(piece) != piece || pieces_[piece].voxels != voxels;
-      if (has_grown || !pieces_[piece].open || is_settled(piece)) continue;
-      grow(piece);
-      enqueue(piece);
-    }
-  }
-
-  /// Grows all pieces completely.
-  void grow_all() {
-    for (std::size_t n = 0; n < pieces_.size(); ++n)
-      while (pieces_.root(n) == n && pieces_[n].open) grow(n);
-  }
-
-  [[nodiscard]] BlockMask found_in(std::size_t block) const {
-    BlockMask all = {};
-    if (const auto here = found_.find(block); here != found_.end())
-      for (const Part& part : here->second) all = all | part.voxels;
-    return all;
-  }
-
-  /// The closed pieces, except the one of each group that stays.
-  [[nodiscard]] std::vector<Parts> islands() {
-    std::unordered_map<std::size_t, Parts> parts;
-    for (const auto& [block, here] : found_)
-      for (const Part& part : here) parts[pieces_.root(part.piece)].emplace_back(block, part.voxels);
-    for (auto& [piece, all] : parts) std::ranges::sort(all);
-    std::unordered_map<std::size_t, std::size_t> stays;  // of each group
-    for (const auto& [piece, all] : parts) {
-      const auto [known, first] = stays.try_emplace(groups_.root(pieces_[piece].group), piece);
-      if (!first && is_preferred(piece, known->second, parts)) known->second = piece;
-    }
-    std::vector<Parts> islands;
-    for (auto& [piece, all] : parts) {
-      const Piece& of = pieces_[piece];
-      if (!of.open && !of.fixed && stays[groups_.root(of.group)] != piece) islands.push_back(std::move(all));
-    }
-    std::ranges::sort(islands);
-    return islands;
-  }
-
- private:
-  struct Piece {
-    std::size_t group;
-    std::int64_t voxels;                                      // found so far
-    bool open;                                                // it may grow further
-    bool fixed;                                               // it holds a fixed voxel, and need not grow further
-    std::vector<std::pair<std::size_t, BlockMask>> frontier;  // where it grows: blocks, and voxels of them
-  };
-  struct Group {
-    int open = 0;             // open pieces of the group
-    std::int64_t closed = 0;  // [voxels] of its largest closed piece
-    bool fixed = false;       // a piece of it is fixed
-  };
-  struct Part {
-    BlockMask voxels;  // joined inside the block
-    std::size_t piece;
-  };
-
-  void enqueue(std::size_t piece) {
-    const std::size_t at = pieces_.root(piece);
-    if (pieces_[at].open) waiting_.push({pieces_[at].voxels, at});
-  }
-
-  /// Whether the open piece is the only one of its group, and the others are known to be smaller or not fixed.
-  [[nodiscard]] bool is_settled(std::size_t piece) {
-    const Group& group = groups_[groups_.root(pieces_[piece].group)];
-    if (group.open > 1) return false;
-    return finder_.options_.fixed ? !group.fixed : pieces_[piece].voxels > group.closed;
-  }
-
-  [[nodiscard]] bool is_preferred(std::size_t a, std::size_t b, std::unordered_map<std::size_t, Parts>& parts) {
-    const Piece &of_a = pieces_[a], &of_b = pieces_[b];
-    if (of_a.fixed != of_b.fixed) return of_a.fixed;
-    if (of_a.open != of_b.open) return of_a.open;
-    if (of_a.voxels != of_b.voxels) return of_a.voxels > of_b.voxels;
-    return parts[a] < parts[b];
-  }
-
-  /// Grows a piece by one block.
-  void grow(std::size_t piece) {
-    auto [block, bits] = pieces_[piece].frontier.back();
-    pieces_[piece].frontier.pop_back();
-    std::vector<Part>& here = found_[block];
-    for (Part& part : here)
-      if (!(bits & part.voxels).empty()) {
-        bits = bits.without(part.voxels);
-        piece = join(piece, pieces_.root(part.piece));
-      }
-    bits = bits.joined(finder_.solid_[block]);
-    if (!bits.empty()) {
-      here.push_back({bits, piece});
-      Piece& of = pieces_[piece];
-      of.voxels += bits.count();
-      const VoxelIndex origin = finder_.blocks_.origin_of(block);
-      for (int side = 0; side < kSides; ++side) {
-        const auto next = finder_.blocks_.number_of(beside(origin, side));
-        if (!next) continue;
-        const BlockMask there = bits.across(side) & finder_.solid_[*next];
-        if (!there.empty()) of.frontier.emplace_back(*next, there);
-      }
-      if (is_fixed(origin, bits)) fix(piece);
-    }
-    if (pieces_[piece].open && pieces_[piece].frontier.empty()) close(piece);
-  }
-
-  /// Joins two pieces and their groups.  @return the root
-  std::size_t join(std::size_t a, std::size_t b) {
-    if (a == b) return a;
-    if (pieces_[a].frontier.size() < pieces_[b].frontier.size()) std::swap(a, b);
-    Piece &into = pieces_[a], &other = pieces_[b];
-    const std::size_t group = join_groups(groups_.root(into.group), groups_.root(other.group));
-    groups_[group].open -= int(into.open) + int(other.open);
-    pieces_.join(a, b);
-    into.voxels += other.voxels;
-    into.fixed |= other.fixed;
-    into.open = !into.fixed;
-    into.group = group;
-    into.frontier.insert(into.frontier.end(), other.frontier.begin(), other.frontier.end());
-    other.frontier = {};
-    groups_[group].open += int(into.open);
-    return a;
-  }
-
-  std::size_t join_groups(std::size_t a, std::size_t b) {
-    if (a == b) return a;
-    Group& into = groups_[a];
-    const Group& other = groups_[b];
-    into.open += other.open;
-    into.closed = std::max(into.closed, other.closed);
-    into.fixed |= other.fixed;
-    groups_.join(a, b);
-    return a;
-  }
-
-  void close(std::size_t piece) {
-    Group& group = groups_[groups_.root(pieces_[piece].group)];
-    pieces_[piece].open = false;
-    --group.open;
-    group.closed = std::max(group.closed, pieces_[piece].voxels);
-  }
-
-  void fix(std::size_t piece) {
-    if (pieces_[piece].fixed) return;
-    Group& group = groups_[groups_.root(pieces_[piece].group)];
-    if (std::exchange(pieces_[piece].open, false)) --group.open;
-    pieces_[piece].fixed = group.fixed = true;
-  }
-
-  [[nodiscard]] bool is_fixed(const VoxelIndex& origin, const BlockMask& voxels) const {
-    const std::optional<Box>& box = finder_.options_.fixed;
-    if (!box) return false;
-    for (int n = 0; n < kBlockVoxels; ++n) {
-      if (!voxels.has(n)) continue;
-      const Vec3 p_W = finder_.frame_.center(voxel_at(origin, n));
-      if ((p_W.array() >= box->min.array()).all() && (p_W.array() <= box->max.array()).all()) return true;
-    }
-    return false;
-  }
-
-  using Entry = std::pair<std::int64_t, std::size_t>;  // voxels, piece
-
-  const IslandFinder& finder_;
-  JoinedSets<Piece> pieces_;
-  JoinedSets<Group> groups_;
-  std::unordered_map<std::size_t, std::vector<Part>> found_;  // by number of the block
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
-};
-
-// --- the finder -----------------------------------------------------------------------------------------------------
-
-IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& options)
-    : options_(options), blocks_(workpiece.bounds()), frame_(workpiece.frame()) {
-  require_fields_within(options_, "IslandOptions::");
+IslandFinder::IslandFinder(const IndexBox& voxels, const GridFrame& frame, const IslandOptions& options)
+    : options_(options), blocks_(voxels), frame_(frame) {
+  validate(options);
   const double blocks = blocks_.count();
   if (blocks > kMaxWatchedBlocks)
     throw Error("the workpiece spans " + format_number(blocks) + " blocks, more than " +
                 format_number(kMaxWatchedBlocks) + " in which islands can be found; crop it.");
-  solid_.resize(std::size_t(blocks));
+  unknown_ = std::size_t(blocks);
+  is_known_.resize(unknown_);
+  solid_.resize(unknown_);
+  first_.resize(unknown_);
+}
+
+IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& options)
+    : IslandFinder(workpiece, workpiece.bounds(), options) {}
+
+IslandFinder::IslandFinder(const Workpiece& workpiece, const IndexBox& voxels, const IslandOptions& options)
+    : IslandFinder(voxels, workpiece.frame(), options) {
+  bool any_fixed = false;
   workpiece.for_each_block([&](const BlockView& block) {
-    if (const auto number = blocks_.number_of(block.origin))
-      solid_[*number] = block.filled_voxels(float(options_.min_fill));
+    update(block);
+    any_fixed = any_fixed || is_fixed(block.origin, block.filled_voxels(min_fill()));
   });
+  if (options_.fixed && !any_fixed && !workpiece.empty())
+    throw Error(
+        "IslandOptions::fixed holds the centre of no voxel of the workpiece, so nothing would stay. Give the box in m, "
+        "in the frame W of the workpiece.");
+  is_known_.assign(is_known_.size(), true);
+  unknown_ = 0;
+}
+
+/// A voxel without fill is empty even if IslandOptions::min_fill is 0.
+float IslandFinder::min_fill() const noexcept {
+  return std::max(float(options_.min_fill), std::numeric_limits<float>::min());
+}
+
+/// Whether one of the voxels of a block is in IslandOptions::fixed.
+bool IslandFinder::is_fixed(const VoxelIndex& origin, const BlockMask& voxels) const {
+  const std::optional<Box>& box = options_.fixed;
+  if (!box) return false;
+  for (int n = 0; n < kBlockVoxels; ++n) {
+    if (!voxels.has(n)) continue;
+    const Vec3 p_W = frame_.center(voxel_at(origin, n));
+    if ((p_W.array() >= box->min.array()).all() && (p_W.array() <= box->max.array()).all()) return true;
+  }
+  return false;
 }
 
 void IslandFinder::update(const VoxelIndex& origin, const float* fill) {
@@ -268,23 +89,63 @@ void IslandFinder::update(const Workpiece& workpiece, std::span<const VoxelIndex
 void IslandFinder::update(const BlockView& block) {
   const auto number = blocks_.number_of(block.origin);
   if (!number) return;
-  // A voxel without fill is empty even if min_fill is 0.
-  const float min_fill = std::max(float(options_.min_fill), std::numeric_limits<float>::min());
-  const BlockMask now = block.filled_voxels(min_fill), lost = solid_[*number].without(now);
-  solid_[*number] = now;
-  const auto known = removed_.find(*number);
-  const BlockMask removed = known == removed_.end() ? lost : (known->second | lost).without(now);
-  if (!removed.empty())
-    removed_.insert_or_assign(*number, removed);
-  else if (known != removed_.end())
-    removed_.erase(known);  // undone
+  const BlockMask now = block.filled_voxels(min_fill()), before = std::exchange(solid_[*number], now);
+  first_[*number] = first_[*number] | now;
+  if (!is_known_[*number]) {
+    is_known_[*number] = true;
+    --unknown_;
+    return;
+  }
+  const auto note = [&](std::map<std::size_t, BlockMask>& blocks, const BlockMask& added, const BlockMask& undone) {
+    const auto known = blocks.find(*number);
+    const BlockMask all = known == blocks.end() ? added : (known->second | added).without(undone);
+    if (!all.empty())
+      blocks.insert_or_assign(*number, all);
+    else if (known != blocks.end())
+      blocks.erase(known);
+  };
+  note(removed_, before.without(now), now);
+  note(returned_, now.without(before), BlockMask::all().without(now));
+}
+
+/// Adds the removed voxels around material that came back, at whatever time they were removed: they say which pieces
+/// were one body before.
+void IslandFinder::add_removed_around(const std::map<std::size_t, BlockMask>& returned) {
+  std::map<std::size_t, BlockMask> reached;
+  std::vector<std::pair<std::size_t, BlockMask>> frontier;
+  const auto reach = [&](std::size_t block, const BlockMask& seeds) {
+    const BlockMask removed = first_[block].without(solid_[block]);
+    if ((seeds & removed).empty()) return;
+    const BlockMask part = seeds.joined(removed), more = part.without(reached[block]);
+    if (more.empty()) return;
+    reached[block] = reached[block] | more;
+    frontier.emplace_back(block, more);
+  };
+  const auto reach_beside = [&](std::size_t block, const BlockMask& voxels) {
+    const VoxelIndex origin = blocks_.origin_of(block);
+    for (int side = 0; side < kSides; ++side)
+      if (const BlockMask there = voxels.across(side); !there.empty())
+        if (const auto next = blocks_.number_of(beside(origin, side))) reach(*next, there);
+  };
+  for (const auto& [block, voxels] : returned) {
+    reach(block, voxels.grown());
+    reach_beside(block, voxels);
+  }
+  while (!frontier.empty()) {
+    const auto [block, voxels] = frontier.back();
+    frontier.pop_back();
+    reach_beside(block, voxels);
+  }
+  for (const auto& [block, voxels] : reached) removed_[block] = removed_[block] | voxels;
 }
 
 std::vector<Island> IslandFinder::find() {
+  if (unknown_ > 0) return {};
+  add_removed_around(std::exchange(returned_, {}));
   IslandSearch search(*this);
   // Connected removed voxels and their neighbours were one body.
   for (auto removed = std::exchange(removed_, {}); !removed.empty();) {
-    const std::size_t group = search.add_group();
+    bool lost_fixed = false;
     std::map<std::size_t, BlockMask> touched;
     std::vector<std::pair<std::size_t, BlockMask>> frontier = {
         {removed.begin()->first, removed.begin()->second.first()}};
@@ -297,6 +158,7 @@ std::vector<Island> IslandFinder::find() {
       if (here->second = here->second.without(part); here->second.empty()) removed.erase(here);
       touched[block] = touched[block] | part.grown();
       const VoxelIndex origin = blocks_.origin_of(block);
+      lost_fixed = lost_fixed || is_fixed(origin, part);
       for (int side = 0; side < kSides; ++side)
         if (const BlockMask there = part.across(side); !there.empty())
           if (const auto next = blocks_.number_of(beside(origin, side))) {
@@ -304,6 +166,7 @@ std::vector<Island> IslandFinder::find() {
             frontier.emplace_back(*next, there);
           }
     }
+    const std::size_t group = search.add_group(lost_fixed);
     for (const auto& [block, seeds] : touched) search.begin(block, seeds, group);
   }
   search.grow_until_settled();
@@ -335,7 +198,7 @@ Island IslandFinder::extract(const std::vector<std::pair<std::size_t, BlockMask>
 std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options) {
   IslandFinder finder(workpiece, options);
   IslandSearch search(finder);
-  const std::size_t group = search.add_group();
+  const std::size_t group = search.add_group(finder.options_.fixed.has_value());
   for (std::size_t block = 0; block < finder.solid_.size(); ++block) {
     search.begin(block, finder.solid_[block].without(search.found_in(block)), group);
     search.grow_all();

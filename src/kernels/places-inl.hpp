@@ -38,13 +38,28 @@ class Places {
     return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
   }
 
+  /// Whether some of the first `count` values differ.
+  [[nodiscard]] HWY_INLINE static bool differ(const float* a, const float* b, int count) {
+    const Floats d;
+    bool any = false;
+    for (int n = 0; n < count; n += int(kWidth)) {
+      const Mask listed = hn::FirstN(d, std::size_t(std::min(count - n, int(kWidth))));
+      any = any || !hn::AllFalse(d, hn::And(listed, hn::Ne(hn::LoadU(d, a + n), hn::LoadU(d, b + n))));
+    }
+    return any;
+  }
+
   /// Writes the new fills of the listed voxels back to their blocks.
   HWY_INLINE void write_fills() const {
-    const float* after = voxels_.fill_after;
+    const float *before = voxels_.fill, *after = voxels_.fill_after;
     for (int n = 0; n < voxels_.runs; ++n) {
       const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
-      spread(after, lanes, tasks_[first / kBlockVoxels].fill_after + first % kBlockVoxels);
-      after += std::popcount(lanes);
+      const int count = std::popcount(lanes);
+      PressTask& task = tasks_[first / kBlockVoxels];
+      if (!task.change.any_changed) task.change.any_changed = differ(before, after, count);
+      spread(after, lanes, task.fill_after + first % kBlockVoxels);
+      after += count;
+      before += count;
     }
   }
 

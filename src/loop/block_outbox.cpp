@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/lockfree/spsc_queue.hpp>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/loop/change_feed.hpp"
@@ -51,22 +52,81 @@ bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
   return true;
 }
 
-void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept {
-  const std::size_t sent = std::min({max_blocks, count_, queue_->blocks.write_available()});
-  for (std::size_t n = 0; n < sent; ++n) {
-    const std::uint32_t number = order_[head_];
-    scratch_.origin = blocks_.origin_of(number);
-    scratch_.version = ++version_;
-    scratch_.workpiece = workpiece_number;
-    copy_block(workpiece, scratch_);
-    // There is room, because only this thread pushes.
-    (void)queue_->blocks.push(scratch_);
-    is_marked_[number] = false;
-    head_ = (head_ + 1) % order_.size();
-    --count_;
-  }
+std::size_t BlockOutbox::room() const noexcept { return queue_->blocks.write_available(); }
+
+void BlockOutbox::send_now(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number) noexcept {
+  scratch_.origin = blocks_.origin_of(number);
+  scratch_.version = ++version_;
+  scratch_.workpiece = workpiece_number;
+  copy_block(workpiece, scratch_);
+  // There is room, because only this thread pushes.
+  (void)queue_->blocks.push(scratch_);
 }
 
-bool BlockOutbox::receive(ChangedBlock& block) { return queue_->blocks.pop(block); }
+std::size_t BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number,
+                              std::size_t max_blocks) noexcept {
+  const std::size_t sent = std::min({max_blocks, count_, room()});
+  for (std::size_t n = 0; n < sent; ++n) send_now(workpiece, workpiece_number, take_oldest_mark());
+  return sent;
+}
+
+std::size_t BlockOutbox::take_oldest_mark() noexcept {
+  const std::uint32_t number = order_[head_];
+  is_marked_[number] = false;
+  head_ = (head_ + 1) % order_.size();
+  --count_;
+  return number;
+}
+
+void BlockOutbox::count_outside(const IndexBox& voxels) noexcept {
+  IndexBox region;
+  region.min = blocks_.first();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    region.max[axis] = region.min[axis] + kBlockEdge * (blocks_.dims()[axis] - 1) + (kBlockEdge - 1);
+  outside_ += std::uint64_t(BlockGrid(voxels).count() - BlockGrid(overlap(voxels, region)).count());
+}
+
+void BlockOutbox::keep_marked(const Workpiece& workpiece, std::uint32_t workpiece_number) {
+  while (count_ > 0) keep(workpiece, workpiece_number, take_oldest_mark());
+}
+
+void BlockOutbox::keep(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number) {
+  const BlockView block = workpiece.block(blocks_.origin_of(number));
+  Kept kept = {number, ++version_, workpiece_number, block.uniform_material, nullptr};
+  if (block.material != nullptr || block.fill != nullptr) {
+    kept.content = std::make_unique<ChangedBlock>();
+    block.copy_to(kept.content->material, kept.content->fill);
+  }
+  const std::lock_guard lock(keeping_);
+  kept_.push_back(std::move(kept));
+  any_kept_ = true;
+}
+
+void BlockOutbox::mark_kept() {
+  const std::lock_guard lock(keeping_);
+  for (const Kept& kept : kept_) mark(blocks_.origin_of(kept.number));
+  kept_.clear();
+  any_kept_ = false;
+}
+
+bool BlockOutbox::receive(ChangedBlock& block) {
+  if (queue_->blocks.pop(block)) return true;
+  if (!any_kept_) return false;
+  const std::lock_guard lock(keeping_);
+  if (kept_.empty()) return false;
+  const Kept& kept = kept_.front();
+  if (kept.content) {
+    block = *kept.content;
+  } else {
+    block.material.fill(kept.uniform_material);
+    block.fill.fill(kept.uniform_material == kEmpty ? 0.0F : 1.0F);
+  }
+  block.origin = blocks_.origin_of(kept.number);
+  block.version = kept.version;
+  block.workpiece = kept.workpiece;
+  kept_.pop_front();
+  any_kept_ = !kept_.empty();
+  return true;
+}
 
 }  // namespace hapticut

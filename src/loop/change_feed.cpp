@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/loop/change_feed.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "hapticut/simulation/simulation.hpp"
@@ -14,38 +15,69 @@ ChangeFeed::ChangeFeed(Simulation& simulation, const IndexBox& region, std::size
       swept_(all_) {}
 
 ChangeFeed::ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options)
-    : ChangeFeed(simulation, simulation.workpiece().bounds(), options.block_capacity) {
+    : ChangeFeed(simulation, simulation.first_bounds(), options.block_capacity) {
   require_fields_within(options, "ChangeFeedOptions::");
   per_step_ = options.blocks_per_step;
+  first_workpiece_ = simulation.workpiece_replacements();
   attach();
 }
 
 ChangeFeed::~ChangeFeed() { detach(); }
 
+ChangeFeed::Counts ChangeFeed::counts() const noexcept {
+  return {simulation_.steps(), simulation_.workpiece_exchanges(), simulation_.detached_volume_by_material()};
+}
+
 void ChangeFeed::attach() {
   if (is_observing_) return;
   simulation_.add_observer(*this);
   is_observing_ = true;
+  outbox_.mark_kept();
+  if (!left_) workpiece_ = simulation_.workpiece_replacements();
+  note_replacement();
+  if (left_ && *left_ != counts()) send_all();
 }
 
 void ChangeFeed::detach() noexcept {
-  if (std::exchange(is_observing_, false)) simulation_.remove_observer(*this);
+  if (!std::exchange(is_observing_, false)) return;
+  simulation_.remove_observer(*this);
+  left_ = counts();
 }
 
 void ChangeFeed::on_step(const ObservedStep& /*step*/) noexcept {
   mark_changes();
-  tick(per_step_, 0);
+  tick(per_step_, std::uint32_t(simulation_.workpiece_replacements() - first_workpiece_));
+}
+
+void ChangeFeed::on_exchange() noexcept {
+  note_replacement();
+  mark_changes();
+}
+
+/// Counts the blocks outside the region of a workpiece that was put in place.
+void ChangeFeed::note_replacement() noexcept {
+  const std::uint64_t workpiece = simulation_.workpiece_replacements();
+  if (std::exchange(workpiece_, workpiece) != workpiece) outbox_.count_outside(simulation_.first_bounds());
+}
+
+void ChangeFeed::keep_rest(std::uint32_t workpiece_number) {
+  outbox_.keep_marked(simulation_.workpiece(), workpiece_number);
+  while (swept_ < all_) outbox_.keep(simulation_.workpiece(), workpiece_number, swept_++);
 }
 
 void ChangeFeed::mark_changes() noexcept {
   const ChangedBlocks changed = simulation_.changed_blocks();
   for (const VoxelIndex& origin : changed.origins) outbox_.mark(origin);
-  if (!changed.complete) swept_ = 0;
+  if (!changed.complete) send_all();
 }
 
 void ChangeFeed::tick(std::size_t max_blocks, std::uint32_t workpiece_number) noexcept {
-  for (; swept_ < all_ && outbox_.marked() < max_blocks; ++swept_) outbox_.mark(outbox_.blocks().origin_of(swept_));
-  outbox_.send(simulation_.workpiece(), workpiece_number, max_blocks);
+  const std::size_t room = std::min(max_blocks, outbox_.room()), unswept = all_ - swept_;
+  // Half of the room is for the sweep, or a steady cut would keep it from ending. It gets an odd place in turns.
+  const std::size_t share = std::min(unswept, (room + std::size_t(sweeps_more_)) / 2);
+  if (unswept > 0) sweeps_more_ = !sweeps_more_;
+  std::size_t sent = outbox_.send(simulation_.workpiece(), workpiece_number, room - share);
+  for (; sent < room && swept_ < all_; ++sent) outbox_.send_now(simulation_.workpiece(), workpiece_number, swept_++);
 }
 
 }  // namespace hapticut

@@ -39,6 +39,7 @@ struct RealtimeLoop::State {
   std::uint64_t refused = 0;
   TripleBuffer<LoopSnapshot> snapshots;
   std::optional<ChangeFeed> feed;
+  std::uint32_t workpiece = 0;  // ChangedBlock::workpiece
 
   std::uint64_t ticks = 0;
   double last_time = 0;
@@ -77,7 +78,8 @@ DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   command.wrench = model.step(reading, dt > 0 ? dt : nominal, snapshot);
   command.contact = model.contact();
   if (feed) {
-    feed->tick(options.blocks_per_tick, snapshot.tool.workpiece);
+    workpiece = snapshot.tool.workpiece;
+    feed->tick(options.blocks_per_tick, workpiece);
     snapshot.blocks_waiting = feed->waiting();
     snapshot.blocks_outside = feed->outside();
   }
@@ -126,7 +128,10 @@ void RealtimeLoop::start() {
 RunReport RealtimeLoop::wait() {
   if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
   state_->thread.join();
-  if (state_->feed) state_->feed->detach();
+  if (state_->feed) {
+    state_->feed->keep_rest(state_->workpiece);
+    state_->feed->detach();
+  }
   state_->free_replaced();
   if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
   return std::move(state_->report);

@@ -180,14 +180,14 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
       const CuttableBlock& block = blocks[first + count];
       const bool writable = removes && can_cut(block);
       exhausted |= removes && !writable;
-      if (keeps && writable && block.fill != nullptr) workpiece_.remember(block.view);
-      tasks_[count++] = {block.view, keeps ? fill_target(block) : new_fill_.data(), writable, {}};
-      if (keeps && block.fill == nullptr) break;  // new_fill_ must be copied before another block overwrites it
+      float* after = keeps && writable ? fill_target(block, count) : new_fills_[count].data();
+      tasks_[count++] = {block.view, after, writable, {}};
+      if (keeps && block.fill == nullptr) break;
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
                           rubs ? &friction : nullptr);
     if (keeps)
-      for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
+      for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change, tasks_[n].fill_after);
     first += count;
   }
   if (stiffness_T != nullptr) *stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
@@ -259,8 +259,8 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
     kernels::sum_resultant(contact_, encounter.resultant);
     if (motion.spin == 0) friction_T.add(contact_, motion, materials_);
     if (removal == nullptr || !totals.may_remove || !writable) continue;
-    if (block.fill != nullptr) workpiece_.remember(block.view);
-    keep_change(block, find_changes(contact_, block.view, fill_target(block), removed));
+    float* after = fill_target(block, 0);
+    keep_change(block, find_changes(contact_, block.view, after, removed), after);
   }
   if (motion.spin == 0) encounter.friction_T = friction_T;
   if (removal != nullptr) record(removed, *removal);
@@ -272,33 +272,29 @@ bool ContactStages::can_cut(const CuttableBlock& block) const noexcept {
   return block.fill != nullptr || workpiece_.has_reserve_for(block.view.origin);
 }
 
-/// Where the new fills of a block are written: into the block itself if it already has own fills.
-float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
-  return block.fill != nullptr ? block.fill : new_fill_.data();
+/// Where the new fills of a block are written: into the block itself if it already has own fills. While there is
+/// something to redo, they are written elsewhere, because only a change of the block may end the redo.
+/// @param place  in the group of blocks that are evaluated together
+float* ContactStages::fill_target(const CuttableBlock& block, std::size_t place) noexcept {
+  if (block.fill == nullptr || workpiece_.redo_marks() > 0) return new_fills_[place].data();
+  workpiece_.remember(block.view);
+  return block.fill;
 }
 
-/// Whether some material of a full block was cut, and not only felt.
-bool ContactStages::is_cut(const BlockChange& change) const noexcept {
-  for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
-    const float* first = new_fill_.data() + BlockChange::kStrip * std::countr_zero(strips);
-    if (std::any_of(first, first + BlockChange::kStrip, [](float fill) { return fill != 1; })) return true;
-  }
-  return false;
-}
-
-/// Stores the new fills of a block that was cut for the first time, and lists its emptied voxels.
-void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change) noexcept {
-  if (change.strips == 0 || (block.fill == nullptr && !is_cut(change))) return;
-  workpiece_.forget_redo();
-  list_change(block.view.origin);
-  if (block.fill == nullptr) {
-    float* fill = workpiece_.writable_fill(block.view.origin);
+/// Stores the new fills of a block that were not written in place, and lists its emptied voxels.
+void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change, const float* after) noexcept {
+  if (!change.any_changed) return;
+  if (after != block.fill) {
+    if (block.fill != nullptr) workpiece_.remember(block.view);
+    float* fill = block.fill != nullptr ? block.fill : workpiece_.writable_fill(block.view.origin);
     HAPTICUT_ASSERT(fill != nullptr);  // because can_cut
     for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
       const int first = BlockChange::kStrip * std::countr_zero(strips);
-      std::copy_n(new_fill_.data() + first, BlockChange::kStrip, fill + first);
+      std::copy_n(after + first, BlockChange::kStrip, fill + first);
     }
   }
+  workpiece_.forget_redo();
+  list_change(block.view.origin);
   if (change.any_emptied) emptied_.push_back({block.view, change.emptied});
 }
 

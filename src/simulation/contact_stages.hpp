@@ -139,6 +139,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void change_all() noexcept;
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
 
+  /// The voxels that were ever solid.
+  [[nodiscard]] const IndexBox& bounds() const noexcept { return bounds_; }
+
   /// Whether some material can be crushed, which only the default law does.
   [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
 
@@ -171,9 +174,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks,
                                     const kernels::ContactJob& job) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
-  [[nodiscard]] float* fill_target(const CuttableBlock& block) noexcept;
-  [[nodiscard]] bool is_cut(const BlockChange& change) const noexcept;
-  void keep_change(const CuttableBlock& block, const BlockChange& change) noexcept;
+  [[nodiscard]] float* fill_target(const CuttableBlock& block, std::size_t place) noexcept;
+  void keep_change(const CuttableBlock& block, const BlockChange& change, const float* after) noexcept;
 
   Workpiece& workpiece_;
   const ToolHead& head_;
@@ -206,7 +208,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law
   std::array<kernels::PressTask, kBlocksAtOnce> tasks_;
-  ContactBlock::Array<float> new_fill_;  // of a block without own fills
+  std::array<ContactBlock::Array<float>, kBlocksAtOnce> new_fills_;  // of blocks that are not written in place
 };
 
 }  // namespace hapticut

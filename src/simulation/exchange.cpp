@@ -147,6 +147,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.config.removal = old.config.removal;
   s.set_material_friction();
   s.exchanges = old.exchanges;
+  s.replacements = old.replacements + 1;
   s.parted = old.parted || old.has_pose;
   s.observers = std::exchange(prepared.state_->observers, {});
   s.contact_stages.change_all();

@@ -86,6 +86,8 @@ const StepInput& Simulation::last_input() const noexcept { return state_->input;
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 bool Simulation::starts_afresh() const noexcept { return !state_->has_pose; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
+std::uint64_t Simulation::workpiece_replacements() const noexcept { return state_->replacements; }
+IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
 
 std::span<StepObserver* const> Simulation::observers() const noexcept { return state_->observers.all(); }
 
@@ -135,6 +137,7 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
   state_->contact_stages.start_afresh();
+  ++state_->replacements;
   state_->start_afresh();
 }
 
@@ -160,6 +163,7 @@ void Simulation::reset(Workpiece workpiece) {
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
   fresh->observers = state_->observers;
   fresh->exchanges = state_->exchanges;
+  fresh->replacements = state_->replacements + 1;
   fresh->contact_stages.change_all();
   const bool held = state_->held;
   state_ = std::move(fresh);

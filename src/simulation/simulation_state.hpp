@@ -154,6 +154,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
   std::uint64_t exchanges = 0;
+  std::uint64_t replacements = 0;  // of the whole workpiece
   Observers observers;
 
   RemovalRecord removal;

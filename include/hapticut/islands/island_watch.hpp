@@ -35,10 +35,15 @@ constexpr auto fields_of(Of<IslandWatchOptions>) {
 /// Finds pieces that were cut loose, in its own thread, and removes them between the ticks of a loop, some blocks at a
 /// time: see IslandFinder and remove_island. The moment of removal depends on the timing of that thread, so two runs
 /// may differ in their bits. Steps of a recording end with the first removal.
+///
+/// After a replacement of the workpiece (Simulation::workpiece_replacements), the watch begins anew: the bodies of the
+/// new workpiece are separate from the beginning. Its search begins when all blocks were sent once. A workpiece that
+/// spans too many blocks for IslandFinder is not watched.
 class IslandWatch {
  public:
   /// @param simulation  must outlive it and must not be moved
-  /// @throws Error when an option is out of range, or as IslandFinder and ChangeFeed
+  /// @throws Error when an option is out of range, or as IslandFinder and ChangeFeed. Their conditions on the workpiece
+  ///         hold for the present one
   explicit IslandWatch(Simulation& simulation, const IslandWatchOptions& options = {});
   ~IslandWatch();
   IslandWatch(const IslandWatch&) = delete;

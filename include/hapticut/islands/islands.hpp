@@ -34,6 +34,9 @@ constexpr auto fields_of(Of<IslandOptions>) {
   };
 }
 
+/// @throws Error when a value is out of range, or the box `fixed` is not finite or has a min above its max
+void validate(const IslandOptions& options);
+
 /// A piece that nothing holds.
 struct Island {
   std::vector<BlockVoxels> blocks;  ///< in the order of their origins; without voxels in blocks that hold only its skin
@@ -50,13 +53,23 @@ struct Island {
 /// is proportional to the blocks of the smaller pieces, and nearly zero if the pieces are joined nearby. Bodies that
 /// were separate from the beginning are not islands.
 ///
-/// Not thread-safe; needs 64 bytes for every block within the workpiece's bounds.
+/// A finder is for one workpiece: make another one after an exchange of the workpiece. Not thread-safe; needs 128 bytes
+/// for every block within the workpiece's bounds.
 class IslandFinder {
  public:
-  /// @throws Error when an option is out of range, or the workpiece spans too many blocks
+  /// @throws Error as `validate`, or when the box IslandOptions::fixed holds no voxel of the workpiece, or the
+  /// workpiece
+  ///         spans too many blocks
   explicit IslandFinder(const Workpiece& workpiece, const IslandOptions& options = {});
 
-  /// Updates a block to its present content. Material that came back by an undo joins again.
+  /// Begins without a workpiece. The first `update` of each block tells what it holds at the beginning; `find` finds
+  /// nothing until it was called for all blocks.
+  /// @param voxels  whose blocks are searched
+  /// @throws Error as `validate`, or when the box has too many blocks
+  IslandFinder(const IndexBox& voxels, const GridFrame& frame, const IslandOptions& options);
+
+  /// Updates a block to its present content. Material that came back by an undo joins again, or is found again if it is
+  /// loose.
   /// @param fill  [512] 0: empty
   void update(const VoxelIndex& origin, const float* fill);
 
@@ -68,21 +81,28 @@ class IslandFinder {
   [[nodiscard]] std::vector<Island> find();
 
  private:
+  IslandFinder(const Workpiece& workpiece, const IndexBox& voxels, const IslandOptions& options);
   void update(const BlockView& block);
+  void add_removed_around(const std::map<std::size_t, BlockMask>& returned);
+  [[nodiscard]] float min_fill() const noexcept;
+  [[nodiscard]] bool is_fixed(const VoxelIndex& origin, const BlockMask& voxels) const;
   [[nodiscard]] Island extract(const std::vector<std::pair<std::size_t, BlockMask>>& parts);
 
   friend class IslandSearch;
+  friend class IslandWatch;
   friend std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options);
   IslandOptions options_;
   BlockGrid blocks_;
-  std::vector<BlockMask> solid_;              // filled enough
-  std::map<std::size_t, BlockMask> removed_;  // since the last search, by number of the block
+  std::size_t unknown_ = 0;  // blocks that were not yet updated
+  std::vector<bool> is_known_;
+  std::vector<BlockMask> solid_, first_;                 // filled enough: now, and ever
+  std::map<std::size_t, BlockMask> removed_, returned_;  // since the last search, by number of the block
   GridFrame frame_;
 };
 
 /// All islands of the present workpiece, whether they were cut loose or not: all pieces except the largest, or all that
 /// are not joined to IslandOptions::fixed. In the order of their first voxels.
-/// @throws Error when an option is out of range, or the workpiece spans too many blocks, as IslandFinder
+/// @throws Error as the constructor of IslandFinder
 [[nodiscard]] std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options = {});
 
 /// Progress of the removal of an island: see remove_island.
@@ -103,7 +123,8 @@ struct IslandRemoval {
 /// @realtime no allocation, no lock; O(max_blocks)
 bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t max_blocks) noexcept;
 
-/// Whether one block of an island touches no other voxel that is filled enough.
+/// Whether one block of an island touches no other voxel that is filled enough, in this block or in a block beside it
+/// that is not in Island::blocks.
 /// @param block  number of the block in Island::blocks
 /// @realtime no allocation, no lock; O(512)
 [[nodiscard]] bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept;

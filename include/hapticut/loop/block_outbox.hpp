@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "hapticut/core/abi.hpp"
@@ -53,8 +56,27 @@ class BlockOutbox {
   /// Sends the current content of marked blocks, oldest mark first, while the queue has room.
   /// @param workpiece_number  ChangedBlock::workpiece
   /// @param max_blocks        [blocks] to be sent at most
+  /// @return [blocks] that were sent
   /// @realtime no allocation, no lock; O(max_blocks)
-  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept;
+  std::size_t send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t max_blocks) noexcept;
+
+  /// Sends a block now, marked or not.  @pre `room` > 0
+  /// @param number  of the block in `blocks`
+  /// @realtime no allocation, no lock; O(512)
+  void send_now(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number) noexcept;
+
+  /// Keeps the current content of all marked blocks for `receive`, in memory beyond the queue. For the end of a loop.
+  void keep_marked(const Workpiece& workpiece, std::uint32_t workpiece_number);
+
+  /// Keeps a block as `keep_marked` does, marked or not.
+  /// @param number  of the block in `blocks`
+  void keep(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number);
+
+  /// Marks the kept blocks that were not received, because newer versions of them may follow.
+  void mark_kept();
+
+  /// [blocks] The places that are free in the queue. For the thread that sends.
+  [[nodiscard]] std::size_t room() const noexcept;
 
   /// The grid of blocks that may be marked.
   [[nodiscard]] const BlockGrid& blocks() const noexcept { return blocks_; }
@@ -65,11 +87,25 @@ class BlockOutbox {
   /// The number of marks outside the region. For the thread that marks.
   [[nodiscard]] std::uint64_t outside() const noexcept { return outside_; }
 
+  /// Counts the blocks of a box that are outside the region as marks. For the thread that marks.
+  /// @realtime no allocation, no lock; O(1)
+  void count_outside(const IndexBox& voxels) noexcept;
+
   /// Receives one block. For the receiving thread.  @return false when the queue is empty
   bool receive(ChangedBlock& block);
 
  private:
   struct Queue;
+  /// A block that is kept beyond the queue. A uniform block needs no content.
+  struct Kept {
+    std::size_t number;
+    std::uint64_t version;
+    std::uint32_t workpiece;
+    MaterialId uniform_material;
+    std::unique_ptr<ChangedBlock> content;
+  };
+
+  [[nodiscard]] std::size_t take_oldest_mark() noexcept;
 
   BlockGrid blocks_;
   std::vector<bool> is_marked_;
@@ -78,6 +114,9 @@ class BlockOutbox {
   std::uint64_t version_ = 0, outside_ = 0;
   ChangedBlock scratch_;
   std::unique_ptr<Queue> queue_;
+  std::mutex keeping_;  // of `kept_`; not locked while the loop runs and nothing is kept
+  std::deque<Kept> kept_;
+  std::atomic<bool> any_kept_ = false;
 };
 
 }  // namespace hapticut

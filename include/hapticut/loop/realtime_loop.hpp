@@ -75,11 +75,12 @@ class RealtimeLoop {
   RealtimeLoop(const RealtimeLoop&) = delete;
   RealtimeLoop& operator=(const RealtimeLoop&) = delete;
 
-  /// Begins a run in a new thread.
+  /// Begins a run in a new thread. If the workpiece may have changed since the last run, all blocks are sent again.
   /// @throws Error when a run is in progress, or the simulation has too many observers
   void start();
 
-  /// Waits until the run has ended.  @throws what Device::run threw
+  /// Waits until the run has ended. Changed blocks that were not yet sent can then be received too.
+  /// @throws what Device::run threw
   RunReport wait();
 
   /// Ends the run and waits.

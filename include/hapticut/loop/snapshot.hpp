@@ -51,7 +51,8 @@ struct LoopSnapshot {
   std::uint64_t commands_dropped = 0;  ///< commands that found the queue full
   std::uint64_t commands_refused = 0;  ///< commands that did not suit the objects in place
   std::size_t blocks_waiting = 0;      ///< changed blocks that are not yet sent
-  std::uint64_t blocks_outside = 0;    ///< changes outside RealtimeLoopOptions::region, which are not sent
+  std::uint64_t blocks_outside = 0;    ///< changes outside RealtimeLoopOptions::region, and the blocks of exchanged
+                                       ///< workpieces there; they are not sent
   Pose X_WT;                           ///< pose of the head; filled in by the model
   ToolSnapshot tool;                   ///< filled in by the model
 };

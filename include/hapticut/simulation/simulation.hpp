@@ -105,6 +105,14 @@ class Simulation {
   /// of each.
   [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
+  /// How often the workpiece as a whole was replaced: by `restore`, `reset` and the exchange of a simulation. Also
+  /// counted in `workpiece_exchanges`.
+  [[nodiscard]] std::uint64_t workpiece_replacements() const noexcept;
+
+  /// Box around all voxels that were not empty when the present workpiece was put in place. Unlike
+  /// `Workpiece::bounds`, it does not shrink as material is cut.  @realtime no allocation, no lock; O(1)
+  [[nodiscard]] IndexBox first_bounds() const noexcept;
+
   static constexpr std::size_t kMaxObservers = 8;
 
   /// Adds an observer. It is told of every step from now on, after the observers that were added before. It must live

@@ -68,7 +68,8 @@ class BlockGrid {
     if (voxels.empty()) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       first_[axis] = block_start(voxels.min[axis]);
-      dims_[axis] = (block_start(voxels.max[axis]) - first_[axis]) / kBlockEdge + 1;
+      const std::int64_t extent = std::int64_t(block_start(voxels.max[axis])) - first_[axis];
+      dims_[axis] = int(extent / kBlockEdge) + 1;
     }
   }
 

@@ -14,6 +14,7 @@ struct BlockChange {
   static constexpr int kStrip = 16;  ///< voxels of a strip: two rows that are adjacent in memory
 
   std::uint32_t strips = 0;  ///< bit n: fills of strip n, from `kStrip * n` on, may have changed
+  bool any_changed = false;  ///< at least one fill differs from before
   bool any_emptied = false;  ///< at least one voxel became empty
   BlockMask emptied;         ///< the voxels that became empty
 };
@@ -32,6 +33,7 @@ inline BlockChange find_changes(const ContactBlock& contact, const BlockView& bl
       max_removed = std::max(max_removed, contact.fill[n] - contact.fill_after[n]);
     }
     if (!(max_removed > 0)) continue;
+    change.any_changed = true;
     const int first = contact.row[row] * kLanes, strip = first / BlockChange::kStrip;
     if ((change.strips >> strip & 1U) == 0) {
       change.strips |= 1U << strip;

@@ -139,6 +139,111 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   EXPECT_GT(left[0].voxels, 800);
 }
 
+/// A bar along z, of 8 x 8 voxels.
+/// @param from, to  [mm]
+Workpiece bar(double from, double to) {
+  Workpiece bar = build_block({Vec3(-0.4, -0.4, from) * mm, Vec3(0.4, 0.4, to) * mm}, kVoxel, test::plain_material());
+  bar.reserve_blocks(100);
+  return bar;
+}
+
+constexpr int kInLayer = 64;
+BlockVoxels layer(int k) {
+  BlockVoxels voxels{{0, 0, block_start(k)}, {}};
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 8; ++y) voxels.voxels.add(block_offset(x, y, k - block_start(k)));
+  return voxels;
+}
+
+IslandWatchOptions quick_watch() {
+  IslandWatchOptions options;
+  options.period = 1e-3;
+  return options;
+}
+
+/// Steps in the air.
+void wait(Simulation& simulation, IslandWatch& watch, int ticks) {
+  for (int n = 0; n < ticks; ++n) {
+    simulation.step(Pose::from_translation({0, 0, 20 * mm}), {}, 1e-3);
+    watch.tick();
+    std::this_thread::yield();
+  }
+}
+
+/// Cuts a layer out, again and again until the watch has seen the workpiece whole before, and removes what came loose.
+void cut_layer(Simulation& simulation, IslandWatch& watch, int k) {
+  const std::uint64_t before = watch.count();
+  for (;;) {
+    simulation.set_undo_mark();
+    ASSERT_TRUE(simulation.remove_voxels(layer(k)));
+    wait(simulation, watch, 200);
+    if (watch.count() > before) break;
+    while (!simulation.undo(64)) {
+    }
+    wait(simulation, watch, 200);
+  }
+}
+
+TEST(IslandWatch, LeavesTheBodiesOfAnotherWorkpieceAndWatchesThem) {
+  for (const bool exchanged : {false, true}) {
+    Simulation simulation = bar_and_ball();
+    simulation.reserve_undo(100);
+    IslandWatch watch(simulation, quick_watch());
+    wait(simulation, watch, 20);
+    Workpiece two = bar(0, 6);
+    ASSERT_NE(two.writable_fill({0, 0, 16}), nullptr);
+    two.empty_voxels({0, 0, 16}, layer(20).voxels);  // two bodies, of 20 and 39 layers
+    if (exchanged) {
+      Simulation other(std::move(two), simulation.tool(), simulation.config());
+      other.reserve_undo(100);
+      simulation.exchange(other);
+    } else {
+      simulation.reset(std::move(two));
+    }
+    wait(simulation, watch, 1000);
+    EXPECT_EQ(simulation.workpiece().solid_voxels(), 59 * kInLayer);
+    cut_layer(simulation, watch, 50);
+    EXPECT_EQ(watch.count(), 1U);
+    EXPECT_EQ(simulation.workpiece().solid_voxels(), 49 * kInLayer) << "only the part beyond the cut was removed";
+  }
+}
+
+TEST(IslandWatch, FollowsTheFrameAndTheBoundsOfAnotherWorkpiece) {
+  IslandWatchOptions options = quick_watch();
+  options.islands.fixed = Box{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0.5) * mm};
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(200);
+  IslandWatch watch(simulation, options);
+  simulation.reset(bar(-3, 9));
+  cut_layer(simulation, watch, 40);  // 1 mm above the origin; what is above is the longer part
+  EXPECT_EQ(watch.count(), 1U);
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
+}
+
+TEST(IslandWatch, RemovesALoosePieceAgainThatAnUndoBringsBack) {
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(200);
+  IslandWatch watch(simulation, quick_watch());
+  ASSERT_TRUE(simulation.remove_voxels(layer(40)));
+  simulation.set_undo_mark();
+  while (watch.count() == 0) wait(simulation, watch, 1);
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
+  while (!simulation.undo(64)) {
+  }
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 59 * kInLayer);
+  while (watch.count() == 1) wait(simulation, watch, 1);
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
+}
+
+TEST(IslandWatch, AcceptsAWorkpieceThatIsEmptied) {
+  Simulation simulation = bar_and_ball();
+  for (int k = 0; k < 60; ++k) ASSERT_TRUE(simulation.remove_voxels(layer(k)));
+  ASSERT_TRUE(simulation.workpiece().empty());
+  IslandWatch watch(simulation);
+  wait(simulation, watch, 10);
+  EXPECT_EQ(watch.count(), 0U);
+}
+
 TEST(IslandModel, NeedsAModelOfASimulation) {
   struct : LoopModel {
     Wrench step(const DeviceState& /*state*/, double /*dt*/, LoopSnapshot& /*snapshot*/) noexcept override {

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <random>
 #include <set>
 
 #include "hapticut/core/units.hpp"
 #include "support/named_material.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::islands_test {
 namespace {
@@ -166,6 +168,94 @@ TEST(IslandFinder, KeepsWhatIsFixedHoweverSmall) {
   EXPECT_EQ(find_islands(block, options), far);
 }
 
+TEST(IslandFinder, FindsAPieceWhoseFixedVoxelsWereCutAway) {
+  Workpiece block = block_of(24, 24, 16);
+  IslandOptions options;
+  options.fixed = Box{Vec3::Zero(), kVoxel * Vec3(24, 24, 1)};
+  IslandFinder finder(block, options);
+  finder.update(block, cut(block, {{12, 0, 0}, {12, 23, 15}}));  // into two halves; the lowest layer fixes both
+  EXPECT_TRUE(finder.find().empty());
+  finder.update(block, cut(block, {{0, 0, 0}, {11, 23, 0}}));
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{12 * 24 * 15});
+  finder.update(block, cut(block, {{13, 0, 0}, {23, 23, 0}}));
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{11 * 24 * 15}) << "nothing is fixed any more";
+}
+
+TEST(IslandFinder, FindsAPieceAgainThatAnUndoBringsBackLoose) {
+  Workpiece block = block_of(40, 40, 40);
+  block.reserve_undo(1000);
+  IslandFinder finder(block);
+  const IndexBox cube = {{10, 10, 10}, {19, 19, 19}};
+  finder.update(block, undercut(block, cube));
+  ASSERT_EQ(sizes_of(finder.find()), Sizes{1000});
+  block.set_mark();
+  finder.update(block, cut(block, cube));
+  EXPECT_TRUE(finder.find().empty());
+  std::vector<VoxelIndex> back;
+  while (const auto origin = block.undo_block()) back.push_back(*origin);
+  finder.update(block, back);
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{1000});
+}
+
+TEST(IslandFinder, LeavesABodyThatWasApartAndThatAnUndoBringsBack) {
+  Workpiece block = block_of(40, 40, 40);
+  block.reserve_undo(2000);
+  (void)cut(block, {{20, 0, 0}, {29, 39, 39}});  // two bodies from the beginning
+  IslandFinder finder(block);
+  block.set_mark();
+  finder.update(block, undercut(block, {{33, 10, 10}, {36, 13, 13}}));
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{64});
+  finder.update(block, cut(block, {{30, 0, 0}, {39, 39, 39}}));
+  EXPECT_TRUE(finder.find().empty());
+  std::vector<VoxelIndex> back;
+  while (const auto origin = block.undo_block()) back.push_back(*origin);
+  finder.update(block, back);
+  EXPECT_TRUE(finder.find().empty());
+}
+
+TEST(IslandFinder, FindsAPieceOfMaterialThatCameBackAndWasCutOutBeforeASearch) {
+  Workpiece block = block_of(40, 40, 40);
+  block.reserve_undo(1000);
+  IslandFinder finder(block);
+  block.set_mark();
+  finder.update(block, cut(block, {{5, 5, 5}, {30, 30, 30}}));
+  EXPECT_TRUE(finder.find().empty());
+  while (block.undo_block()) {
+  }
+  const IndexBox cube = {{10, 10, 10}, {14, 14, 14}};
+  (void)undercut(block, cube);
+  std::vector<VoxelIndex> all;
+  for_each_block_origin(block.bounds(), [&](const VoxelIndex& origin) { all.push_back(origin); });
+  finder.update(block, all);
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{125});
+}
+
+TEST(IslandFinder, BeginsWithTheBlocksThatItIsToldFirst) {
+  Workpiece block = block_of(40, 40, 40);
+  (void)undercut(block, {{30, 30, 30}, {33, 33, 33}});  // a body that is apart from the beginning
+  IslandFinder finder(block.bounds(), block.frame());
+  std::vector<VoxelIndex> all;
+  for_each_block_origin(block.bounds(), [&](const VoxelIndex& origin) { all.push_back(origin); });
+  finder.update(block, std::span(all).first(all.size() - 1));
+  finder.update(block, undercut(block, {{4, 4, 4}, {7, 7, 7}}));
+  EXPECT_TRUE(finder.find().empty()) << "a block is not known yet";
+  finder.update(block, std::span(all).last(1));
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{64}) << "found now, and the body stays";
+}
+
+TEST(IslandOptions, RefuseAFixedBoxThatIsNoBoxOrHoldsNothing) {
+  const Workpiece block = block_of(16, 16, 16);
+  const auto refuses = [&](const Vec3& min, const Vec3& max, const char* why) {
+    IslandOptions options;
+    options.fixed = Box{min, max};
+    test::expect_refused([&] { (void)find_islands(block, options); }, {"IslandOptions::fixed", why});
+    test::expect_refused([&] { IslandFinder finder(block, options); }, {"IslandOptions::fixed", why});
+  };
+  refuses(Vec3::Constant(1 * mm), Vec3(2, 0, 2) * mm, "min that is larger than its max");
+  refuses(Vec3::Constant(std::nan("")), Vec3::Constant(1 * mm), "not finite");
+  refuses(Vec3::Constant(50 * mm), Vec3::Constant(60 * mm), "no voxel");
+}
+
 TEST(IslandFinder, TakesThinVoxelsForAirAndTheirSkinWithTheIsland) {
   Workpiece block = block_of(24, 24, 24);
   IslandFinder finder(block);
@@ -250,6 +340,17 @@ TEST(IslandFinder, NeedsMillisecondsForAToothOfTwoMillionVoxels) {
   expect_one(undercut(tooth, {{40, 40, 90}, {59, 59, 109}}), 8000);
   // The worst case: cut through in the middle, so that each part has a million voxels.
   expect_one(cut(tooth, {{0, 0, 80}, {99, 99, 80}}), 100 * 100 * 80);
+}
+
+TEST(IsLoose, SeesWhatTouchesAPartOfABodyInABlockThatItDoesNotList) {
+  Workpiece ball = block_of(16, 16, 16);
+  (void)cut(ball, {{0, 0, 0}, {15, 15, 15}}, [](const VoxelIndex& at) { return !holds({{4, 4, 4}, {11, 7, 7}}, at); });
+  Island half;
+  half.min_fill = 0.05;
+  half.blocks = {{{0, 0, 0}, ball.block({0, 0, 0}).filled_voxels(0.05F)}};
+  EXPECT_FALSE(is_loose(half, 0, ball));
+  (void)cut(ball, {{8, 0, 0}, {15, 15, 15}});
+  EXPECT_TRUE(is_loose(half, 0, ball));
 }
 
 TEST(IsLoose, SeesWhatTouchesAnIslandSinceItWasFound) {

@@ -356,6 +356,7 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, kVoxel * kVoxel * kVoxel);
   EXPECT_GT(outcome.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
+  EXPECT_FALSE(task.change.any_changed);
   EXPECT_EQ(sums.removed, (ByMaterial<double>{}));
   EXPECT_GT(outcome.energies.rubbing, 0);
 }

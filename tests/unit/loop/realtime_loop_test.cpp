@@ -5,7 +5,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
@@ -198,6 +200,8 @@ TEST(RealtimeLoop, HasTheMailboxOfItsDevice) {
 TEST(BlockOutbox, RefusesRegionsThatItCannotHold) {
   EXPECT_THROW(BlockOutbox(IndexBox{}, 8), Error);
   EXPECT_THROW(BlockOutbox(IndexBox{{0, 0, 0}, {99999, 99999, 99999}}, 8), Error);
+  constexpr int kFar = 1 << 30;
+  EXPECT_THROW(BlockOutbox(IndexBox{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, 8), Error);
   BlockOutbox outbox(IndexBox{{-9, 0, 0}, {7, 7, 7}}, 2);
   EXPECT_TRUE(outbox.mark({-16, 0, 0}));
   EXPECT_TRUE(outbox.mark({0, 0, 0}));
@@ -206,6 +210,142 @@ TEST(BlockOutbox, RefusesRegionsThatItCannotHold) {
   EXPECT_FALSE(outbox.mark({8, 0, 0}));
   EXPECT_FALSE(outbox.mark({-24, 0, 0}));
   EXPECT_EQ(outbox.outside(), 2U);
+}
+
+Simulation block_and_ball(double size = 8e-3) {
+  SimulationConfig config;
+  config.reserved_blocks = 200;
+  return Simulation(build_block({Vec3::Constant(-size / 2), Vec3::Constant(size / 2)}, 2e-4, test::plain_material()),
+                    Tool(SphereHead{1e-3}), config);
+}
+
+/// A voxel of each of some blocks, one block further along z each.
+BlockVoxels voxel_of_block(int n) {
+  BlockVoxels one{{8 * (n / 5), 0, 8 * (n % 5)}, {}};
+  one.voxels.add(7);
+  return one;
+}
+
+/// A model of a simulation whose steps a test makes.
+class RemovingModel : public LoopModel {
+ public:
+  explicit RemovingModel(Simulation& simulation) : simulation_(simulation) {}
+  Wrench step(const DeviceState& /*state*/, double /*dt*/, LoopSnapshot& /*snapshot*/) noexcept override {
+    for (; to_remove > 0; --to_remove) (void)simulation_.remove_voxels(voxel_of_block(to_remove));
+    return {};
+  }
+  [[nodiscard]] Simulation* simulation() noexcept override { return &simulation_; }
+  int to_remove = 0;
+
+ private:
+  Simulation& simulation_;
+};
+
+std::set<VoxelIndex> received(RealtimeLoop& loop) {
+  std::set<VoxelIndex> origins;
+  std::uint64_t version = 0;
+  for (ChangedBlock block; loop.receive(block);) {
+    EXPECT_GT(block.version, std::exchange(version, block.version));
+    origins.insert(block.origin);
+  }
+  return origins;
+}
+
+TEST(RealtimeLoop, GivesAllChangedBlocksOutAfterItsEndHoweverSmallItsQueueIs) {
+  Simulation simulation = block_and_ball();
+  const auto device = open_device("mock:rest");
+  RemovingModel model(simulation);
+  RealtimeLoopOptions options = options_for(0.01);
+  options.region = simulation.workpiece().bounds();
+  options.block_capacity = 2;
+  RealtimeLoop loop(*device, model, options);
+  model.to_remove = 20;
+  loop.start();
+  (void)loop.wait();
+  ChangedBlock first;
+  ASSERT_TRUE(loop.receive(first));
+  EXPECT_EQ(received(loop).size(), 19U);
+  // What was not received is sent again in the next run, so that its versions grow.
+  model.to_remove = 24;
+  loop.start();
+  (void)loop.wait();
+  ASSERT_TRUE(loop.receive(first));
+  loop.start();
+  (void)loop.wait();
+  EXPECT_EQ(received(loop).size(), 3U);
+}
+
+TEST(RealtimeLoop, SendsWhatHasChangedBetweenTwoRuns) {
+  Simulation simulation = block_and_ball();
+  const auto device = open_device("mock:rest");
+  RemovingModel model(simulation);
+  RealtimeLoopOptions options = options_for(0.01);
+  options.region = simulation.workpiece().bounds();
+  RealtimeLoop loop(*device, model, options);
+  const auto run = [&] {
+    loop.start();
+    (void)loop.wait();
+    return received(loop);
+  };
+  EXPECT_TRUE(run().empty());
+  EXPECT_TRUE(run().empty()) << "nothing has changed";
+  ASSERT_TRUE(simulation.remove_voxels(voxel_of_block(3)));
+  EXPECT_TRUE(run().contains(voxel_of_block(3).origin));
+  simulation.reset(simulation.workpiece().clone());
+  EXPECT_GT(run().size(), 100U);
+  simulation.step({}, {}, 1e-3);
+  EXPECT_GT(run().size(), 100U);
+  EXPECT_TRUE(run().empty());
+}
+
+TEST(ChangeFeed, SendsAllOfAnotherWorkpieceAlsoDuringASteadyCut) {
+  Simulation simulation = block_and_ball();
+  for (const std::size_t per_tick : {1U, 2U, 5U}) {
+    ChangeFeed feed(simulation, simulation.workpiece().bounds(), 100);
+    feed.send_all();
+    const std::size_t all = feed.waiting();
+    std::set<VoxelIndex> origins;
+    std::size_t changes = 0;
+    for (std::size_t tick = 0; tick < 2 * all + 2; ++tick) {
+      for (int n = 0; n < 10; ++n) feed.mark(voxel_of_block(n).origin);
+      feed.tick(per_tick, 0);
+      for (ChangedBlock block; feed.receive(block);) changes += origins.insert(block.origin).second ? 0 : 1;
+    }
+    EXPECT_EQ(origins.size(), all) << per_tick;
+    EXPECT_GE(changes, all * per_tick / 2) << "changed blocks are sent meanwhile";
+  }
+}
+
+TEST(ChangeFeed, CountsTheBlocksOfALargerWorkpieceOutsideItsRegion) {
+  Simulation simulation = block_and_ball(), larger = block_and_ball(16e-3);
+  ChangeFeed feed(simulation);
+  simulation.exchange(larger);
+  EXPECT_EQ(feed.outside(), 10U * 10 * 10 - 5U * 5 * 5);
+}
+
+TEST(ChangeFeed, NumbersTheWorkpiecesOfASimulation) {
+  Simulation simulation = block_and_ball();
+  ChangeFeed feed(simulation, {1000, 1000});
+  ChangedBlock block;
+  ASSERT_TRUE(simulation.remove_voxels(voxel_of_block(1)));
+  simulation.step(Pose::from_translation({0, 0, 1}), {}, 1e-3);
+  ASSERT_TRUE(feed.receive(block));
+  EXPECT_EQ(block.workpiece, 0U);
+  simulation.reset(simulation.workpiece().clone());
+  simulation.step(Pose::from_translation({0, 0, 1}), {}, 1e-3);
+  ASSERT_TRUE(feed.receive(block));
+  EXPECT_EQ(block.workpiece, 1U);
+}
+
+TEST(ChangeFeed, AcceptsAWorkpieceThatIsEmptied) {
+  Simulation simulation = block_and_ball();
+  simulation.reserve_blocks(1000);
+  for_each_block_origin(simulation.workpiece().bounds(), [&](const VoxelIndex& origin) {
+    ASSERT_TRUE(simulation.remove_voxels({origin, BlockMask::all()}));
+  });
+  ASSERT_TRUE(simulation.workpiece().empty());
+  ChangeFeed feed(simulation);
+  EXPECT_EQ(feed.outside(), 0U);
 }
 
 TEST(ChangeFeed, SendsWhatAnUndoBringsBackAndAllOfAnotherWorkpiece) {
