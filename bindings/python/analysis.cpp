@@ -85,11 +85,7 @@ void bind_closed_loop(py::module_& m) {
 
 void bind_stability(py::module_& m) {
   using S = StabilitySearch;
-  bind_struct<S>(m, "StabilitySearch", field("start", &S::start), field("target", &S::target),
-                 field("settle", &S::settle), field("nudge", &S::nudge), field("window", &S::window),
-                 field("windows", &S::windows), field("low", &S::low), field("high", &S::high),
-                 field("coarse_factor", &S::coarse_factor), field("tolerance", &S::tolerance),
-                 field("forgotten", &S::forgotten));
+  bind_described<S>(m, "StabilitySearch");
   m.def(
       "is_stable",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const S& search) {
@@ -111,8 +107,7 @@ void bind_stability(py::module_& m) {
                  member("generated_energy", &B::generated_energy), member("penetration", &B::penetration),
                  member("peak_force", &B::peak_force));
   using T = BounceTest;
-  bind_struct<T>(m, "BounceTest", field("height", &T::height), field("speed", &T::speed), field("phases", &T::phases),
-                 field("time_limit", &T::time_limit));
+  bind_described<T>(m, "BounceTest");
   m.def(
       "measure_bounce",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const T& test) {
@@ -128,8 +123,7 @@ void bind_stability(py::module_& m) {
                  member("max_force", &Z::max_force))
       .def("buzzes", &Z::buzzes, doc("Buzz::buzzes"));
   using P = PressTest;
-  bind_struct<P>(m, "PressTest", field("height", &P::height), field("depth", &P::depth), field("speed", &P::speed),
-                 field("approach", &P::approach), field("seconds", &P::seconds), field("measured", &P::measured));
+  bind_described<P>(m, "PressTest");
   m.def(
       "measure_buzz",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const P& test) {

@@ -15,6 +15,12 @@ constexpr int kFineSteps = 50;  // in a tick, when events within it matter
 // [1] weight of the old value in a first-order low-pass.
 double memory(double cutoff, double period) { return cutoff > 0 ? std::exp(-2 * units::kPi * cutoff * period) : 0; }
 
+void require_finite(const Wrench& wrench, double time) {
+  if (wrench.force.allFinite() && wrench.torque.allFinite()) return;
+  throw Error("the wrench at " + format_number(time) +
+              " s of the closed loop is not finite; a force model must return finite numbers.");
+}
+
 Vec3 shortened(const Vec3& v, double max_length) {
   const double length = v.norm();
   return length > max_length ? Vec3(v * (max_length / length)) : v;
@@ -88,11 +94,14 @@ void ClosedLoop::apply(const Wrench& wrench) {
 }
 
 void ClosedLoop::write(const Wrench& wrench) {
+  require_finite(wrench, time_);
   apply(written_ = wrench);
   advance([this] { plant_.advance(applied_); });
 }
 
 void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer) {
+  if (!observer) return write(wrench);
+  require_finite(wrench, time_);
   apply(written_ = wrench);
   advance([&] {
     for (int n = 0; n < kFineSteps; ++n) {
@@ -103,8 +112,14 @@ void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plan
 }
 
 void ClosedLoop::miss_tick(double scale) {
+  require_between(scale, 0, 1, "the scale of the last wrench");
   apply({scale * written_.force, scale * written_.torque});
   advance([this] { plant_.advance(applied_); });
+}
+
+void ClosedLoop::tick(const ForceModel& model) {
+  if (!model) throw Error("ClosedLoop::tick needs a force model, but none was given.");
+  write(model(read()));
 }
 
 template <typename Motion>

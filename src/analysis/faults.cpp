@@ -87,6 +87,11 @@ std::span<const InjectedFault> injected_faults() { return kFaults; }
 
 FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
                                      const GuardOptions& options, InjectedFault fault, double height) {
+  if (name_or_null(fault) == nullptr)
+    throw Error("InjectedFault = " + std::to_string(int(fault)) + "; must be one of " + list_of_names<InjectedFault>() +
+                ".");
+  require_within(stiffness, Range::any(), "the stiffness");
+  require_within(height, range_of(&BounceTest::height), "the height [m]");
   if (options.period != config.period && options.period != GuardOptions{}.period)
     throw Error("GuardOptions::period = " + format_number(options.period) +
                 " s is not ClosedLoopConfig::period = " + format_number(config.period) + " s; set only the latter.");
@@ -156,6 +161,7 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
 }
 
 bool obeys_the_rules(const FaultResponse& response, const SafetyGuard& guard, double period) {
+  require_positive(period, "the period [s]");
   constexpr double kRounding = 1e-9;  // [1]
   return response.max_force <= guard.max_force() * (1 + kRounding) &&
          response.max_growth <= guard.slew() * period * (1 + kRounding) &&

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kHopeless = 1e6;     // [1] growth of the nudge that is unstable
 constexpr double kApproach = 0.2e-3;  // [m] above the surface where a flight begins
+constexpr double kLost = 1e6;         // [m] from the base: the loop has diverged
 constexpr double kBuzzRms = 50e-6;    // [m]
 constexpr double kBuzzForce = 0.3;    // [N]
 constexpr double kBuzzPower = 5e-3;   // [W]
@@ -23,6 +24,8 @@ double distance(const ClosedLoop& a, const ClosedLoop& b) {
   return std::hypot((a.plant().velocity().linear - b.plant().velocity().linear).norm(),
                     kRate * (a.plant().pose().translation - b.plant().pose().translation).norm());
 }
+
+void require_stiffness(double stiffness) { require_within(stiffness, Range::any(), "the stiffness"); }
 
 struct Flight {
   double in = 0, out = 0, energy = 0, penetration = 0, force = 0;
@@ -64,12 +67,17 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
     ClosedLoop loop;
     ForceModel model;
   };
+  require_stiffness(stiffness);
+  require_fields_within(search, "StabilitySearch::");
   Run calm{ClosedLoop(config), factory(stiffness)}, nudged{ClosedLoop(config), factory(stiffness)};
   const long settle = std::lround(search.settle / config.period);
   for (Run* run : {&calm, &nudged}) {
     run->loop.reset(search.start);
     run->loop.plant().set_target(search.target);
-    for (long n = 0; n < settle; ++n) run->loop.tick(run->model);
+    for (long n = 0; n < settle; ++n) {
+      run->loop.tick(run->model);
+      if (!(run->loop.plant().pose().translation.norm() < kLost)) return false;
+    }
   }
   nudged.loop.plant().set_velocity(nudged.loop.plant().velocity().linear - Vec3(0, 0, search.nudge));
 
@@ -92,9 +100,10 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
 
 double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
                             const StabilitySearch& search) {
-  require_positive(search.low, "StabilitySearch::low");
-  require_between(search.coarse_factor, 1.001, 10, "StabilitySearch::coarse_factor");
-  require_positive(search.tolerance, "StabilitySearch::tolerance");
+  require_fields_within(search, "StabilitySearch::");
+  if (!(search.low < search.high))
+    throw Error("StabilitySearch::low = " + format_number(search.low) +
+                "; must be below StabilitySearch::high = " + format_number(search.high) + ".");
   const auto stable = [&](double stiffness) { return is_stable(config, factory, stiffness, search); };
   double low = search.low, high = low;
   if (!stable(low)) return 0;
@@ -112,8 +121,8 @@ double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& 
 
 Bounce measure_bounce(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
                       const BounceTest& test) {
-  require_positive(test.speed, "BounceTest::speed [m/s]");
-  require_between(test.phases, 1, 100000, "BounceTest::phases");
+  require_stiffness(stiffness);
+  require_fields_within(test, "BounceTest::");
   Bounce result;
   result.generated_energy = -HUGE_VAL;
   for (int n = 0; n < test.phases; ++n) {
@@ -134,7 +143,8 @@ bool Buzz::buzzes() const {
 
 Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
                   const PressTest& test) {
-  require_positive(test.seconds, "PressTest::seconds [s]");
+  require_stiffness(stiffness);
+  require_fields_within(test, "PressTest::");
   require_between(test.approach, 0, test.seconds, "PressTest::approach [s]");
   require_between(test.measured, config.period, test.seconds, "PressTest::measured [s]");
   ClosedLoop loop(config);

@@ -58,7 +58,7 @@ std::string name_of(const Setting& setting) { return setting.flag.empty() ? sett
 /// @throws Error that names both settings
 void require_own_files(const std::vector<Setting>& settings, const std::string& settings_file) {
   std::map<std::filesystem::path, std::string> taken;  // file -> setting that names it
-  const auto place_of = [](const std::string& file) {
+  const auto place_of = [](const std::filesystem::path& file) {
     std::error_code unknown;
     const std::filesystem::path path = std::filesystem::absolute(file);
     const std::filesystem::path place = std::filesystem::weakly_canonical(path, unknown);
@@ -67,16 +67,18 @@ void require_own_files(const std::vector<Setting>& settings, const std::string& 
   if (!settings_file.empty()) taken[place_of(settings_file)] = "--settings";
   const auto is_output = [](const Setting& setting) { return setting.key.starts_with("output."); };
   for (const Setting& setting : settings)
-    if (setting.file && !setting.file->empty() && !is_output(setting))
-      taken.try_emplace(place_of(*setting.file), name_of(setting));
+    if (setting.files && !is_output(setting))
+      for (const std::filesystem::path& file : setting.files()) taken.try_emplace(place_of(file), name_of(setting));
   for (const Setting& setting : settings) {
-    if (!setting.file || setting.file->empty() || !is_output(setting)) continue;
-    const std::filesystem::path place = place_of(*setting.file);
-    const auto [other, is_new] = taken.try_emplace(place, name_of(setting));
-    std::error_code unknown;
-    if (!is_new && (std::filesystem::is_regular_file(place, unknown) || !std::filesystem::exists(place, unknown)))
-      throw Error(name_of(setting) + " would overwrite '" + *setting.file + "', the file of " + other->second +
-                  ". Give it another name.");
+    if (!setting.files || !is_output(setting)) continue;
+    for (const std::filesystem::path& file : setting.files()) {
+      const std::filesystem::path place = place_of(file);
+      const auto [other, is_new] = taken.try_emplace(place, name_of(setting));
+      std::error_code unknown;
+      if (!is_new && (std::filesystem::is_regular_file(place, unknown) || !std::filesystem::exists(place, unknown)))
+        throw Error(name_of(setting) + " would overwrite '" + file.string() + "', the file of " + other->second +
+                    ". Give it another name.");
+    }
   }
 }
 

@@ -128,7 +128,9 @@ Setting text(std::string key, std::string flag, std::string& target, std::string
 Setting path(std::string key, std::string flag, std::string& target, std::string meaning,
              std::vector<std::string> words) {
   Setting setting = text(std::move(key), std::move(flag), target, std::move(meaning));
-  setting.file = &target;
+  setting.files = [&target] {
+    return target.empty() ? std::vector<std::filesystem::path>{} : std::vector<std::filesystem::path>{target};
+  };
   setting.in_folder = [words = std::move(words)](const std::string& name, const std::filesystem::path& folder) {
     const bool is_file = !name.empty() && std::find(words.begin(), words.end(), name) == words.end();
     return is_file ? (folder / name).string() : name;

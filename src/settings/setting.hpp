@@ -52,7 +52,8 @@ struct Setting {
   std::function<bool(const std::string& text)> assign_short_form = {};
   /// For a text that names a file: the name relative to `folder`, the folder of the settings file.
   std::function<std::string(const std::string& text, const std::filesystem::path& folder)> in_folder = {};
-  const std::string* file = nullptr;  ///< for a text that names a file: the stored name
+  /// For a text that names a file: all files that it stands for; none while the text is empty.
+  std::function<std::vector<std::filesystem::path>()> files = {};
 };
 
 /// Joins lists of settings.

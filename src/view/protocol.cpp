@@ -54,6 +54,31 @@ void add_sentences(Writer& message) {
     if (has(one)) message.add(std::uint32_t(one.value)).add_text(one.name).add_text(one.words);
 }
 
+/// Length of the character that a text begins with; 0 when it is not UTF-8 or a control character (C0, DEL, C1).
+std::size_t character_length(std::span<const std::uint8_t> text) {
+  const std::uint8_t first = text[0];
+  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+  std::uint32_t code = first & (0x7fU >> length);
+  for (const std::uint8_t next : text.subspan(1, length - 1)) {
+    if ((next & 0xc0U) != 0x80U) return 0;
+    code = code << 6U | (next & 0x3fU);
+  }
+  constexpr std::uint32_t kFirstOfLength[] = {0xa0, 0x800, 0x10000};  // 0x80 ... 0x9f are control characters
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  return code >= kFirstOfLength[length - 2] && code <= 0x10ffff && !surrogate ? length : 0;
+}
+
+bool is_printable_utf8(std::span<const std::uint8_t> text) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text = text.subspan(length);
+  }
+  return true;
+}
+
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -101,8 +126,7 @@ class Reader {
   void read(std::string& text, const Range& /*range*/) {
     const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
     at_ = bytes_.size();
-    const auto is_control = [](std::uint8_t byte) { return byte < 0x20 || byte == 0x7f; };
-    refuse_if(rest.empty() || rest.size() > kMaxName || std::ranges::any_of(rest, is_control));
+    refuse_if(rest.empty() || rest.size() > kMaxName || !is_printable_utf8(rest));
     text.assign(rest.begin(), rest.end());
   }
   template <Described Command>

@@ -67,3 +67,22 @@ def kills_its_process_once(parameters, rng):
         os.kill(os.getpid(), signal.SIGKILL)
     time.sleep(0.01)
     return {"draw": rng.random()}
+
+
+def kills_its_process(parameters, rng):
+    """Every time at 2."""
+    if parameters["x"] == 2:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"draw": rng.random()}
+
+
+def scaled(parameters, rng, factor=1):
+    return {"y": factor * parameters["x"]}
+
+
+class Scaled:
+    def __init__(self, factor):
+        self.factor = factor
+
+    def __call__(self, parameters, rng):
+        return {"y": self.factor * parameters["x"]}

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import os
 import re
 import resource
 import shutil
 import subprocess
 import sys
+import types
 from concurrent.futures import Executor, ThreadPoolExecutor
 from pathlib import Path
 
@@ -175,6 +177,65 @@ def test_the_folder_of_another_study_is_refused_and_left_alone(serial, tmp_path,
     with pytest.raises(hapticut.Error, match="resume=True"):
         hapticut.sweep({"x": [1, 2]}, runs.squares, serial, tmp_path, resume=False)
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+
+
+def scaled_in_a_closure(factor):
+    return lambda parameters, rng: {"y": factor * parameters["x"]}
+
+
+def function_of_another_module():
+    module = types.ModuleType("other_runs")
+    exec("def squares(parameters, rng): return {'y': parameters['x'] ** 2}", vars(module))
+    return module.squares
+
+
+@pytest.mark.parametrize("first, second", [
+    (runs.squares, function_of_another_module()),
+    (lambda parameters, rng: {"y": 1.0}, lambda parameters, rng: {"y": 2.0}),
+    (scaled_in_a_closure(2), scaled_in_a_closure(3)),
+    (functools.partial(runs.scaled, factor=2), functools.partial(runs.scaled, factor=3)),
+    (runs.Scaled(2), runs.Scaled(3)), (runs.Scaled(2).__call__, runs.Scaled(3).__call__)])
+def test_another_function_of_the_same_name_is_another_study(serial, tmp_path, first, second):
+    hapticut.sweep({"x": [1, 2]}, first, serial, tmp_path)
+    hapticut.sweep({"x": [1, 2]}, first, serial, tmp_path)
+    with pytest.raises(hapticut.Error, match="another study, with another .*function"):
+        hapticut.sweep({"x": [1, 2]}, second, serial, tmp_path)
+
+
+CODE_OF = """
+import functools, runs
+from hapticut.sweep.function import code_of
+for run in (runs.drill, runs.Scaled({"b": {"x", "y", "z"}, "a": 1.5}), functools.partial(runs.scaled, factor=[2])):
+    print(code_of(run))
+"""
+
+
+def test_a_function_is_the_same_in_every_process(tmp_path):
+    codes = set()
+    with found_by_workers():
+        for seed in ("1", "2"):
+            codes.add(subprocess.run([sys.executable, "-c", CODE_OF], env={**os.environ, "PYTHONHASHSEED": seed},
+                                     check=True, capture_output=True, text=True).stdout)
+    assert len(codes) == 1 and len(set(codes.pop().split())) == 3
+
+
+def test_a_run_that_kills_its_process_is_named(tmp_path):
+    for _ in range(2):
+        with pytest.raises(hapticut.Error, match="probably in run 2: call run with those parameters alone"):
+            hapticut.sweep({"x": [0, 1, 2, 3]}, runs.kills_its_process, out=tmp_path, workers=1)
+
+
+@pytest.mark.parametrize("number, line", [
+    (1, b"[]"), (1, b"7"), (2, b"[]"), (2, b"null"), (2, b'{"run": 0}'), (2, b'{"run": 7, "summary": {}, "error": ""}'),
+    (3, b'{"run": 1, "summary": [], "error": ""}')])
+def test_a_damaged_line_is_named(serial, tmp_path, number, line):
+    hapticut.sweep({"x": [1, 2]}, runs.squares, serial, tmp_path)
+    file = tmp_path / "runs.jsonl"
+    lines = file.read_bytes().splitlines()
+    lines[number - 1] = line
+    file.write_bytes(b"\n".join(lines) + b"\n")
+    with pytest.raises(hapticut.Error, match=f"runs.jsonl is damaged: line {number}"):
+        hapticut.sweep({"x": [1, 2]}, runs.squares, serial, tmp_path)
 
 
 def test_a_damaged_folder_is_named(serial, tmp_path):

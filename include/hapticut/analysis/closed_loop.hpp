@@ -55,16 +55,22 @@ class ClosedLoop {
   [[nodiscard]] const DeviceState& read();
 
   /// Accepts the wrench for the last reading, and moves device and hand by one period.
+  /// @throws Error when the wrench is not finite
   void write(const Wrench& wrench);
 
   /// `write` in fine steps, with a call of the observer after each, for events within a tick.
+  /// @throws Error when the wrench is not finite
   void write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer);
 
   /// A tick without output of the model: the device holds the last wrench, or the fraction of it that a watchdog
   /// allows.
+  /// @param scale  [1] 0 ... 1
+  /// @throws Error when the scale is out of range
   void miss_tick(double scale = 1);
 
-  void tick(const ForceModel& model) { write(model(read())); }
+  /// Reads the device, calls the model, and writes its wrench.
+  /// @throws Error when the model is an empty function or its wrench is not finite
+  void tick(const ForceModel& model);
 
   [[nodiscard]] Plant& plant() { return plant_; }
   [[nodiscard]] const Plant& plant() const { return plant_; }

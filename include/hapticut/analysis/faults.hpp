@@ -66,13 +66,15 @@ struct FaultResponse {
 
 /// Presses into the surface z = `height` while moving sideways, injects the fault, and records for half a second. Guard
 /// and watchdog are between the model and the device, as in a run, with the period of the loop.
-/// @throws Error when GuardOptions::period is set to another period
+/// @throws Error when GuardOptions::period is set to another period, the fault has no name, a number is not finite or
+///         out of range, or the model returns a wrench that is not finite
 [[nodiscard]] FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory,
                                                    double stiffness, const GuardOptions& options, InjectedFault fault,
                                                    double height = 0);
 
 /// Whether a response obeys the rules for every fault: never more than the device's peak force, no growth above the
 /// slew limit, no force older than 50 ms.
+/// @throws Error when the period is not positive
 [[nodiscard]] bool obeys_the_rules(const FaultResponse& response, const SafetyGuard& guard, double period);
 
 }  // namespace hapticut

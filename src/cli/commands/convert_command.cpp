@@ -36,7 +36,7 @@ Command convert_command() {
   tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
-  all.push_back(path("output.target", "TARGET", settings->target, "file to write"));
+  all.push_back(workpiece_file("output.target", "TARGET", settings->target, "file to write"));
   return {"convert", "Turn a file or a built-in workpiece into another file", std::move(all),
           [settings] { run_convert(*settings); }};
 }

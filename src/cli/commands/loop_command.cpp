@@ -44,6 +44,13 @@ struct LoopSettings {
   SimulationSettings simulation;
 };
 
+constexpr std::string_view kReplay = "replay:";
+
+/// The recording that a device plays; empty for another device.
+std::string played_file(const std::string& device) {
+  return device.starts_with(kReplay) ? device.substr(kReplay.size()) : "";
+}
+
 std::vector<Setting> settings_of(LoopSettings& s) {
   std::vector<Setting> all = {
       text("loop.device", "DEVICE", s.device, "name of the device: mock:spiral, replay:FILE, openhaptics, ..."),
@@ -63,9 +70,12 @@ std::vector<Setting> settings_of(LoopSettings& s) {
       path("output.json", "--json", s.json, "report in JSON"),
   };
   all.front().in_folder = [](const std::string& device, const std::filesystem::path& folder) {
-    constexpr std::string_view kReplay = "replay:";
-    return device.starts_with(kReplay) ? std::string(kReplay) + (folder / device.substr(kReplay.size())).string()
-                                       : device;
+    const std::string played = played_file(device);
+    return played.empty() ? device : std::string(kReplay) + (folder / played).string();
+  };
+  all.front().files = [&s] {
+    const std::string played = played_file(s.device);
+    return played.empty() ? std::vector<std::filesystem::path>{} : std::vector<std::filesystem::path>{played};
   };
   return together({std::move(all), settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)});
 }

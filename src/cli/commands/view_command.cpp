@@ -31,7 +31,7 @@ namespace {
 struct ViewSettings {
   std::string scene = "molar";
   std::string device, page;
-  double port = 0;
+  std::size_t port = 0;
   bool no_browser = false;
 };
 
@@ -117,8 +117,7 @@ Command view_command() {
             {"clay", "molar", "skull"}),
        text("view.device", "--device", settings->device,
             "device that moves the tool: openhaptics, ... [the pointer of the page]"),
-       number("view.port", "--port", settings->port, Range::between(0, 65535),
-              "TCP port of the server; 0: any free port [0]"),
+       integer("view.port", "--port", settings->port, 0, 65535, "TCP port of the server; 0: any free port [0]"),
        path("view.page", "--page", settings->page, "folder of the built page [next to the program]"),
        boolean("view.no_browser", "--no_browser", settings->no_browser, "does not open a browser")},
       [settings] { run_view(*settings); }};

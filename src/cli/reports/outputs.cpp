@@ -10,6 +10,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/surface/extract_surface.hpp"
 #include "io/atomic_file.hpp"
+#include "io/volume/density_file.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/io/picture/picture.hpp"
@@ -56,12 +57,22 @@ std::vector<Setting> settings_of(OutputSettings& o) {
       path("output.json", "--json", o.json, "report in JSON"),
       path("output.steps_csv", "--steps_csv", o.steps_csv, "CSV file with one line per step"),
       path("output.record", "--record", o.record, "recording of every step, for replay and export"),
-      path("output.save", "--save", o.workpiece, "remaining workpiece, .vdb or .nrrd"),
+      workpiece_file("output.save", "--save", o.workpiece, "remaining workpiece, .vdb or .nrrd"),
       path("output.surface", "--surface", o.surface, "surface of the remaining workpiece, .stl or .ply"),
       path("output.picture", "--picture", o.picture, "picture of the remaining workpiece, .png"),
       vector("output.picture_view", "--picture_view", o.picture_view, Range::any(),
              "direction of the picture, from the camera into the scene [-0.6,0.9,-0.8]"),
   };
+}
+
+Setting workpiece_file(std::string key, std::string flag, std::string& target, std::string meaning) {
+  Setting setting = path(std::move(key), std::move(flag), target, std::move(meaning));
+  setting.files = [&target, named = setting.files] {
+    std::vector<std::filesystem::path> files = named();
+    if (has_extension(target, {".nrrd"})) files.push_back(density_file(target));
+    return files;
+  };
+  return setting;
 }
 
 void check_outputs(const OutputSettings& outputs) {

@@ -18,6 +18,10 @@ struct OutputSettings {
 
 [[nodiscard]] std::vector<settings::Setting> settings_of(OutputSettings& outputs);
 
+/// A setting that names the file for a workpiece; its files include the second one of a .nrrd.
+[[nodiscard]] settings::Setting workpiece_file(std::string key, std::string flag, std::string& target,
+                                               std::string meaning);
+
 /// Checks before the work begins that the files can be written.
 /// @throws Error that names the file
 void check_outputs(const OutputSettings& outputs);

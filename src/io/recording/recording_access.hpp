@@ -31,6 +31,10 @@ struct RecordingAccess {
   static const OpenRecording& state(const Recording& recording) { return *recording.state_; }
 };
 
+/// Refuses to write a file over the recording that is being read.
+/// @throws Error with the name of the file
+void require_other_file(const Recording& recording, const std::filesystem::path& path);
+
 /// Packed rows of one column.
 /// @throws Error with the name of the file
 void read_rows(const Recording& recording, const Column& column, std::uint64_t first, std::uint64_t count,

@@ -93,7 +93,14 @@ class ZipWriter {
 
 }  // namespace
 
+void require_other_file(const Recording& recording, const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(path, recording.path(), unknown))
+    throw Error("cannot write '" + path.string() + "': it is the recording itself. Choose another name.");
+}
+
 void write_csv(const Recording& recording, const std::filesystem::path& path) {
+  require_other_file(recording, path);
   const std::vector<const Column*>& columns = RecordingAccess::state(recording).columns;
   write_atomically(path, [&](std::ostream& stream) {
     std::string line;
@@ -120,6 +127,7 @@ void write_csv(const Recording& recording, const std::filesystem::path& path) {
 }
 
 void write_npz(const Recording& recording, const std::filesystem::path& path) {
+  require_other_file(recording, path);
   AtomicFile target(path);
   try {
     ZipWriter zip(target.temporary_path());

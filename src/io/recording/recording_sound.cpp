@@ -77,6 +77,7 @@ class Listener {
 
 void write_wav(const Recording& recording, const std::filesystem::path& path, double sample_rate) {
   require_within(sample_rate, Range::between(8000, 192'000), "the sample rate [Hz]");
+  require_other_file(recording, path);
   const auto rate = std::uint32_t(std::lround(sample_rate));
   write_atomically(path, [&](std::ostream& stream) {
     stream << wav_head(rate, 0);  // the lengths are written at the end

@@ -249,8 +249,16 @@ Workpiece parse(std::string bytes) {
   return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
 }
 
+/// A file of save_vdb has its own materials, which an import would silently replace by one.
+void require_foreign(const VdbFile& file) {
+  for (const auto& grid : file.grids)
+    if (grid && grid->getMetadata<openvdb::Int32Metadata>(kFormatKey))
+      throw Error("hapticut wrote it, with its own materials, grid and unit; leave VdbImport::material out.");
+}
+
 Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   const VdbFile file = read_grids(std::move(bytes));
+  require_foreign(file);
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
   std::map<std::string, int> floats;  // number of grids of each name

@@ -11,6 +11,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "io/atomic_file.hpp"
+#include "io/volume/density_file.hpp"
 
 namespace hapticut {
 namespace {
@@ -116,9 +117,7 @@ void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece) {
   copy_voxels(workpiece, fills, [](float& value, const BlockView& block, int n) {
     value = block.fill != nullptr ? block.fill[n] : 1.0F;
   });
-  std::filesystem::path density = path;
-  density.replace_filename(path.stem().string() + "_density" + path.extension().string());
-  write_nrrd(density, fills);
+  write_nrrd(density_file(path), fills);
   write_nrrd(path, materials);
 }
 

@@ -301,6 +301,18 @@ TEST_F(Inspect, SaysWhereAVolumeIs) {
   EXPECT_NE(read_bytes(folder / "stdout").find("axes rotated"), std::string::npos);
 }
 
+TEST_F(Convert, KeepsItsSourceWhenTheSecondFileOfANrrdWouldReplaceIt) {
+  write_test_volume(folder / "v_density.nrrd");
+  const std::string before = read_bytes(folder / "v_density.nrrd");
+  expect_refused("convert " + path("v_density.nrrd") + " " + path("v.nrrd") + " --grey dentin=250:",
+                 {"TARGET would overwrite", "v_density.nrrd', the file of SOURCE"});
+  EXPECT_EQ(read_bytes(folder / "v_density.nrrd"), before);
+  EXPECT_FALSE(std::filesystem::exists(folder / "v.nrrd"));
+  expect_refused("drill " + kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --json " +
+                     path("b_density.nrrd"),
+                 {"--save would overwrite", "the file of --json"});
+}
+
 TEST_F(Convert, TurnsAGridOfAnotherProgramIntoAWorkpiece) {
   HAPTICUT_NEEDS_DATA("vdb/sphere.vdb");
   const std::string sphere = data_path("vdb/sphere.vdb").string();

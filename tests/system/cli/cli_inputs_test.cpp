@@ -84,6 +84,9 @@ TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
 TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
   ASSERT_EQ(run("convert block " + path("a.vdb") + " --size_mm 2,2,2 --voxel_mm 0.2 --material cortical_bone").code, 0);
   std::string bytes = test::read_bytes(folder / "a.vdb");
+  expect_refused("inspect " + path("a.vdb") + " --material clay", {"a.vdb", "leave --material out"});
+  const std::string own = "hapticut_format";  // without it, the file is one of another program
+  for (std::size_t at = 0; (at = bytes.find(own, at)) != std::string::npos;) bytes[at] = 'H';
   const std::string fog = "fog volume";
   int classes = 0;
   for (std::size_t at = 0; (at = bytes.find(fog, at)) != std::string::npos; ++classes) bytes.replace(at, 3, "wet");

@@ -163,6 +163,15 @@ TEST_F(Loop, PressedWithAFlatBurCutsInEveryPreset) {
 }
 
 #ifdef HAPTICUT_HAS_IO
+TEST_F(Loop, KeepsTheRecordingThatItPlays) {
+  (void)loop("mock:rest --seconds 0.01 --simulated-time --record " + path("a.h5") + " " + kCoarse);
+  const std::string before = read_bytes(folder / "a.h5");
+  for (const char* output : {"--record", "--json"})
+    expect_refused("loop replay:" + path("a.h5") + " --simulated-time " + output + " " + path("a.h5") + " " + kCoarse,
+                   {std::string(output) + " would overwrite", "the file of DEVICE"});
+  EXPECT_EQ(read_bytes(folder / "a.h5"), before);
+}
+
 TEST_F(Loop, RecordsWhatReplaysAndPlaysBackWithTheSameResult) {
   const nlohmann::json first =
       loop("mock:spiral,hand=nominal --seconds 4 --simulated-time --record " + path("a.h5") + " " + kCoarse);

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
 #include "hapticut/core/errors.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::faults_test {
 namespace {
@@ -42,6 +44,16 @@ TEST(Faults, NoFaultBreaksTheRulesOnAnyDeviceWithAnyDelay) {
             << response.max_growth << " N in a tick of " << guard.slew() * 1e-3 << ", force "
             << response.oldest_force * 1e3 << " ms old";
       }
+}
+
+TEST(Faults, ThatDoNotExistAreRefused) {
+  const auto measured = [](InjectedFault fault, double height) {
+    return measure_fault_response(pressed("touch", 0), wall(1), 600, {}, fault, height);
+  };
+  test::expect_refused([&] { return measured(InjectedFault(99), 0); }, "InjectedFault = 99; must be one of nan_pose,");
+  test::expect_refused([&] { return measured(InjectedFault::nan_pose, HUGE_VAL); }, "the height [m] = inf");
+  const SafetyGuard guard(capabilities(device_model("touch")), {});
+  test::expect_refused([&] { return obeys_the_rules({}, guard, 0); }, "the period [s] = 0");
 }
 
 TEST(Faults, EveryFaultThatHidesTheHandEndsTheForce) {

@@ -5,14 +5,18 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <type_traits>
 
 #include "analysis/wall_table.hpp"
 #include "hapticut/core/errors.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::stability_test {
 namespace {
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPeriod = 1e-3;           // [s]
 constexpr double kClosedForm = 0.02;       // relative; the integration is exact, the search is not
 constexpr double kTable = 0.05;            // relative; the table is rounded, and from another program
@@ -186,6 +190,69 @@ TEST(ClosedLoop, GivesTheSameBitsOnEveryRun) {
     return loop.plant().pose().translation;
   };
   EXPECT_EQ(run(), run());
+}
+
+TEST(StabilitySearch, RefusesNumbersThatMakeNoSense) {
+  const auto refused = [](auto member, double value, const std::string& part) {
+    StabilitySearch search;
+    search.*member = static_cast<std::remove_reference_t<decltype(search.*member)>>(value);
+    test::expect_refused([&] { return max_stable_stiffness(loop_of("touch", "nominal"), linear_wall(), search); },
+                         part);
+  };
+  refused(&StabilitySearch::tolerance, 1e-16, "StabilitySearch::tolerance [1] = 1e-16; must be between 1e-09 and 1.");
+  refused(&StabilitySearch::windows, 0, "StabilitySearch::windows");
+  for (const double value : {0.0, kNan, HUGE_VAL}) refused(&StabilitySearch::window, value, "StabilitySearch::window");
+  for (const double value : {0.0, -1.0, kNan}) refused(&StabilitySearch::nudge, value, "StabilitySearch::nudge");
+  for (const double value : {-1.0, kNan, HUGE_VAL}) refused(&StabilitySearch::settle, value, "StabilitySearch::settle");
+  for (const double value : {-1.0, kNan}) refused(&StabilitySearch::forgotten, value, "StabilitySearch::forgotten");
+  refused(&StabilitySearch::high, 2, "StabilitySearch::low = 5; must be below StabilitySearch::high = 2.");
+}
+
+TEST(ClosedLoop, IsNotMeasuredWithNumbersThatMakeNoSense) {
+  const ClosedLoopConfig config = loop_of("touch", "nominal");
+  test::expect_refused([&] { return is_stable(config, wall(), kNan); }, "the stiffness = nan");
+  BounceTest bounce;
+  for (double BounceTest::*member : {&BounceTest::height, &BounceTest::speed, &BounceTest::time_limit}) {
+    bounce = {};
+    bounce.*member = kNan;
+    test::expect_refused([&] { return measure_bounce(config, wall(), 500, bounce); }, "BounceTest::");
+  }
+  for (double PressTest::*member : {&PressTest::height, &PressTest::depth, &PressTest::speed, &PressTest::approach,
+                                    &PressTest::seconds, &PressTest::measured})
+    for (const double value : {kNan, -HUGE_VAL}) {
+      PressTest press;
+      press.*member = value;
+      test::expect_refused([&] { return measure_buzz(config, wall(), 500, press); }, "PressTest::");
+    }
+  ClosedLoop loop(config);
+  test::expect_refused(
+      [&] {
+        loop.miss_tick(kNan);
+        return 0;
+      },
+      "the scale of the last wrench = nan");
+  test::expect_refused(
+      [&] {
+        loop.tick({});
+        return 0;
+      },
+      "needs a force model");
+}
+
+TEST(ClosedLoop, RefusesAWrenchThatIsNotFinite) {
+  const ModelFactory broken = [](double) {
+    return ForceModel([](const DeviceState&) { return Wrench{{0, 0, kNan}}; });
+  };
+  const ClosedLoopConfig config = loop_of("touch", "nominal");
+  for (const auto& said : {test::refusal([&] { return is_stable(config, broken, 100); }),
+                           test::refusal([&] { return measure_bounce(config, broken, 100); }),
+                           test::refusal([&] { return measure_buzz(config, broken, 100); })})
+    test::expect_part(said, "a force model must return finite numbers");
+  // A loop that diverges while it settles is unstable, before its numbers overflow.
+  StabilitySearch search;
+  search.start = Pose::from_translation({0, 0, 1e-3});
+  search.settle = 2;
+  EXPECT_FALSE(is_stable(config, linear_wall(), 1e7, search));
 }
 
 TEST(DeviceModels, AreFoundByNameAndAnUnknownNameListsThem) {

@@ -77,8 +77,8 @@ using Structs = decltype(together(
                    DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
                    ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
                    SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions,
-                   MolarParameters>{},
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters,
+                   StabilitySearch, BounceTest, PressTest>{},
     std::declval<OfCommands>()));
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 

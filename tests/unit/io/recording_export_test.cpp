@@ -103,6 +103,19 @@ TEST(RecordingExport, SaysWhatCannotBeWritten) {
     test::expect_refused([&] { write(recording, folder / "no/such/a"); }, "no/such/a");
 }
 
+TEST(RecordingExport, KeepsTheRecordingThatItReads) {
+  const TemporaryFolder folder;
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", 5));
+  std::filesystem::create_symlink(folder / "a.h5", folder / "link.csv");
+  const std::string before = test::read_bytes(folder / "a.h5");
+  const auto write_sound = [](const Recording& r, const std::filesystem::path& path) { write_wav(r, path); };
+  for (const std::function<void(const Recording&, const std::filesystem::path&)>& write :
+       {std::function(write_csv), std::function(write_npz), std::function(write_sound)})
+    for (const char* name : {"a.h5", "link.csv"})
+      test::expect_refused([&] { write(recording, folder / name); }, "it is the recording itself");
+  EXPECT_EQ(test::read_bytes(folder / "a.h5"), before);
+}
+
 // A tone of the recorded spindle is in the file, and it lasts as long as the steps.
 TEST(RecordingExport, WritesTheSoundOfTheDrill) {
   const TemporaryFolder folder;

@@ -13,6 +13,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/openvdb.hpp"
 #include "support/named_material.hpp"
 #include "support/no_disk_space.hpp"
 #include "support/refusal.hpp"
@@ -239,10 +240,20 @@ TEST(Vdb, ALevelSetOfAnotherProgramGivesItsBall) {
 TEST(Vdb, AFogVolumeOfAnotherProgramKeepsItsPlace) {
   const TemporaryFolder folder;
   const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 1 * mm, 0.1 * mm, named("bone"));
-  save_vdb(ball, folder / "ball.vdb");
+  openvdb::initialize();
+  openvdb::io::File file((folder / "ball.vdb").string());
+  file.write({density_grid(ball, 1e-3)});
+  file.close();
   const Workpiece fog = load_vdb(folder / "ball.vdb", {named("clay"), "density"});
   EXPECT_EQ(fog.solid_voxels(), ball.solid_voxels());
   EXPECT_LT((fog.frame().center({5, 6, 7}) - ball.frame().center({5, 6, 7})).norm(), 1e-12);
+}
+
+TEST(Vdb, AFileWithItsOwnMaterialsIsNotImportedAsOneMaterial) {
+  const TemporaryFolder folder;
+  save_vdb(build_sphere(Vec3::Zero(), 1 * mm, 0.1 * mm, named("bone")), folder / "ball.vdb");
+  test::expect_refused([&] { return load_vdb(folder / "ball.vdb", {named("clay"), "density"}); },
+                       {"ball.vdb", "hapticut wrote it, with its own materials"});
 }
 
 TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {

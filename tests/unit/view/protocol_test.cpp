@@ -181,6 +181,39 @@ TEST(ViewProtocol, ANameToLoadIsShortAndHasNoControlCharacters) {
   EXPECT_FALSE(load(std::string("a\0b", 3)));
 }
 
+TEST(ViewProtocol, ANameToLoadIsInUtf8) {
+  const auto load = [](const std::string& name) {
+    Bytes bytes(CommandKind::load);
+    for (const char c : name) bytes.add(c);
+    return decode_command(bytes.bytes).has_value();
+  };
+  for (const char* name : {"Z\xc3\xa4hne.toml", "\xe2\x82\xac", "\xf0\x9f\xa6\xb7", "\xc2\xa0", "\xed\x9f\xbf",
+                           "\xee\x80\x80", "\xf4\x8f\xbf\xbf"})
+    EXPECT_TRUE(load(name)) << name;
+  // Bytes that begin nothing, cut off, overlong, surrogates, above 0x10ffff, C1 controls.
+  for (const char* name : {"\x80",
+                           "\xff",
+                           "\xfe",
+                           "a\xc3",
+                           "\xe2\x82",
+                           "\xf0\x9f\xa6",
+                           "\xc3(",
+                           "\xe2(\xac",
+                           "\xc0\xaf",
+                           "\xc1\xbf",
+                           "\xe0\x80\xaf",
+                           "\xe0\x9f\xbf",
+                           "\xf0\x80\x80\xaf",
+                           "\xf0\x8f\xbf\xbf",
+                           "\xed\xa0\x80",
+                           "\xed\xbf\xbf",
+                           "\xf4\x90\x80\x80",
+                           "\xf5\x80\x80\x80",
+                           "\xc2\x80",
+                           "\xc2\x9f"})
+    EXPECT_FALSE(load(name)) << name;
+}
+
 RC_GTEST_PROP(ViewProtocol, AnyBytesAreACommandOrNone, ()) {
   auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
   if (bytes.size() > 3 && *rc::gen::arbitrary<bool>()) {

@@ -11,7 +11,7 @@ import os
 import sys
 import types
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -48,7 +48,9 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     out
         The folder of the study. Every finished run adds a line, so no run is lost.
     resume
-        True: continue the study in the folder. False: refuse a folder that holds runs.
+        True: continue the study in the folder. False: refuse a folder that holds runs. A study is the same when
+        the space, the seed, the version and ``run`` are: its module, name, code, defaults, and the values that it
+        holds (closure, partial, instance). Functions that ``run`` calls are not compared.
     seed
         Seed of the study. It and the run's index determine the random numbers of a run.
     units
@@ -84,20 +86,28 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     processes = len(os.sched_getaffinity(0)) if workers is None else whole(workers, "workers", 1)
     seed = whole(seed, "seed", 0)
     points = points_of(space)
-    study = Study(out, points, str(getattr(run, "__qualname__", type(run).__qualname__)), seed, resume)
+    study = Study(out, points, run, seed, resume)
     missing = study.missing()
     with ExitStack() as stack:
+        owned = executor is None
         if executor is None and missing:
             # A forked child of a process with threads may hang; a spawned one does not.
             context = multiprocessing.get_context("spawn")
             executor = stack.enter_context(ProcessPoolExecutor(processes, mp_context=context))
         if executor is not None:
-            _make(study, missing, run, seed, executor, progress)
+            _make(study, missing, run, seed, executor, processes if owned else 0, progress)
     return study.table(units or {})
 
 
-def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: Executor, progress: bool) -> None:
-    """Submits the missing runs to the executor, and stores each finished run."""
+def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: Executor, processes: int,
+          progress: bool) -> None:
+    """Submits the missing runs to the executor, and stores each finished run.
+
+    Parameters
+    ----------
+    processes
+        Number of processes of the pool of this sweep; 0: another executor.
+    """
     futures: set[Future[Outcome]] = set()
     failure: Optional[Exception] = None  # of the executor; outcome_of does not raise
     try:
@@ -118,7 +128,13 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
         for future in futures:
             future.cancel()
     if failure is not None:
-        raise Error(f"the executor failed ({type(failure).__name__}: {failure}). Finished runs are kept: call "
+        killer = ""
+        if isinstance(failure, BrokenExecutor) and processes:
+            # The pool starts the runs in this order, so the runs that its processes were making are among these.
+            suspects = ", ".join(map(str, study.missing()[:processes]))
+            killer = (f" A process of the pool died, probably in run {suspects}: call run with those parameters alone "
+                      "to find out why.")
+        raise Error(f"the executor failed ({type(failure).__name__}: {failure}).{killer} Finished runs are kept: call "
                     "sweep again to continue. The workers need hapticut and the module of run, and a script `if "
                     "__name__ == \"__main__\":` around its code.") from failure
 

@@ -8,13 +8,14 @@ import os
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._hapticut import Error, build_info
-from .outcome import Outcome
+from .function import code_of, name_of
+from .outcome import Outcome, Run
 from .spaces import Space
 
 if TYPE_CHECKING:
@@ -28,14 +29,14 @@ def _trace_file(out: Path, run: int) -> Path:
 class Study:
     """One folder holds one study. The first line of `runs.jsonl` identifies it; each other line is a finished run."""
 
-    def __init__(self, out: str | os.PathLike[str], space: Space, run_name: str, seed: int, resume: bool):
+    def __init__(self, out: str | os.PathLike[str], space: Space, run: Run, seed: int, resume: bool):
         self.out = Path(out)
         self.space = space
         self.file = self.out / "runs.jsonl"
         self.done: dict[int, dict[str, Any]] = {}
         digest = hashlib.sha256(json.dumps([list(row.values()) for row in space]).encode()).hexdigest()
-        identity = {"function": run_name, "parameters": list(space[0]), "runs": len(space), "space": digest,
-                    "seed": seed, "hapticut": build_info().version}
+        identity = {"function": name_of(run), "code of the function": code_of(run), "parameters": list(space[0]),
+                    "runs": len(space), "space": digest, "seed": seed, "hapticut": build_info().version}
         try:
             (self.out / "traces").mkdir(parents=True, exist_ok=True)
             if self.file.exists():
@@ -56,19 +57,41 @@ class Study:
         length = content.rfind(b"\n") + 1
         lines = content[:length].splitlines()
         try:
-            found: dict[str, Any] = json.loads(lines[0]) if lines else {}
-            self.done = {int(row["run"]): row for row in map(json.loads, lines[1:])}
-        except (ValueError, KeyError, TypeError):
-            raise Error(f"{self.file} is damaged. Remove the line that is not JSON, or choose another folder by "
-                        "`out`.") from None
+            found: Any = json.loads(lines[0]) if lines else {}
+        except ValueError:
+            found = None
+        if not isinstance(found, dict):
+            self._refuse_line(1)
         different = [key for key, value in identity.items() if found.get(key) != value]
         if different:
             raise Error(f"{self.out} holds another study, with another {', '.join(different)}. Choose another folder "
                         "by `out`; nothing was changed.")
+        for number, line in enumerate(lines[1:], 2):
+            row = self._finished(line)
+            if row is None:
+                self._refuse_line(number)
+            else:
+                self.done[row["run"]] = row
         if self.done and not resume:
             raise Error(f"{self.out} holds runs of this study already. Pass resume=True to continue it, or choose "
                         "another folder by `out`; nothing was changed.")
         os.truncate(self.file, length)
+
+    def _finished(self, line: bytes) -> dict[str, Any] | None:
+        """The finished run of a line; None when the line is damaged."""
+        try:
+            row: Any = json.loads(line)
+        except ValueError:
+            return None
+        kinds = {"run": int, "summary": dict, "error": str}
+        if not isinstance(row, dict) or not all(isinstance(row.get(key), kind) for key, kind in kinds.items()):
+            return None
+        return row if row["run"] in range(len(self.space)) else None
+
+    def _refuse_line(self, number: int) -> NoReturn:
+        raise Error(f"{self.file} is damaged: line {number} is not a {'study' if number == 1 else 'finished run'}. "
+                    f"{'Choose' if number == 1 else 'Remove that line to repeat its run, or choose'} another folder by "
+                    "`out`; nothing was changed.")
 
     def missing(self) -> list[int]:
         """Indices of the runs that are not finished."""

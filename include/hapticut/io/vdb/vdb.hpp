@@ -43,7 +43,8 @@ constexpr auto names_of(Of<VdbImport::Kind>) {
 }
 
 /// Reads a level set or fog volume of another program.
-/// @throws Error when the file is missing or damaged, has no such float grid, or the grid does not describe a solid
+/// @throws Error when the file is missing or damaged, was written by hapticut, has no such float grid, or the grid does
+///         not describe a solid
 [[nodiscard]] Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options);
 
 }  // namespace hapticut
