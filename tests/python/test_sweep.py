@@ -261,7 +261,7 @@ def test_designs_fill_their_bounds_evenly():
 @pytest.mark.parametrize("space, message", [
     ([], "give a dict"), ({}, "without axes"), ({"x": []}, "axis x"), ({"x": "abc"}, "axis x"), (3, "the space is 3"),
     ([{"x": 1}, {"y": 1}], "run 1 has the parameters"), ([{"x": [1]}], "parameter x of run 0"), ([1, 2], "one dict"),
-    ({"run": [1]}, "other than run and error"), ({1: [1]}, "names must be texts")])
+    ({"run": [1]}, "other than run and error"), ({1: [1]}, "names must be non-empty texts")])
 def test_spaces_that_make_no_sense_are_refused(space, message, serial, tmp_path):
     with pytest.raises(hapticut.Error, match=message):
         hapticut.sweep(space, runs.squares, serial, tmp_path)
