@@ -26,7 +26,11 @@ struct BlockOutbox::Queue {
 };
 
 BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_(region) {
-  if (region.empty()) throw Error("The region of a BlockOutbox is empty; give it the voxels that may be cut.");
+  if (region.empty())
+    throw Error(
+        "The region whose changed blocks are sent is empty, as the bounds of an empty workpiece are. Give it the "
+        "voxels "
+        "that may be cut.");
   require_within(double(capacity), range_of(&ChangeFeedOptions::block_capacity),
                  "the capacity of a BlockOutbox [blocks]");
   const double blocks = blocks_.count();

@@ -75,7 +75,7 @@ void ChangeFeed::tick(std::size_t max_blocks, std::uint32_t workpiece_number) no
   const std::size_t room = std::min(max_blocks, outbox_.room()), unswept = all_ - swept_;
   // Half of the room is for the sweep, or a steady cut would keep it from ending. It gets an odd place in turns.
   const std::size_t share = std::min(unswept, (room + std::size_t(sweeps_more_)) / 2);
-  if (unswept > 0) sweeps_more_ = !sweeps_more_;
+  if (unswept > 0 && room % 2 == 1) sweeps_more_ = !sweeps_more_;
   std::size_t sent = outbox_.send(simulation_.workpiece(), workpiece_number, room - share);
   for (; sent < room && swept_ < all_; ++sent) outbox_.send_now(simulation_.workpiece(), workpiece_number, swept_++);
 }

@@ -21,7 +21,8 @@ class Workpiece;
 struct ChangedBlock {
   VoxelIndex origin = {0, 0, 0};  ///< of the first voxel of the block
   std::uint64_t version = 0;      ///< grows with every block that is sent
-  std::uint32_t workpiece = 0;    ///< number of exchanges of the workpiece so far: ToolSnapshot::workpiece
+  std::uint32_t workpiece = 0;    ///< number of exchanges of the workpiece so far: ToolSnapshot::workpiece, or as
+                                  ///< the constructor of ChangeFeed tells
   std::array<MaterialId, kBlockVoxels> material{};  ///< kEmpty for an empty voxel
   std::array<float, kBlockVoxels> fill{};           ///< [1]
 };

@@ -233,7 +233,7 @@ TEST(IslandFinder, FindsAPieceOfMaterialThatCameBackAndWasCutOutBeforeASearch) {
 TEST(IslandFinder, BeginsWithTheBlocksThatItIsToldFirst) {
   Workpiece block = block_of(40, 40, 40);
   (void)undercut(block, {{30, 30, 30}, {33, 33, 33}});  // a body that is apart from the beginning
-  IslandFinder finder(block.bounds(), block.frame());
+  IslandFinder finder(block.bounds(), block.frame(), IslandOptions{});
   std::vector<VoxelIndex> all;
   for_each_block_origin(block.bounds(), [&](const VoxelIndex& origin) { all.push_back(origin); });
   finder.update(block, std::span(all).first(all.size() - 1));
