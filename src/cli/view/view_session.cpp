@@ -203,6 +203,7 @@ void ViewSession::begin_cut() {
 }
 
 void ViewSession::handle(const view::SetControl& command) {
+  owes_controls_ = true;  // a page that asked for a refused value shows the present one again
   const Change what = controls_.set(command);
   if (what == Change::none)
     return server_.send_notice(view::Severity::warning, "That value is out of range, or there is no such control.");
@@ -212,7 +213,6 @@ void ViewSession::handle(const view::SetControl& command) {
     controls_.revert();
     server_.send_notice(view::Severity::error, as_sentence(error));
   }
-  owes_controls_ = true;
 }
 
 void ViewSession::change(Change what) {
@@ -287,8 +287,7 @@ void ViewSession::end_recording() {
   const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
   recorder->close();
   recorder->require_complete();
-  server_.send_notice(view::Severity::info,
-                      recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
+  server_.send_notice(view::Severity::info, recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
 }
 
 void ViewSession::drain_blocks() {
