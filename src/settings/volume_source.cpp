@@ -80,7 +80,7 @@ VolumeBuildOptions build_options(const Source& s) {
   VolumeBuildOptions options;
   options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
   options.crop = crop_box(s);
-  options.partial_volume = s.partial_volume;
+  options.partial_volume = s.partial_volume.value_or(true);
   options.large = s.large;
   options.observer = s.tell;
   return options;
@@ -170,6 +170,9 @@ Workpiece make_workpiece_from_volume(const Source& s) {
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
+  refuse_all_but(s,
+                 {"spacing_mm", "crop_mm", "dicom_series", "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"},
+                 s.source + " is a volume without materials");
   GreyVolume volume = read_grey(s);
   const std::size_t padding = volume.padding;
   volume = cropped(std::move(volume), crop_box(s));

@@ -103,6 +103,9 @@ void run_export(const ExportSettings& s) {
   const std::string extension = std::filesystem::path(s.target).extension().string();
   if (extension != ".csv" && extension != ".npz" && extension != ".wav" && extension != ".html")
     throw Error("cannot write '" + s.target + "': its extension must be .csv, .npz, .wav or .html.");
+  if (!s.page.empty() && extension != ".html")
+    throw Error(
+        "--page is set; must be left out, because only a .html shows the page. Leave it out, or write a .html.");
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);

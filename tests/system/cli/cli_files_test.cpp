@@ -66,6 +66,15 @@ TEST_F(Inspect, CountsTheGreyValuesOfAVolume) {
   EXPECT_EQ(report["memory_bytes"], 12 * 10 * 8 * 4);
 }
 
+TEST_F(Inspect, RefusesWhatAVolumeWithoutMaterialsDoesNotUse) {
+  write_test_volume(folder / "v.nrrd");
+  for (const char* flag : {"--material dentin", "--unit-mm 2", "--shell dentin=a", "--grid-kind fog_volume",
+                           "--voxel-mm 0.1", "--large", "--largest-component", "--partial-volume=true"})
+    expect_refused("inspect " + path("v.nrrd") + " " + flag,
+                   {"is set; must be left out, because", "v.nrrd is a volume without materials"});
+  EXPECT_EQ(inspect(path("v.nrrd") + " --spacing-mm 1,1,1 --crop-mm 0,0,0,5,5,5")["spacing_mm"][0], 1);
+}
+
 TEST_F(Drill, CutsAVolumeOfGreyValues) {
   write_test_volume(folder / "v.nrrd");
   const std::string volume = "--workpiece " + path("v.nrrd") + " --voxel_mm 0.25 ";
@@ -308,8 +317,7 @@ TEST_F(Convert, KeepsItsSourceWhenTheSecondFileOfANrrdWouldReplaceIt) {
                  {"TARGET would overwrite", "v_density.nrrd', the file of SOURCE"});
   EXPECT_EQ(read_bytes(folder / "v_density.nrrd"), before);
   EXPECT_FALSE(std::filesystem::exists(folder / "v.nrrd"));
-  expect_refused("drill " + kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --json " +
-                     path("b_density.nrrd"),
+  expect_refused("drill " + kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --json " + path("b_density.nrrd"),
                  {"--save would overwrite", "the file of --json"});
 }
 
