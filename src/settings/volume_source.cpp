@@ -151,6 +151,18 @@ Workpiece from_grade(const Source& s) {
 
 }  // namespace
 
+namespace {
+
+Workpiece not_empty(Workpiece workpiece) {
+  if (workpiece.solid_voxels() == 0)
+    throw Error(
+        "no voxel is left: none of its values belongs to a material. Run hapticut inspect on the file to see its "
+        "values.");
+  return workpiece;
+}
+
+}  // namespace
+
 Workpiece make_workpiece_from_volume(const Source& s) {
   const bool graded = s.grade_low || s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
   const int methods = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
@@ -161,12 +173,12 @@ Workpiece make_workpiece_from_volume(const Source& s) {
         std::to_string(methods) + " are set. Set --label, --grey or --grade_low.");
   if (s.close_gaps_mm && s.fill_cavities.empty())
     throw Error("workpiece.close_gaps_mm needs fill_cavities, the material that fills the gaps.");
-  if (!s.labels.empty()) return from_labels(s);
+  if (!s.labels.empty()) return not_empty(from_labels(s));
   if (s.unclaimed_labels)
     throw Error("workpiece.unclaimed_labels needs labels; grey values outside all ranges are empty. Leave it out.");
   if (!s.fill_cavities.empty())
     throw Error("workpiece.fill_cavities needs labels; in grey values it is not clear what is enclosed. Leave it out.");
-  return graded ? from_grade(s) : from_ranges(s);
+  return not_empty(graded ? from_grade(s) : from_ranges(s));
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {

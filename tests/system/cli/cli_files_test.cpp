@@ -75,6 +75,13 @@ TEST_F(Inspect, RefusesWhatAVolumeWithoutMaterialsDoesNotUse) {
   EXPECT_EQ(inspect(path("v.nrrd") + " --spacing-mm 1,1,1 --crop-mm 0,0,0,5,5,5")["spacing_mm"][0], 1);
 }
 
+TEST_F(Convert, RefusesAVolumeOfWhichNothingIsLeft) {
+  write_test_volume(folder / "v.nrrd");
+  expect_refused("convert " + path("v.nrrd") + " " + path("e.vdb") + " --grey dentin=5000:",
+                 {"v.nrrd", "no voxel is left"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "e.vdb"));
+}
+
 TEST_F(Drill, CutsAVolumeOfGreyValues) {
   write_test_volume(folder / "v.nrrd");
   const std::string volume = "--workpiece " + path("v.nrrd") + " --voxel_mm 0.25 ";
