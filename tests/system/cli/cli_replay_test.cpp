@@ -32,6 +32,12 @@ TEST_F(Replay, NeedsAFile) {
   EXPECT_EQ(run("export " + path("absent.h5")).code, 2);
 }
 
+TEST_F(Replay, SaysThatALawIsOfAnotherKind) {
+  (void)drill(kBlock + kBall + kGroove + "--law hertzian_burr --burr_stiffness_Pa 1e6 --record " + path("h.h5"));
+  expect_refused("replay " + path("h.h5") + " --law foundation",
+                 {"h.h5' was made with a law that computes the force at points of voxels, but --law integrates"});
+}
+
 TEST_F(Replay, ExportsTextAndArrays) {
   const nlohmann::json drilled = drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.csv")).code, 0);
