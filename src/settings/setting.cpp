@@ -177,6 +177,8 @@ void apply_flag(const Setting& setting, const std::vector<std::string>& texts) {
       if (!setting.assign_short_form(text)) refuse(text);
     return;
   }
+  if (texts.size() > 1 && setting.kind != Kind::boolean)
+    throw UsageError(setting.flag + " is given " + std::to_string(texts.size()) + " times; give it once.");
   const std::string& text = texts.back();
   const std::optional<Value> value = parse_value(setting.kind, text);
   if (!value || !setting.assign(*value)) refuse(text);

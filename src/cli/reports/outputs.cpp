@@ -10,6 +10,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/surface/extract_surface.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "io/volume/density_file.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
@@ -32,7 +33,7 @@ std::string names_of(StepStatus status) {
 }
 
 bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
-  return std::ranges::find(extensions, std::filesystem::path(path).extension().string()) != extensions.end();
+  return std::ranges::find(extensions, extension_in_lower_case(path)) != extensions.end();
 }
 
 void require_extension(const std::string& path, const std::vector<std::string>& extensions) {

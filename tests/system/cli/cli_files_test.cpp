@@ -48,6 +48,16 @@ TEST_F(Drill, LeavesASurfaceAndAPicture) {
   EXPECT_NEAR(report["volume_mm3"]["dentin"].get<double>() / left, 1, 0.02);  // edges are rounded over half a voxel
 }
 
+TEST_F(Convert, WritesExtensionsInCapitals) {
+  for (const char* name : {"m.STL", "m.Ply", "m.VDB", "m.NRRD"}) {
+    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  }
+  EXPECT_TRUE(read_bytes(folder / "m.Ply").starts_with("ply"));
+  EXPECT_EQ(run("inspect " + path("m.VDB")).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "m_density.NRRD"));
+}
+
 TEST_F(Convert, WritesSurfacesInColorOrNot) {
   for (const char* name : {"m.stl", "m.ply"}) {
     const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");

@@ -44,6 +44,8 @@ TEST_F(Replay, ExportsTextAndArrays) {
   const auto columns = read_csv(read_bytes(folder / "a.csv"));
   EXPECT_EQ(columns.at("force_2").size(), drilled["steps"].get<std::size_t>());
   EXPECT_NEAR(columns.at("energy_cutting").back() / drilled["energy_J"]["cutting"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(run("export " + path("a.h5") + " " + path("b.CSV")).code, 0);
+  EXPECT_EQ(read_bytes(folder / "b.CSV"), read_bytes(folder / "a.csv"));
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.npz")).code, 0);
   EXPECT_EQ(read_bytes(folder / "a.npz").substr(0, 2), "PK");
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.wav")).code, 0);
