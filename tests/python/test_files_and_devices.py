@@ -280,6 +280,14 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     loop.miss_tick(0.5)
     loop.tick(lambda state: h.Wrench())
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
+    with pytest.raises(h.Error, match="model: an object of type NoneType was given; required is a LinearWall or"):
+        loop.tick(None)
+    with pytest.raises(h.Error, match="the force model returned an object of type NoneType; it must return a Wrench"):
+        loop.tick(lambda state: None)
+    with pytest.raises(h.Error, match="it must return a Wrench"):
+        h.analysis.is_stable(loop.config, lambda stiffness: lambda state: None, 100.0)
+    with pytest.raises(ZeroDivisionError):
+        loop.tick(lambda state: 1 / 0)
     assert loop.applied.force.shape == (3,) and loop.config.delay == 0
     wall = h.analysis.LinearWall(stiffness=1.0)
     wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height = 2.0, 0.0, 0.0, True, 0.1
