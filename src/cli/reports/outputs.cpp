@@ -94,7 +94,7 @@ void check_workpiece_file(const std::string& path) {
 
 #ifdef HAPTICUT_HAS_IO
 void write_workpiece(const std::string& path, const Workpiece& workpiece) {
-  if (has_extension(path, {".nrrd"})) return write_nrrd(path, workpiece);
+  if (has_extension(path, {".nrrd"})) return write_nrrd(workpiece, path);
   if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
   save_vdb(workpiece, path);
 }
