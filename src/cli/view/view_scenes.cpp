@@ -73,7 +73,8 @@ SceneSettings scene_of_file(const std::string& name) {
     throw Error("there is no scene '" + name +
                 "'. Choose clay, molar or skull, a settings file (.toml), or a workpiece (.vdb).");
   if (extension_in_lower_case(name) == ".h5")
-    throw Error("'" + name + "' is a recording, which replaces the whole page. To show it: hapticut view " + name + ".");
+    throw Error("'" + name + "' is a recording, which replaces the whole page. To show it: hapticut view " + name +
+                ".");
   if (extension_in_lower_case(name) != ".vdb" || !std::filesystem::is_regular_file(name))
     throw Error("'" + name +
                 "' is no scene. Choose clay, molar or skull, a settings file (.toml), or a workpiece that hapticut has "
