@@ -80,11 +80,13 @@ TEST(Meshes, WithoutATriangleOrWithAVertexThatIsNotFiniteAreNotWritten) {
   const TemporaryFolder folder;
   TriangleMesh broken = test::cube_mesh(Vec3::Zero(), 4 * units::mm, 1);
   broken.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [mesh, part] : {std::pair(TriangleMesh{}, "the mesh has no triangle"), {broken, "is not finite"}}) {
+  const auto refused = [&](const TriangleMesh& mesh, const std::string& part) {
     test::expect_refused([&] { write_stl(mesh, folder / "a.stl"); }, part);
     test::expect_refused([&] { write_ply(mesh, folder / "a.ply"); }, part);
     test::expect_refused([&] { write_obj(mesh, folder / "a.obj"); }, part);
-  }
+  };
+  refused({}, "the mesh has no triangle");
+  refused(broken, "is not finite");
   EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
 }
 
