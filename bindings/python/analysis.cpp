@@ -74,7 +74,9 @@ void bind_closed_loop(py::module_& m) {
            py::overload_cast<const Wrench&, const std::function<void(const Plant&, const Wrench&)>&>(&L::write),
            py::arg("wrench"), py::arg("observer"), doc("ClosedLoop::write#2"))
       .def("miss_tick", &L::miss_tick, py::arg("scale") = 1.0, doc("ClosedLoop::miss_tick"))
-      .def("tick", &L::tick, py::arg("model"), "One tick: reads the device, calls the model, writes the wrench.")
+      .def(
+          "tick", [](L& self, const AnyModel& model) { self.tick(calling(model)); }, py::arg("model"),
+          "One tick: reads the device, calls the model, writes the wrench.")
       .def_property_readonly("plant", py::overload_cast<>(&L::plant), py::return_value_policy::reference_internal,
                              "The plant: device and hand.")
       .def_property_readonly("config", &L::config, py::return_value_policy::copy, "As passed to the constructor.")

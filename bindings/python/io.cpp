@@ -142,17 +142,17 @@ void bind_volume_files(py::module_& m) {
   m.def("read_raw_label_volume", &read_raw_label_volume, py::arg("path"), py::arg("layout"),
         "Reads labels from a file without a header.", Released());
   m.def(
-      "write_nrrd", [](const Path& path, const GreyVolume& volume) { write_nrrd(path, volume); }, py::arg("path"),
-      py::arg("volume"), doc("write_nrrd"), Released());
+      "write_nrrd", [](const GreyVolume& volume, const Path& path) { write_nrrd(volume, path); }, py::arg("volume"),
+      py::arg("path"), doc("write_nrrd"), Released());
   m.def(
-      "write_nrrd", [](const Path& path, const LabelVolume& volume) { write_nrrd(path, volume); }, py::arg("path"),
-      py::arg("volume"), Released());
+      "write_nrrd", [](const LabelVolume& volume, const Path& path) { write_nrrd(volume, path); }, py::arg("volume"),
+      py::arg("path"), Released());
   m.def(
       "write_nrrd",
-      [](const Path& path, const PythonWorkpiece& workpiece) {
-        workpiece.read_released([&](const Workpiece& w) { write_nrrd(path, w); });
+      [](const PythonWorkpiece& workpiece, const Path& path) {
+        workpiece.read_released([&](const Workpiece& w) { write_nrrd(w, path); });
       },
-      py::arg("path"), py::arg("workpiece"),
+      py::arg("workpiece"), py::arg("path"),
       "Writes material ids under ``path`` and filled fractions under the name with ``_density`` before the extension.");
 }
 

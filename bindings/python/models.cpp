@@ -27,13 +27,23 @@ ForceModel model_from(py::object given) {
   if (PyCallable_Check(given.ptr()) == 0)
     throw Error("the factory returned " + describe_given(given) +
                 "; it must return a LinearWall or a function from a DeviceState to a Wrench.");
-  return [model = kept(std::move(given))](const DeviceState& state) {
-    const py::gil_scoped_acquire lock;
-    return (*model)(state).cast<Wrench>();
-  };
+  return calling(std::move(given));
 }
 
 }  // namespace
+
+ForceModel calling(py::object function) {
+  if (PyCallable_Check(function.ptr()) == 0)
+    throw Error("model: " + describe_given(function) +
+                " was given; required is a LinearWall or a function from a DeviceState to a Wrench.");
+  return [model = kept(std::move(function))](const DeviceState& state) {
+    const py::gil_scoped_acquire lock;
+    const py::object wrench = (*model)(state);
+    if (!py::isinstance<Wrench>(wrench))
+      throw Error("the force model returned " + describe_given(wrench) + "; it must return a Wrench.");
+    return wrench.cast<Wrench>();
+  };
+}
 
 ModelFactory factory_from(const AnyFactory& given) {
   if (py::isinstance<PythonModelFactory>(given)) return given.cast<const PythonModelFactory&>().make;

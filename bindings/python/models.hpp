@@ -22,6 +22,13 @@ struct PythonModelFactory {
 HAPTICUT_NAMED_ARGUMENT(
     AnyFactory, "ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]]");
 
+/// A force model of Python
+HAPTICUT_NAMED_ARGUMENT(AnyModel, "collections.abc.Callable[[DeviceState], Wrench]");
+
+/// A model that calls an object of Python with the interpreter lock.
+/// @throws Error when the object is not callable; the model throws one when the object returns no Wrench
+[[nodiscard]] ForceModel calling(py::object function);
+
 /// Converts the result of a factory to a model of the closed loop. A LinearWall or ForceModel returned by a Python
 /// function runs in C++. Any other callable is called in every tick with the interpreter lock.
 /// @throws Error when the result is not callable

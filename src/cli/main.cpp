@@ -44,8 +44,9 @@ void register_flags(Registered& entry) {
     if (setting.kind == Setting::Kind::boolean) {
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     } else {
-      option->type_name("")->expected(1)->allow_extra_args(false)->multi_option_policy(
-          setting.kind == Setting::Kind::tables ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
+      option->type_name("")->expected(1)->allow_extra_args(false);
+      option->multi_option_policy(setting.flag.starts_with('-') ? CLI::MultiOptionPolicy::TakeAll  // apply_flag checks
+                                                                : CLI::MultiOptionPolicy::Throw);
     }
     const std::size_t dot = setting.key.find('.');
     if (dot != std::string::npos) option->group("[" + setting.key.substr(0, dot) + "]");

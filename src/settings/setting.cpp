@@ -157,6 +157,16 @@ Setting boolean(std::string key, std::string flag, bool& target, std::string mea
           }};
 }
 
+Setting boolean(std::string key, std::string flag, std::optional<bool>& target, std::string meaning) {
+  bool unused = false;
+  Setting setting = boolean(std::move(key), std::move(flag), unused, std::move(meaning));
+  setting.assign = [&target](const Value& value) {
+    target = std::get<bool>(value);
+    return true;
+  };
+  return setting;
+}
+
 void apply_flag(const Setting& setting, const std::vector<std::string>& texts) {
   const auto refuse = [&](const std::string& text) {
     throw UsageError(setting.flag + " " + text + ": must be " + setting.allowed + ".");
@@ -167,6 +177,8 @@ void apply_flag(const Setting& setting, const std::vector<std::string>& texts) {
       if (!setting.assign_short_form(text)) refuse(text);
     return;
   }
+  if (texts.size() > 1 && setting.kind != Kind::boolean)
+    throw UsageError(setting.flag + " is given " + std::to_string(texts.size()) + " times; give it once.");
   const std::string& text = texts.back();
   const std::optional<Value> value = parse_value(setting.kind, text);
   if (!value || !setting.assign(*value)) refuse(text);

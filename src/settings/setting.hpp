@@ -168,6 +168,7 @@ template <NamedEnum E>
 
 /// True or false.
 [[nodiscard]] Setting boolean(std::string key, std::string flag, bool& target, std::string meaning);
+[[nodiscard]] Setting boolean(std::string key, std::string flag, std::optional<bool>& target, std::string meaning);
 
 /// Applies the texts after a flag of the command line. A repeated flag of kind `tables` adds elements.
 /// @throws UsageError that names the flag, the given text and what is allowed

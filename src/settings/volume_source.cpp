@@ -80,7 +80,7 @@ VolumeBuildOptions build_options(const Source& s) {
   VolumeBuildOptions options;
   options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
   options.crop = crop_box(s);
-  options.partial_volume = s.partial_volume;
+  options.partial_volume = s.partial_volume.value_or(true);
   options.large = s.large;
   options.observer = s.tell;
   return options;
@@ -151,6 +151,18 @@ Workpiece from_grade(const Source& s) {
 
 }  // namespace
 
+namespace {
+
+Workpiece not_empty(Workpiece workpiece) {
+  if (workpiece.solid_voxels() == 0)
+    throw Error(
+        "no voxel is left: none of its values belongs to a material. Run hapticut inspect on the file to see its "
+        "values.");
+  return workpiece;
+}
+
+}  // namespace
+
 Workpiece make_workpiece_from_volume(const Source& s) {
   const bool graded = s.grade_low || s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
   const int methods = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
@@ -161,15 +173,18 @@ Workpiece make_workpiece_from_volume(const Source& s) {
         std::to_string(methods) + " are set. Set --label, --grey or --grade_low.");
   if (s.close_gaps_mm && s.fill_cavities.empty())
     throw Error("workpiece.close_gaps_mm needs fill_cavities, the material that fills the gaps.");
-  if (!s.labels.empty()) return from_labels(s);
+  if (!s.labels.empty()) return not_empty(from_labels(s));
   if (s.unclaimed_labels)
     throw Error("workpiece.unclaimed_labels needs labels; grey values outside all ranges are empty. Leave it out.");
   if (!s.fill_cavities.empty())
     throw Error("workpiece.fill_cavities needs labels; in grey values it is not clear what is enclosed. Leave it out.");
-  return graded ? from_grade(s) : from_ranges(s);
+  return not_empty(graded ? from_grade(s) : from_ranges(s));
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
+  refuse_all_but(s,
+                 {"spacing_mm", "crop_mm", "dicom_series", "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"},
+                 s.source + " is a volume without materials");
   GreyVolume volume = read_grey(s);
   const std::size_t padding = volume.padding;
   volume = cropped(std::move(volume), crop_box(s));

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,8 @@ struct WorkpieceSettings {
   bool largest_component = false;       ///< volume: keep only the largest connected piece
   std::string fill_cavities;            ///< labels: material that fills enclosed cavities
   std::optional<double> close_gaps_mm;  ///< labels: also fill holes that a ball of this radius cannot enter
-  bool partial_volume = true;           ///< grey values: border voxels get the material behind the border
-  std::string dicom_series;             ///< Series Instance UID, for a folder
+  std::optional<bool> partial_volume;  ///< default: true; grey values: border voxels get the material behind the border
+  std::string dicom_series;            ///< Series Instance UID, for a folder
   struct Raw {
     std::vector<double> dims;
     std::string type;
@@ -75,6 +76,12 @@ struct WorkpieceSettings {
 
 /// Whether the source is a file or folder of samples, i.e. not built in, not a .vdb file and not a mesh.
 [[nodiscard]] bool is_volume(const WorkpieceSettings& settings);
+
+/// Refuses all settings but those of a list.
+/// @param used     names of settings, without "workpiece."
+/// @param because  completes "must be left out, because": "a.stl does not use it"
+/// @throws Error that names the first other setting that is set
+void refuse_all_but(const WorkpieceSettings& settings, const std::set<std::string>& used, const std::string& because);
 
 /// Builds or reads the workpiece.
 /// @param cutter  cutter that selects the constants of presets; materials of a .vdb file keep their constants

@@ -43,7 +43,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("largest_component", s.largest_component);
   note("fill_cavities", !s.fill_cavities.empty());
   note("close_gaps_mm", s.close_gaps_mm.has_value());
-  note("partial_volume", !s.partial_volume);
+  note("partial_volume", s.partial_volume.has_value());
   note("dicom_series", !s.dicom_series.empty());
   note("raw_dims", !s.raw.dims.empty());
   note("raw_type", !s.raw.type.empty());
@@ -57,11 +57,7 @@ std::set<std::string> given_settings(const Source& s) {
 }
 
 void refuse_all_but(const Source& s, const std::set<std::string>& used) {
-  for (const std::string& name : given_settings(s))
-    if (!used.contains(name))
-      throw Error("workpiece." + name + " is set; must be left out, because " + s.source +
-                  " does not use it. Leave it out, or choose another workpiece: docs/command-line.md lists the "
-                  "settings of each.");
+  settings::refuse_all_but(s, used, s.source + " does not use it");
 }
 
 double voxel_size(const Source& s) { return s.voxel_mm.value_or(0.1) * units::mm; }
@@ -138,6 +134,13 @@ Workpiece make_molar(const Source& s) {
 }
 
 }  // namespace
+
+void refuse_all_but(const WorkpieceSettings& settings, const std::set<std::string>& used, const std::string& because) {
+  for (const std::string& name : given_settings(settings))
+    if (!used.contains(name))
+      throw Error("workpiece." + name + " is set; must be left out, because " + because +
+                  ". Leave it out, or choose another workpiece: docs/command-line.md lists the settings of each.");
+}
 
 std::vector<std::string> built_in_workpieces() { return {"block", "slab", "molar"}; }
 

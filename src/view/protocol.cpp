@@ -54,7 +54,7 @@ void add_sentences(Writer& message) {
     if (has(one)) message.add(std::uint32_t(one.value)).add_text(one.name).add_text(one.words);
 }
 
-/// Length of the character that a text begins with; 0 when it is not UTF-8 or a control character (C0, DEL, C1).
+/// Length of the character that a text begins with; 0 when it is not UTF-8 or is a control character.
 std::size_t character_length(std::span<const std::uint8_t> text) {
   const std::uint8_t first = text[0];
   if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;

@@ -59,7 +59,7 @@ bool use_io() {
   for (const char* mesh : {"consumer_ball.stl", "consumer_ball.ply", "consumer_ball.obj"})
     if (read_mesh(mesh).at(0).mesh.triangles.size() != surface.mesh.triangles.size()) return false;
   write_picture({colored(surface, ball.materials())}, PictureOptions{}, "consumer_ball.png");
-  write_nrrd("consumer_ball.nrrd", ball);
+  write_nrrd(ball, "consumer_ball.nrrd");
   save_vdb(ball, "consumer_ball.vdb");
   if (load_vdb("consumer_ball.vdb").hash() != ball.hash()) return false;
   Simulation simulation(ball.clone(), Tool(SphereHead{1e-3}));

@@ -34,7 +34,7 @@ def test_meshes_and_pictures_go_to_files(block, tmp_path):
 @needs_io
 def test_volumes_are_worked_on(tmp_path, block):
     grey = h.volume.GreyVolume(np.arange(8 * 9 * 10, dtype=np.float32).reshape(8, 9, 10), [1 * mm] * 3)
-    h.io.write_nrrd(tmp_path / "grey.nrrd", grey)
+    h.io.write_nrrd(grey, tmp_path / "grey.nrrd")
     again = h.io.read_grey_volume(tmp_path / "grey.nrrd", h.io.VolumeReadOptions(spacing=[2 * mm] * 3))
     assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm) and again.padding == 0
     assert np.allclose(h.volume.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
@@ -60,7 +60,7 @@ def test_volumes_are_worked_on(tmp_path, block):
     assert np.count_nonzero(h.volume.close_gaps(volume, 1 * mm, 2).values == 2) > 0
     assert np.allclose(h.volume.with_spacing(volume, [2 * mm] * 3).spacing, 2 * mm)
     assert h.volume.crop_to_samples(volume, h.volume.box_around(volume)).dims == (7, 7, 7)
-    h.io.write_nrrd(tmp_path / "work.nrrd", block)
+    h.io.write_nrrd(block, tmp_path / "work.nrrd")
     assert (tmp_path / "work_density.nrrd").exists()
     (tmp_path / "raw").write_bytes(bytes(range(24)))
     layout = h.io.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.io.ValueType.uint8)
@@ -280,6 +280,14 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     loop.miss_tick(0.5)
     loop.tick(lambda state: h.Wrench())
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
+    with pytest.raises(h.Error, match="model: an object of type NoneType was given; required is a LinearWall or"):
+        loop.tick(None)
+    with pytest.raises(h.Error, match="the force model returned an object of type NoneType; it must return a Wrench"):
+        loop.tick(lambda state: None)
+    with pytest.raises(h.Error, match="it must return a Wrench"):
+        h.analysis.is_stable(loop.config, lambda stiffness: lambda state: None, 100.0)
+    with pytest.raises(ZeroDivisionError):
+        loop.tick(lambda state: 1 / 0)
     assert loop.applied.force.shape == (3,) and loop.config.delay == 0
     wall = h.analysis.LinearWall(stiffness=1.0)
     wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height = 2.0, 0.0, 0.0, True, 0.1

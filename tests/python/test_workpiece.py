@@ -167,7 +167,7 @@ def test_volumes_go_through_files(tmp_path):
         pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
     volume = hapticut.volume.LabelVolume(labels(), [0.2 * mm, 0.3 * mm, 0.4 * mm],
                                          hapticut.Pose.from_translation([1 * mm, 0, 0]))
-    hapticut.io.write_nrrd(tmp_path / "labels.nrrd", volume)
+    hapticut.io.write_nrrd(volume, tmp_path / "labels.nrrd")
     again = hapticut.io.read_label_volume(tmp_path / "labels.nrrd")
     assert np.array_equal(again.values, labels()) and again.dims == labels().shape
     assert again.padding == 0  # only DICOM has it

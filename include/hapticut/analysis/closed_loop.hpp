@@ -14,7 +14,8 @@ namespace hapticut {
 using ForceModel = std::function<Wrench(const DeviceState&)>;
 
 /// A virtual wall that fills z < `height`: `F = -K p - B p'` along z with p the penetration, never pulling. This is the
-/// reference model; its stability limits are known in closed form.
+/// reference model; its stability limits are known in closed form, for `one_sided = false`. A one-sided wall does not
+/// hold the device: from the start of the default `StabilitySearch`, `max_stable_stiffness` returns 0 for some devices.
 struct LinearWall {
   double stiffness = 0;   ///< [N/m] K
   double damping = 0;     ///< [N·s/m] B, on the backward difference of the position

@@ -56,8 +56,8 @@ constexpr auto fields_of(Of<StabilitySearch>) {
 /// The lowest stiffness at which the loop begins to be unstable; `search.high` when it is stable throughout, 0 when it
 /// is unstable at `search.low`.
 ///
-/// For a linear wall and a released device without delay this is K = 2 b / T (Colgate and Schenkel), with a delay t_d
-/// and small K it is b / (T/2 + t_d) (Gil et al.).
+/// For a linear wall (LinearWall with `one_sided = false`) and a released device without delay this is K = 2 b / T
+/// (Colgate and Schenkel), with a delay t_d and small K it is b / (T/2 + t_d) (Gil et al.).
 /// @throws Error like `is_stable`, and when `search.low` is not below `search.high`
 [[nodiscard]] double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& factory,
                                           const StabilitySearch& search = {});

@@ -8,6 +8,7 @@
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "settings/force_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/replay.hpp"
@@ -101,9 +102,12 @@ void write_html(const Recording& recording, const ExportSettings& s) {
 
 void run_export(const ExportSettings& s) {
   const Recording recording = read_recording(s.recording);
-  const std::string extension = std::filesystem::path(s.target).extension().string();
+  const std::string extension = extension_in_lower_case(s.target);
   if (extension != ".csv" && extension != ".npz" && extension != ".wav" && extension != ".html")
     throw Error("cannot write '" + s.target + "': its extension must be .csv, .npz, .wav or .html.");
+  if (!s.page.empty() && extension != ".html")
+    throw Error(
+        "--page is set; must be left out, because only a .html shows the page. Leave it out, or write a .html.");
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);

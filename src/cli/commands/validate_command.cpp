@@ -13,6 +13,7 @@
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "io/atomic_file.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut::cli {
 
@@ -44,10 +45,15 @@ void print(const Check& c) {
 void run_validate(const ValidateSettings& s) {
   for (const std::string& path : {s.json, s.markdown, s.measurements}) require_writable(path);
   std::vector<experiments::Experiment> experiments;
-  for (experiments::Experiment& experiment : experiments::all_experiments())
-    if (experiment.name.find(s.only) != std::string::npos) experiments.push_back(std::move(experiment));
+  std::vector<std::string> names;
+  for (experiments::Experiment& experiment : experiments::all_experiments()) {
+    names.push_back(experiment.name);
+    if (lower_case(experiment.name).find(lower_case(s.only)) != std::string::npos)
+      experiments.push_back(std::move(experiment));
+  }
   if (experiments.empty())
-    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all experiments.");
+    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all experiments, or choose " +
+                "from: " + joined(names) + ".");
 
   std::string rows;
   std::size_t count = 0;

@@ -17,6 +17,7 @@
 
 #include "cli/view/page_folder.hpp"
 #include "cli/view/viewer.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "cli/view/replay_page.hpp"
 #endif
@@ -78,7 +79,7 @@ void run_view(const ViewSettings& s) {
   view::ViewServerOptions options;
   options.page = find_page(s.page);
   options.port = int(s.port);
-  if (s.scene.ends_with(".h5")) {
+  if (extension_in_lower_case(s.scene) == ".h5") {
 #ifdef HAPTICUT_HAS_IO
     return show_recording(s, options);
 #else
@@ -113,7 +114,8 @@ Command view_command() {
       "view",
       "Drill a scene in a browser, with the real-time loop",
       {path("view.scene", "SCENE", settings->scene,
-            "scene: clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to replay [molar]",
+            "scene: clay, molar, skull, a settings file (.toml), a workpiece (.vdb), or a recording (.h5) to replay "
+            "[molar]",
             {"clay", "molar", "skull"}),
        text("view.device", "--device", settings->device,
             "device that moves the tool: openhaptics, ... [the pointer of the page]"),

@@ -10,6 +10,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/surface/extract_surface.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "io/volume/density_file.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
@@ -32,7 +33,7 @@ std::string names_of(StepStatus status) {
 }
 
 bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
-  return std::ranges::find(extensions, std::filesystem::path(path).extension().string()) != extensions.end();
+  return std::ranges::find(extensions, extension_in_lower_case(path)) != extensions.end();
 }
 
 void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
@@ -93,7 +94,7 @@ void check_workpiece_file(const std::string& path) {
 
 #ifdef HAPTICUT_HAS_IO
 void write_workpiece(const std::string& path, const Workpiece& workpiece) {
-  if (has_extension(path, {".nrrd"})) return write_nrrd(path, workpiece);
+  if (has_extension(path, {".nrrd"})) return write_nrrd(workpiece, path);
   if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
   save_vdb(workpiece, path);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/view/watched_model.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
 
@@ -40,6 +41,7 @@ constexpr MaterialNumber kMaterialNumbers[] = {
     {"dynamic friction", "", &Material::dynamic_friction, 1, 0, 2},
 };
 constexpr int kIdsOfAMaterial = 10;
+constexpr int kDynamicFriction = 5;  // place in the list
 static_assert(std::size(kMaterialNumbers) <= kIdsOfAMaterial);
 
 /// The dimension `part`, scaled by the ratio of `chosen` to the usual value of `whole`; its usual value when `whole` is
@@ -170,11 +172,23 @@ Change ViewControls::set(const view::SetControl& command) {
   if (found == controls_.end() || !(command.value >= found->min && command.value <= found->max)) return Change::none;
   if (found->kind != view::Control::Kind::number && command.value != std::floor(command.value)) return Change::none;
   const Change change = change_of(command.id);
+  if (change == Change::materials) require_friction_order(command);
   before_ = controls_;
   if (found->kind == view::Control::Kind::button) return change;
   found->value = command.value;
   if (change == Change::materials) show(materials());
   return change;
+}
+
+/// A higher dynamic friction raises the static one; a lower static friction is refused.
+void ViewControls::require_friction_order(const view::SetControl& command) const {
+  const int number = (command.id - kMaterial) % kIdsOfAMaterial;
+  if (kMaterialNumbers[number].member != &Material::static_friction) return;
+  static_assert(kMaterialNumbers[kDynamicFriction].member == &Material::dynamic_friction);
+  const double dynamic = at(std::uint16_t(command.id - number + kDynamicFriction));
+  if (command.value < dynamic)
+    throw Error("the static friction must be at least the dynamic friction, " + format_number(dynamic) +
+                "; lower the dynamic friction first.");
 }
 
 void ViewControls::show(const MaterialTable& materials) {

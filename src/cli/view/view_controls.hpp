@@ -24,7 +24,8 @@ class ViewControls {
 
   [[nodiscard]] std::span<const view::Control> all() const { return controls_; }
 
-  /// @return the effect; Change::none when there is no such control or the value is not allowed
+  /// @return the effect; Change::none when there is no such control or the value is not in its range
+  /// @throws Error when a static friction is below the dynamic one
   [[nodiscard]] Change set(const view::SetControl& command);
 
   /// Reverts the last `set`.
@@ -95,6 +96,7 @@ class ViewControls {
   [[nodiscard]] double at(std::uint16_t id) const;
   void set_spindle(double speed);
   [[nodiscard]] static Change change_of(std::uint16_t id);
+  void require_friction_order(const view::SetControl& command) const;
   [[nodiscard]] ToolHead head() const;
 
   std::vector<view::Control> controls_, before_;

@@ -7,6 +7,7 @@
 #include "cli/reports/report.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "settings/scene_settings.hpp"
 #include "settings/settings_file.hpp"
 
@@ -64,13 +65,20 @@ SceneSettings skull_scene() {
 
 SceneSettings scene_of_file(const std::string& name) {
   SceneSettings s;
-  if (name.ends_with(".toml")) {
+  if (extension_in_lower_case(name) == ".toml") {
     read_settings_file(name, settings_of(s), {"output", "loop"});
     return s;
   }
   if (!std::filesystem::exists(name))
     throw Error("there is no scene '" + name +
-                "'. Choose clay, molar or skull, a settings file (.toml), or a workpiece.");
+                "'. Choose clay, molar or skull, a settings file (.toml), or a workpiece (.vdb).");
+  if (extension_in_lower_case(name) == ".h5")
+    throw Error("'" + name + "' is a recording, which replaces the whole page. To show it: hapticut view " + name +
+                ".");
+  if (extension_in_lower_case(name) != ".vdb" || !std::filesystem::is_regular_file(name))
+    throw Error("'" + name +
+                "' is no scene. Choose clay, molar or skull, a settings file (.toml), or a workpiece that hapticut has "
+                "saved (.vdb). A settings file names another file, and its materials, under [workpiece].");
   s.workpiece.source = name;
   return s;
 }

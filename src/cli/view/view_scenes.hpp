@@ -19,7 +19,7 @@ struct ViewScene {
   Vec3 axis = Vec3(0, 0, 1);  ///< initial axis of the tool, from the tip to the shank, in W
 };
 
-/// @param name  clay, molar, skull, a settings file (.toml), or a file that is a workpiece
+/// @param name  clay, molar, skull, a settings file (.toml), or a workpiece (.vdb)
 /// @throws Error when the scene cannot be made
 [[nodiscard]] ViewScene make_view_scene(const std::string& name);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/view/view_session.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <utility>
@@ -58,7 +59,10 @@ std::string free_name() {
 
 std::string as_sentence(const std::exception& error) {
   std::string text = in_words_of_flags(error.what());
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+  // Only a word: the name of a file or of a setting stays.
+  const std::string word = text.substr(0, text.find_first_of(", "));
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  if (!word.empty() && std::ranges::all_of(word, is_letter)) text[0] = char(text[0] - 'a' + 'A');
   return text;
 }
 
@@ -203,6 +207,7 @@ void ViewSession::begin_cut() {
 }
 
 void ViewSession::handle(const view::SetControl& command) {
+  controls_outdated_ = true;  // a page that asked for a refused value shows the present one again
   const Change what = controls_.set(command);
   if (what == Change::none)
     return server_.send_notice(view::Severity::warning, "That value is out of range, or there is no such control.");
@@ -212,7 +217,6 @@ void ViewSession::handle(const view::SetControl& command) {
     controls_.revert();
     server_.send_notice(view::Severity::error, as_sentence(error));
   }
-  controls_outdated_ = true;
 }
 
 void ViewSession::change(Change what) {

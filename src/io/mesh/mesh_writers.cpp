@@ -24,12 +24,19 @@ struct Unit {
   double mm;
 };
 
+void require_writable_mesh(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw Error("the mesh has no triangle, so there is nothing to write.");
+  for (const Vec3& v : mesh.vertices)
+    if (!v.allFinite()) throw Error("a vertex of the mesh is not finite, so the mesh cannot be written.");
+}
+
 void append(std::string& bytes, const Vec3& v, double scale) {
   for (int axis = 0; axis < 3; ++axis) append_bytes_of(bytes, float(v[axis] * scale));
 }
 
 void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const std::filesystem::path& path,
                const Unit& unit) {
+  require_writable_mesh(mesh);
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + unit.text() + "\nelement vertex " +
                       std::to_string(mesh.vertices.size()) + "\nproperty float x\nproperty float y\nproperty float z\n";
   if (colors != nullptr) bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
@@ -57,6 +64,7 @@ std::string printable(std::string name) {
 
 /// @param before  number of vertices written before
 void append_obj(std::string& text, const TriangleMesh& mesh, double scale, std::size_t before) {
+  require_writable_mesh(mesh);
   for (const Vec3& v : mesh.vertices) {
     text += 'v';
     for (const double coordinate : v) {
@@ -78,6 +86,7 @@ std::string obj_header(const Unit& unit) { return "# " + unit.text() + '\n'; }
 
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
   const Unit unit(unit_mm);
+  require_writable_mesh(mesh);
   std::string bytes = unit.text();
   bytes.resize(80, ' ');
   append_bytes_of(bytes, std::uint32_t(mesh.triangles.size()));

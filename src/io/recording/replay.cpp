@@ -72,6 +72,10 @@ Simulation simulation_of(const Recording& recording, std::shared_ptr<const Force
     throw Error("the recording '" + recording.path().string() +
                 "' was made by a version whose FoundationLaw evaluated forces at points of voxels; it can be read, but "
                 "not replayed.");
+  if (law && law->integrates_parts() && !at_parts)
+    throw Error("the recording '" + recording.path().string() +
+                "' was made with a law that computes the force at points of voxels, but ReplayOptions::law integrates "
+                "over parts of voxels; choose a law of the kind of the recording.");
   // A passed law is used with the quadrature that it supports.
   if (law && !law->integrates_parts() && at_parts) config.quadrature = Quadrature::automatic;
   if (law) config.law = std::move(law);

@@ -105,11 +105,11 @@ void copy_voxels(const Workpiece& workpiece, Volume<Value>& volume, const Set& s
 
 }  // namespace
 
-void write_nrrd(const std::filesystem::path& path, const GreyVolume& volume) { write(path, volume, "float"); }
+void write_nrrd(const GreyVolume& volume, const std::filesystem::path& path) { write(path, volume, "float"); }
 
-void write_nrrd(const std::filesystem::path& path, const LabelVolume& volume) { write(path, volume, "uint16"); }
+void write_nrrd(const LabelVolume& volume, const std::filesystem::path& path) { write(path, volume, "uint16"); }
 
-void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece) {
+void write_nrrd(const Workpiece& workpiece, const std::filesystem::path& path) {
   auto materials = volume_around<std::uint16_t>(workpiece);
   copy_voxels(workpiece, materials,
               [](std::uint16_t& value, const BlockView& block, int n) { value = block.material_of(n); });
@@ -117,8 +117,8 @@ void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece) {
   copy_voxels(workpiece, fills, [](float& value, const BlockView& block, int n) {
     value = block.fill != nullptr ? block.fill[n] : 1.0F;
   });
-  write_nrrd(density_file(path), fills);
-  write_nrrd(path, materials);
+  write_nrrd(fills, density_file(path));
+  write_nrrd(materials, path);
 }
 
 }  // namespace hapticut

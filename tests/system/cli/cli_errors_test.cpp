@@ -55,6 +55,7 @@ TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
   expect("drill --spindle_rpm 1e7", kWrongUsage, "must be a number from -1e+06 to 1e+06");
   expect("drill --grey bone=1", kWrongUsage, "--grey bone=1: must be MATERIAL=FROM:TO");
   expect("drill --radius_mm", kWrongUsage, "--radius_mm");
+  expect("validate --only a --only b", kWrongUsage, "--only is given 2 times; give it once.");
   expect("view --port 1.5", kWrongUsage, "--port 1.5: must be a whole number from 0 to 65535");
 }
 

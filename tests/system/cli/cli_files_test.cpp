@@ -48,6 +48,16 @@ TEST_F(Drill, LeavesASurfaceAndAPicture) {
   EXPECT_NEAR(report["volume_mm3"]["dentin"].get<double>() / left, 1, 0.02);  // edges are rounded over half a voxel
 }
 
+TEST_F(Convert, WritesExtensionsInCapitals) {
+  for (const char* name : {"m.STL", "m.Ply", "m.VDB", "m.NRRD"}) {
+    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  }
+  EXPECT_TRUE(read_bytes(folder / "m.Ply").starts_with("ply"));
+  EXPECT_EQ(run("inspect " + path("m.VDB")).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "m_density.NRRD"));
+}
+
 TEST_F(Convert, WritesSurfacesInColorOrNot) {
   for (const char* name : {"m.stl", "m.ply"}) {
     const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
@@ -64,6 +74,22 @@ TEST_F(Inspect, CountsTheGreyValuesOfAVolume) {
   EXPECT_EQ(report["voxels_at_or_above"], 8 * 6 * 4 + 1);
   EXPECT_EQ(report["voxels"]["label 500"], 8 * 6 * 4);
   EXPECT_EQ(report["memory_bytes"], 12 * 10 * 8 * 4);
+}
+
+TEST_F(Inspect, RefusesWhatAVolumeWithoutMaterialsDoesNotUse) {
+  write_test_volume(folder / "v.nrrd");
+  for (const char* flag : {"--material dentin", "--unit-mm 2", "--shell dentin=a", "--grid-kind fog_volume",
+                           "--voxel-mm 0.1", "--large", "--largest-component", "--partial-volume=true"})
+    expect_refused("inspect " + path("v.nrrd") + " " + flag,
+                   {"is set; must be left out, because", "v.nrrd is a volume without materials"});
+  EXPECT_EQ(inspect(path("v.nrrd") + " --spacing-mm 1,1,1 --crop-mm 0,0,0,5,5,5")["spacing_mm"][0], 1);
+}
+
+TEST_F(Convert, RefusesAVolumeOfWhichNothingIsLeft) {
+  write_test_volume(folder / "v.nrrd");
+  expect_refused("convert " + path("v.nrrd") + " " + path("e.vdb") + " --grey dentin=5000:",
+                 {"v.nrrd", "no voxel is left"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "e.vdb"));
 }
 
 TEST_F(Drill, CutsAVolumeOfGreyValues) {
@@ -308,8 +334,7 @@ TEST_F(Convert, KeepsItsSourceWhenTheSecondFileOfANrrdWouldReplaceIt) {
                  {"TARGET would overwrite", "v_density.nrrd', the file of SOURCE"});
   EXPECT_EQ(read_bytes(folder / "v_density.nrrd"), before);
   EXPECT_FALSE(std::filesystem::exists(folder / "v.nrrd"));
-  expect_refused("drill " + kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --json " +
-                     path("b_density.nrrd"),
+  expect_refused("drill " + kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --json " + path("b_density.nrrd"),
                  {"--save would overwrite", "the file of --json"});
 }
 

@@ -164,7 +164,7 @@ TEST_F(Loop, PressedWithAFlatBurCutsInEveryPreset) {
 
 #ifdef HAPTICUT_HAS_IO
 TEST_F(Loop, KeepsTheRecordingThatItPlays) {
-  (void)loop("mock:rest --seconds 0.01 --simulated-time --record " + path("a.h5") + " " + kCoarse);
+  (void)loop("mock:rest --seconds 0.1 --simulated-time --record " + path("a.h5") + " " + kCoarse);
   const std::string before = read_bytes(folder / "a.h5");
   for (const char* output : {"--record", "--json"})
     expect_refused("loop replay:" + path("a.h5") + " --simulated-time " + output + " " + path("a.h5") + " " + kCoarse,

@@ -32,17 +32,26 @@ TEST_F(Replay, NeedsAFile) {
   EXPECT_EQ(run("export " + path("absent.h5")).code, 2);
 }
 
+TEST_F(Replay, SaysThatALawIsOfAnotherKind) {
+  (void)drill(kBlock + kBall + kGroove + "--law hertzian_burr --burr_stiffness_Pa 1e6 --record " + path("h.h5"));
+  expect_refused("replay " + path("h.h5") + " --law foundation",
+                 {"h.h5' was made with a law that computes the force at points of voxels, but --law integrates"});
+}
+
 TEST_F(Replay, ExportsTextAndArrays) {
   const nlohmann::json drilled = drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.csv")).code, 0);
   const auto columns = read_csv(read_bytes(folder / "a.csv"));
   EXPECT_EQ(columns.at("force_2").size(), drilled["steps"].get<std::size_t>());
   EXPECT_NEAR(columns.at("energy_cutting").back() / drilled["energy_J"]["cutting"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(run("export " + path("a.h5") + " " + path("b.CSV")).code, 0);
+  EXPECT_EQ(read_bytes(folder / "b.CSV"), read_bytes(folder / "a.csv"));
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.npz")).code, 0);
   EXPECT_EQ(read_bytes(folder / "a.npz").substr(0, 2), "PK");
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.wav")).code, 0);
   EXPECT_EQ(read_bytes(folder / "a.wav").substr(0, 4), "RIFF");
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.doc")).code, 1);
+  expect_refused("export " + path("a.h5") + " " + path("b.csv") + " --page " + path(""), {"--page is set"});
 }
 
 TEST_F(Replay, SaysBeforeTheWorkThatARecordingCannotBeWritten) {

@@ -40,6 +40,11 @@ TEST_F(Validate, RefusesAnExperimentThatDoesNotExist) {
   const Outcome outcome = run("validate --only nonsense");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("no experiment has 'nonsense' in its name"), std::string::npos);
+  EXPECT_NE(outcome.errors.find(", defect D1"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Validate, FindsAnExperimentInAnyCase) {
+  EXPECT_NE(run("validate --only 'DEFECT d1'").out.find("D1"), std::string::npos);
 }
 
 // A factor above 1 would make anything pass.

@@ -13,6 +13,7 @@
 #include "cli/view/watched_model.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "support/refusal.hpp"
 #include "support/scripted_loop.hpp"
 
 namespace hapticut::view_controls_test {
@@ -226,6 +227,14 @@ TEST(ViewControls, ShowTheStaticFrictionThatADynamicOneBringsAlong) {
   panel.turn("material/plain dynamic friction", 1.5);
   EXPECT_EQ(panel.material().static_friction, 1.5);
   EXPECT_EQ(panel.control("material/plain static friction").value, 1.5);
+}
+
+TEST(ViewControls, RefuseAStaticFrictionBelowTheDynamicOne) {
+  Panel panel;
+  panel.turn("material/plain dynamic friction", 0.5);
+  test::expect_refused([&] { return panel.set("material/plain static friction", 0.4); },
+                       "the static friction must be at least the dynamic friction, 0.5; lower the dynamic friction");
+  EXPECT_EQ(panel.set("material/plain static friction", 0.6), Change::materials);
 }
 
 TEST(ViewControls, LeaveWhatASceneHasBeyondTheirRange) {

@@ -9,6 +9,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "support/places.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hapticut::view_scenes_test {
@@ -70,6 +71,20 @@ TEST(ViewScenes, ThatDoNotExistAreRefusedInASentence) {
     EXPECT_NE(std::string(error.what()).find("there is no scene 'mollar'. Choose clay, molar or skull"),
               std::string::npos);
   }
+}
+
+TEST(ViewScenes, AreNoOtherFiles) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.nrrd", "a.stl", "a.h5"}) test::write_bytes(folder / name, "any");
+  std::filesystem::create_directory(folder / "scan");
+  std::filesystem::create_directory(folder / "b.vdb");
+  for (const std::string& name : {(folder / "a.nrrd").string(), (folder / "a.stl").string(), (folder / "scan").string(),
+                                  (folder / "b.vdb").string(), std::string("/dev/zero")}) {
+    const std::string said = test::refusal([&] { return make_view_scene(name); });
+    test::expect_part(said, "'" + name + "' is no scene. Choose clay, molar or skull, a settings file (.toml), or");
+    EXPECT_EQ(said.find("--"), std::string::npos) << said;
+  }
+  test::expect_refused([&] { return make_view_scene((folder / "a.h5").string()); }, "is a recording");
 }
 
 TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {

@@ -58,6 +58,15 @@ struct Desk {
   ViewSession session{small_scene("block"), server, nullptr};
 };
 
+TEST(ViewSession, BeginsASentenceWithACapitalButKeepsNames) {
+  const auto sentence = [](const char* text) { return cli::as_sentence(Error(text)); };
+  EXPECT_EQ(sentence("there is no scene"), "There is no scene");
+  EXPECT_EQ(sentence("cannot, however"), "Cannot, however");
+  for (const char* name :
+       {"pipe.toml: it is a pipe.", "tool.radius_mm = 0; must be > 0.", "scene: line 3", "a/b is not"})
+    EXPECT_EQ(sentence(name), name);
+}
+
 TEST(ViewSession, HandsToTheModelWhatIsTurned) {
   Desk desk;
   desk.lead(Vec3(0, 0, 2 * mm), true);

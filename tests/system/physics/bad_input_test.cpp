@@ -180,7 +180,8 @@ TEST(StepStatusText, IsNamedInThePageOfTheStep) {
   const std::string text(std::istreambuf_iterator<char>(page), {});
   for (const auto& bit : names_of(Of<StepStatus>())) {
     if (bit.value == StepStatus::ok) continue;
-    EXPECT_NE(text.find("`" + std::string(bit.name) + "`"), std::string::npos) << bit.name;
+    const std::string cited = '`' + std::string(bit.name) + '`';
+    EXPECT_NE(text.find(cited), std::string::npos) << cited;
   }
 }
 

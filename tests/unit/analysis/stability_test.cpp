@@ -241,7 +241,7 @@ TEST(ClosedLoop, IsNotMeasuredWithNumbersThatMakeNoSense) {
 
 TEST(ClosedLoop, RefusesAWrenchThatIsNotFinite) {
   const ModelFactory broken = [](double) {
-    return ForceModel([](const DeviceState&) { return Wrench{{0, 0, kNan}}; });
+    return ForceModel([](const DeviceState&) { return Wrench{Vec3(0, 0, kNan), Vec3::Zero()}; });
   };
   const ClosedLoopConfig config = loop_of("touch", "nominal");
   for (const auto& said : {test::refusal([&] { return is_stable(config, broken, 100); }),

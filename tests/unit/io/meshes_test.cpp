@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,20 @@ TEST(Meshes, AFullDiskIsReportedAndTheOldFileStays) {
   EXPECT_EQ(test::read_bytes(folder / "ball.stl"), "old");
   EXPECT_EQ(folder.file_count(), 1U);
   test::expect_refused([&] { write_stl(ball, folder / "no/folder.stl"); }, "folder.stl");
+}
+
+TEST(Meshes, WithoutATriangleOrWithAVertexThatIsNotFiniteAreNotWritten) {
+  const TemporaryFolder folder;
+  TriangleMesh broken = test::cube_mesh(Vec3::Zero(), 4 * units::mm, 1);
+  broken.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const TriangleMesh& mesh, const std::string& part) {
+    test::expect_refused([&] { write_stl(mesh, folder / "a.stl"); }, part);
+    test::expect_refused([&] { write_ply(mesh, folder / "a.ply"); }, part);
+    test::expect_refused([&] { write_obj(mesh, folder / "a.obj"); }, part);
+  };
+  refused({}, "the mesh has no triangle");
+  refused(broken, "is not finite");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
 }
 
 TEST(Meshes, BadFilesAreRefusedByName) {

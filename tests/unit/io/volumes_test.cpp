@@ -66,7 +66,7 @@ void expect_clear_error(const std::filesystem::path& path, const std::string& pa
 TEST(WriteNrrd, IsReadBackTheSame) {
   const TemporaryFolder folder;
   const GreyVolume volume = rotated_ramp();
-  write_nrrd(folder / "ramp.nrrd", volume);
+  write_nrrd(volume, folder / "ramp.nrrd");
   const GreyVolume back = read_grey_volume(folder / "ramp.nrrd");
   EXPECT_EQ(back.dims, volume.dims);
   EXPECT_EQ(back.values, volume.values);
@@ -81,7 +81,7 @@ TEST(WriteNrrd, WritesMaterialsAndFillsOfAWorkpiece) {
   Material clay;
   clay.name = "clay";
   const Workpiece ball = build_sphere(Vec3(3, 4, 5) * mm, 1 * mm, 0.1 * mm, clay);
-  write_nrrd(folder / "ball.nrrd", ball);
+  write_nrrd(ball, folder / "ball.nrrd");
   const LabelVolume materials = read_label_volume(folder / "ball.nrrd");
   const GreyVolume fills = read_grey_volume(folder / "ball_density.nrrd");
   ASSERT_EQ(materials.dims, fills.dims);
@@ -103,12 +103,12 @@ TEST(WriteNrrd, LeavesWhatWasThereWhenItFails) {
 
   {
     const test::NoDiskSpace full(1U << 16U);
-    EXPECT_THROW(write_nrrd(folder / "old.nrrd", volume), Error);
+    EXPECT_THROW(write_nrrd(volume, folder / "old.nrrd"), Error);
   }
   EXPECT_EQ(test::read_bytes(folder / "old.nrrd"), "precious");
   EXPECT_EQ(folder.file_count(), 1U);
-  EXPECT_THROW(write_nrrd(folder / "no/such/folder.nrrd", rotated_ramp()), Error);
-  EXPECT_THROW(write_nrrd("/proc/volume.nrrd", rotated_ramp()), Error);  // even root may not write there
+  EXPECT_THROW(write_nrrd(rotated_ramp(), folder / "no/such/folder.nrrd"), Error);
+  EXPECT_THROW(write_nrrd(rotated_ramp(), "/proc/volume.nrrd"), Error);  // even root may not write there
 }
 
 TEST(ReadVolume, ReadsNrrdAndMetaImageAlike) {
@@ -162,7 +162,7 @@ TEST(ReadVolume, ReadsCompressedAndBigEndianMetaImages) {
 
 TEST(ReadVolume, RefusesLabelsThatAreNotWholeNumbers) {
   const TemporaryFolder folder;
-  write_nrrd(folder / "grey.nrrd", rotated_ramp());
+  write_nrrd(rotated_ramp(), folder / "grey.nrrd");
   EXPECT_THROW((void)read_label_volume(folder / "grey.nrrd"), Error);                                      // -20.5
   EXPECT_THROW((void)read_label_volume(written(folder, "a.nrrd", nrrd(kSmall, short_bytes(60)))), Error);  // -50
 }

@@ -30,11 +30,11 @@ struct NamedMesh {
                                                std::optional<double> unit_mm = std::nullopt);
 
 /// Writes a binary STL file, in units of `unit_mm`. An existing file is replaced only when the new file is complete.
-/// @throws Error when the file cannot be written completely
+/// @throws Error when the mesh has no triangle, a vertex is not finite, or the file cannot be written completely
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm = 1);
 
 /// Writes a binary PLY file, in units of `unit_mm`.
-/// @throws Error when the file cannot be written completely
+/// @throws Error when the mesh has no triangle, a vertex is not finite, or the file cannot be written completely
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm = 1);
 
 /// Writes a binary PLY file with a colour per vertex.
@@ -42,11 +42,11 @@ void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, doub
 void write_ply(const ColoredMesh& mesh, const std::filesystem::path& path, double unit_mm = 1);
 
 /// Writes an OBJ file, in units of `unit_mm`, with all digits of its coordinates.
-/// @throws Error when the file cannot be written completely
+/// @throws Error when the mesh has no triangle, a vertex is not finite, or the file cannot be written completely
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm = 1);
 
 /// Writes an OBJ file with several named objects.
-/// @throws Error when the file cannot be written completely
+/// @throws Error when the mesh has no triangle, a vertex is not finite, or the file cannot be written completely
 void write_obj(const std::vector<NamedMesh>& objects, const std::filesystem::path& path, double unit_mm = 1);
 
 }  // namespace hapticut

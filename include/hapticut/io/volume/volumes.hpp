@@ -73,12 +73,12 @@ struct RawLayout {
 
 /// Writes a compressed NRRD file in millimetres. An existing file is replaced only when the new file is complete.
 /// @throws Error when the volume is not consistent or the file cannot be written
-void write_nrrd(const std::filesystem::path& path, const GreyVolume& volume);
-void write_nrrd(const std::filesystem::path& path, const LabelVolume& volume);
+void write_nrrd(const GreyVolume& volume, const std::filesystem::path& path);
+void write_nrrd(const LabelVolume& volume, const std::filesystem::path& path);
 
 /// Writes a workpiece as two NRRD files: material ids under `path`, filled fractions under the name with `_density`
 /// before the extension.
 /// @throws Error when the workpiece is empty or a file cannot be written
-void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece);
+void write_nrrd(const Workpiece& workpiece, const std::filesystem::path& path);
 
 }  // namespace hapticut
