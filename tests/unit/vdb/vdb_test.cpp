@@ -252,8 +252,11 @@ TEST(Vdb, AFogVolumeOfAnotherProgramKeepsItsPlace) {
 TEST(Vdb, AFileWithItsOwnMaterialsIsNotImportedAsOneMaterial) {
   const TemporaryFolder folder;
   save_vdb(build_sphere(Vec3::Zero(), 1 * mm, 0.1 * mm, named("bone")), folder / "ball.vdb");
-  test::expect_refused([&] { return load_vdb(folder / "ball.vdb", {named("clay"), "density"}); },
-                       {"ball.vdb", "hapticut wrote it, with its own materials"});
+  test::expect_refused(
+      [&] {
+        return load_vdb(folder / "ball.vdb", {named("clay"), "density"});
+      },
+      {"ball.vdb", "hapticut wrote it, with its own materials"});
 }
 
 TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
