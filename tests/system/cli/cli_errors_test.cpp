@@ -69,7 +69,7 @@ TEST_F(Flags, ThatAreMissingAreNamed) {
          "tool.handle_length_mm is missing; a ray handle needs it");
   expect(
       "drill " + kBlock + ball + "--spindle_rpm 300000 --motor electric " + kLine, kFailed,
-      "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower it, or choose another --motor");
+      "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower the speed, or choose another --motor");
   expect("drill " + kBlock + ball + "--spindle_rpm 0 --motor electric " + kLine, kFailed,
          "tool.motor is set; must be left out");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "path.to_mm is missing");
@@ -154,7 +154,7 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
   expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
-  expect(source + "--label dentin=2", kFailed, "leave them out by --unclaimed_labels leave_out.");
+  expect(source + "--label dentin=2", kFailed, "leave them out with --unclaimed_labels leave_out.");
   expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "needs labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");

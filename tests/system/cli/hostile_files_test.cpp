@@ -82,7 +82,8 @@ const Hostile kHostile[] = {
     {"mesh-stray-vertex.off", "inspect", kBone, "line 7"},
     {"mesh-slow-52-faces.off", "inspect", kBone, nullptr,
      [](const json& r) { EXPECT_GT(r["dims"][0].get<int>(), 190); }},
-    {"settings-depth-1e5-mm.toml", "drill --settings", "", "depth_mm"},
+    // It has the name that `max_force_N` had before.
+    {"settings-depth-1e5-mm.toml", "drill --settings", "", "Did you mean effects.max_force_N?"},
     {"huge.nrrd", "inspect", "", "spacing"},
     {"float_nan.nrrd", "inspect", "", nullptr,
      [](const json& r) {

@@ -177,7 +177,7 @@ TEST(ReadVolume, RefusesWhatItCannotReadAndPrintsNothing) {
   }
   const std::string values = short_bytes(60);
   const std::tuple<const char*, std::string, const char*> files[] = {
-      {"a.txt", "text", "format"},
+      {"a.txt", "text", "its extension is not supported"},
       {"a.fbx", "text", "meshes are .stl .ply .obj .off .gltf .glb; workpieces are .vdb"},
       {"a.raw", "text", "read_raw_grey_volume"},
       {"colour.mha", meta("ElementNumberOfChannels = 3\n") + short_bytes(180), "per sample"},

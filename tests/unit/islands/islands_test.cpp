@@ -177,6 +177,8 @@ TEST(IslandFinder, FindsAPieceWhoseFixedVoxelsWereCutAway) {
   EXPECT_TRUE(finder.find().empty());
   finder.update(block, cut(block, {{0, 0, 0}, {11, 23, 0}}));
   EXPECT_EQ(sizes_of(finder.find()), Sizes{12 * 24 * 15});
+  finder.update(block, cut(block, {{0, 0, 1}, {11, 23, 15}}));  // the piece leaves
+  EXPECT_TRUE(finder.find().empty());
   finder.update(block, cut(block, {{13, 0, 0}, {23, 23, 0}}));
   EXPECT_EQ(sizes_of(finder.find()), Sizes{11 * 24 * 15}) << "nothing is fixed any more";
 }

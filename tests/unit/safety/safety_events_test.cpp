@@ -136,7 +136,7 @@ TEST(SafetyLog, EveryEventIsASentenceThatSaysWhatToDoUnlessItIsGood) {
     EXPECT_NE(describe(entry).find(sentence), std::string::npos);
   }
   EXPECT_NE(sentence_of({.event = SafetyEvent::device_fault, .value = double(DeviceFault::motors_warm)})
-                .find("release the device until they have cooled."),
+                .find("release the stylus until they have cooled."),
             std::string::npos);
 }
 

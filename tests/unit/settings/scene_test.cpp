@@ -120,7 +120,7 @@ TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
     expect(text, "put texts in quotation marks");
   for (const char* text : {"grid = \u201cbone\u201d", "grid = \u2018bone\u2019", "grid = \u00abbone\u00bb"})
     expect(text, "put texts in straight ones");
-  for (const char* text : {"grid = \"bone", "grid = 'bone", "grid = \"a\"b\""}) expect(text, "close it");
+  for (const char* text : {"grid = \"bone", "grid = 'bone", "grid = \"a\"b\""}) expect(text, "close the text");
   for (const char* number : {"0,2", "1, 2, 3", "2 mm", ".2", "2.", "02", "-.5"})
     expect(std::string("unit_mm = ") + number, "with a decimal point between digits");
   for (const char* list : {"[1; 2]", "(1, 2, 3)", "{x = 1"}) expect(std::string("size_mm = ") + list, "[1.5, 2, 3]");

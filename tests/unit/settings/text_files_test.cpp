@@ -136,7 +136,7 @@ TEST(ProfileOfText, SaysTheLineThatIsWrong) {
            {"rho_mm,z_mm\n0,0\n1\n", "3: 1 values; there must be 2"},
            {"rho_mm,z_mm\n0,0\n1,wide\n", "3: z_mm = \"wide\"; must be a number."},
            {"rho_mm,z_mm\n0,nan\n", "2: z_mm = \"nan\"; must be a number."},
-           {"rho_mm,z_mm\n1,0\n1,1\n", "2: rho_mm = 1; the first point is the tip"},
+           {"rho_mm,z_mm\n1,0\n1,1\n", "2: rho_mm = 1; must be 0, because the first point is the tip."},
            {"rho_mm,z_mm,kind\n0,0,cutting\n1,1,sharp\n", "3: kind = sharp; must be cutting or smooth."}})
     EXPECT_TRUE(refusal(kReadProfile, text).starts_with(std::string("a.csv:") + part)) << refusal(kReadProfile, text);
 }
