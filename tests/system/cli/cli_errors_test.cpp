@@ -67,9 +67,9 @@ TEST_F(Flags, ThatAreMissingAreNamed) {
   const std::string ball = "--head sphere --radius_mm 1 ";
   expect("drill " + kBlock + ball + "--spindle_rpm 0 --handle ray " + kLine, kFailed,
          "tool.handle_length_mm is missing; a ray handle needs it");
-  expect(
-      "drill " + kBlock + ball + "--spindle_rpm 300000 --motor electric " + kLine, kFailed,
-      "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower the speed, or choose another --motor");
+  expect("drill " + kBlock + ball + "--spindle_rpm 300000 --motor electric " + kLine, kFailed,
+         "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower the speed, or choose "
+         "another --motor");
   expect("drill " + kBlock + ball + "--spindle_rpm 0 --motor electric " + kLine, kFailed,
          "tool.motor is set; must be left out");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "path.to_mm is missing");
