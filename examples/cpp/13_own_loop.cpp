@@ -9,7 +9,11 @@ using namespace hapticut::units;
 
 /// Your driver: it reads a pose and writes a wrench. Here it is a mock that a simulated hand holds.
 struct Driver : MockDevice {
-  Driver() : MockDevice({scripted_path("line"), device_model("touch"), hand_model("nominal"), false}) {}
+  Driver()
+      : MockDevice({.path = scripted_path("line"),
+                    .device = device_model("touch"),
+                    .hand = hand_model("nominal"),
+                    .rigid = false}) {}  // force and hand move it
   using MockDevice::begin_run, MockDevice::read, MockDevice::write;
 };
 
