@@ -9,7 +9,11 @@ using namespace hapticut::units;
 
 /// Your driver: it reads a pose and writes a wrench. Here it is a mock that a simulated hand holds.
 struct Driver : MockDevice {
-  Driver() : MockDevice({scripted_path("line"), device_model("touch"), hand_model("nominal"), false}) {}
+  Driver()
+      : MockDevice({.path = scripted_path("line"),
+                    .device = device_model("touch"),
+                    .hand = hand_model("nominal"),
+                    .rigid = false}) {}  // force and hand move it
   using MockDevice::begin_run, MockDevice::read, MockDevice::write;
 };
 
@@ -48,9 +52,8 @@ int main() {
   guard.start();
   DeviceState reading;
   bool undoing = false;
-  double removed = 0, max_force = 0;  // [m^3], [N]
+  double removed = 0, max_force = 0, force_at_exchange = 0;  // [m^3], [N], [N]
   for (int tick = 0; tick < 6000 && driver.read(reading); ++tick) {
-    const DeviceState& hand = guard.admit(reading);
     if (tick == 3000 && simulation.exchange(next_tool)) coupling.exchange_lists(next_lists);
     if (tick == 5000) undoing = true;
     if (tick == 3000 || undoing) {
@@ -58,6 +61,7 @@ int main() {
       interlock.interrupt();
       guard.requests().interrupt(SafetyEvent::model_swapped);
     }
+    const DeviceState& hand = guard.admit(reading);
     Wrench wrench;  // on the stylus, in B
     ModelContact contact;
     contact.touching = true;  // until a step says otherwise
@@ -79,10 +83,12 @@ int main() {
     const Wrench allowed = guard.limit(wrench, contact);
     guard.report_applied(driver.write(allowed));
     max_force = std::max(max_force, allowed.force.norm());
+    if (tick == 3000) force_at_exchange = allowed.force.norm();
   }
   driver.write({});  // no force
   guard.stop();
-  std::cout << "removed " << removed / mm3 << " mm^3, force up to " << max_force
-            << " N, undone: " << simulation.workpiece().amounts()[0].volume / mm3 << " mm^3 again, the tool "
+  std::cout << "removed " << removed / mm3 << " mm^3, force up to " << max_force << " N, at the exchange "
+            << force_at_exchange << " N, undone: " << simulation.workpiece().amounts()[0].volume / mm3
+            << " mm^3 again, the tool "
             << (has_any(coupling.last_result().status, StepStatus::tool_waits) ? "waits" : "cuts") << '\n';
 }

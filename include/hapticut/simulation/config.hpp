@@ -74,12 +74,12 @@ struct SimulationConfig {
   /// Voxels beyond it are removed, but not listed.
   std::size_t removed_voxel_capacity = 0;
 
-  /// When the blocks that the head touches hold more voxels, a sub-step evaluates only every n-th strip of 16 voxels,
-  /// in turn, and counts it n times. The deadline holds, and the force is that of a coarser quadrature.
-  /// StepStatus::detail_reduced reports it, and Contact::level_of_detail is n. In a groove cut at n = 5 the force stays
-  /// within 7 % (the just noticeable difference) and the removed volume within 2 %. n is computed from all solid voxels
-  /// of those blocks, so it is larger than needed, about twice for a ball of 30 voxels across. Only with the default
-  /// law.
+  /// When the head touches more voxels, a sub-step evaluates only every n-th strip of 16 voxels, in turn, and counts it
+  /// n times. The deadline holds, and the force is that of a coarser quadrature. StepStatus::detail_reduced reports it,
+  /// and Contact::level_of_detail is n. In a groove cut at n = 3 the force stays within 7 % (the just noticeable
+  /// difference), the removed volume within 2 %, and the ledger closes to 2 %. n follows from the voxels inside the
+  /// head, and includes voxels just outside, because their parts may reach inside.
+  /// Only with the default law.
   std::size_t voxel_budget = 0;
 
   bool stage_times = false;
