@@ -70,11 +70,11 @@ void BlockOutbox::send_now(const Workpiece& workpiece, std::uint32_t workpiece_n
 std::size_t BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number,
                               std::size_t max_blocks) noexcept {
   const std::size_t sent = std::min({max_blocks, count_, room()});
-  for (std::size_t n = 0; n < sent; ++n) send_now(workpiece, workpiece_number, take_oldest_mark());
+  for (std::size_t n = 0; n < sent; ++n) send_now(workpiece, workpiece_number, pop_oldest_mark());
   return sent;
 }
 
-std::size_t BlockOutbox::take_oldest_mark() noexcept {
+std::size_t BlockOutbox::pop_oldest_mark() noexcept {
   const std::uint32_t number = order_[head_];
   is_marked_[number] = false;
   head_ = (head_ + 1) % order_.size();
@@ -91,7 +91,7 @@ void BlockOutbox::count_outside(const IndexBox& voxels) noexcept {
 }
 
 void BlockOutbox::keep_marked(const Workpiece& workpiece, std::uint32_t workpiece_number) {
-  while (count_ > 0) keep(workpiece, workpiece_number, take_oldest_mark());
+  while (count_ > 0) keep(workpiece, workpiece_number, pop_oldest_mark());
 }
 
 void BlockOutbox::keep(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number) {

@@ -33,15 +33,15 @@ void ChangeFeed::attach() {
   simulation_.add_observer(*this);
   is_observing_ = true;
   outbox_.mark_kept();
-  if (!left_) workpiece_ = simulation_.workpiece_replacements();
+  if (!at_detach_) workpiece_ = simulation_.workpiece_replacements();
   note_replacement();
-  if (left_ && *left_ != counts()) send_all();
+  if (at_detach_ && *at_detach_ != counts()) send_all();
 }
 
 void ChangeFeed::detach() noexcept {
   if (!std::exchange(is_observing_, false)) return;
   simulation_.remove_observer(*this);
-  left_ = counts();
+  at_detach_ = counts();
 }
 
 void ChangeFeed::on_step(const ObservedStep& /*step*/) noexcept {
@@ -74,9 +74,9 @@ void ChangeFeed::mark_changes() noexcept {
 void ChangeFeed::tick(std::size_t max_blocks, std::uint32_t workpiece_number) noexcept {
   const std::size_t room = std::min(max_blocks, outbox_.room()), unswept = all_ - swept_;
   // Half of the room is for the sweep, or a steady cut would keep it from ending. It gets an odd place in turns.
-  const std::size_t share = std::min(unswept, (room + std::size_t(sweeps_more_)) / 2);
+  const std::size_t for_sweep = std::min(unswept, (room + std::size_t(sweeps_more_)) / 2);
   if (unswept > 0 && room % 2 == 1) sweeps_more_ = !sweeps_more_;
-  std::size_t sent = outbox_.send(simulation_.workpiece(), workpiece_number, room - share);
+  std::size_t sent = outbox_.send(simulation_.workpiece(), workpiece_number, room - for_sweep);
   for (; sent < room && swept_ < all_; ++sent) outbox_.send_now(simulation_.workpiece(), workpiece_number, swept_++);
 }
 

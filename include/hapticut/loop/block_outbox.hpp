@@ -106,7 +106,7 @@ class BlockOutbox {
     std::unique_ptr<ChangedBlock> content;
   };
 
-  [[nodiscard]] std::size_t take_oldest_mark() noexcept;
+  [[nodiscard]] std::size_t pop_oldest_mark() noexcept;
 
   BlockGrid blocks_;
   std::vector<bool> is_marked_;

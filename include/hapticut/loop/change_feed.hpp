@@ -107,7 +107,7 @@ class ChangeFeed final : public StepObserver {
   bool sweeps_more_ = false;           // the sweep gets the odd place
   std::uint64_t workpiece_ = 0;        // Simulation::workpiece_replacements when it was last looked at
   std::uint64_t first_workpiece_ = 0;  // Simulation::workpiece_replacements
-  std::optional<Counts> left_;         // at the last `detach`
+  std::optional<Counts> at_detach_;    // empty before the first `detach`
   bool is_observing_ = false;
 };
 
