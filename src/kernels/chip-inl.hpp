@@ -17,11 +17,11 @@ namespace strips {
 
 /// CutDepth in vectors.
 struct CutDepthVectors {
-  Vec least, excess;
+  Vec threshold, excess;
 
-  HWY_INLINE CutDepthVectors(Vec top, Vec from) : least(from), excess((top - from) * (top + from)) {}
+  HWY_INLINE CutDepthVectors(Vec top, Vec from) : threshold(from), excess((top - from) * (top + from)) {}
   [[nodiscard]] HWY_INLINE Vec beyond(Vec top) const {
-    return hn::IfThenElseZero(excess > hn::Zero(Floats()), excess / (top + least));
+    return hn::IfThenElseZero(excess > hn::Zero(Floats()), excess / (top + threshold));
   }
 };
 
@@ -51,7 +51,7 @@ HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float to
   const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, min_roots);  // 1/sigma
   ChordVectors chord = {material.energy * dearer, CutDepthVectors(top, zero)};
   chord.cut.excess = hn::IfThenElseZero(rate > zero, at_top * at_top * dearer / rate);
-  chord.cut.least = hn::Sqrt(hn::Max(zero, hn::MulSub(top, top, chord.cut.excess)));
+  chord.cut.threshold = hn::Sqrt(hn::Max(zero, hn::MulSub(top, top, chord.cut.excess)));
   return chord;
 }
 

@@ -20,9 +20,9 @@ namespace strips {
 /// VoxelSection in vectors; its comments give the reasons.
 class SectionVectors {
  public:
-  HWY_INLINE explicit SectionVectors(Vec largest) : p_(largest) {
+  HWY_INLINE explicit SectionVectors(Vec max_component) : p_(max_component) {
     const Vec one = broadcast(1.0F);
-    q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(largest, largest, one))),
+    q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(max_component, max_component, one))),
                  broadcast(VoxelSection<float>::kMinWidth));
     per_area_ = one / (p_ * q_);
   }
@@ -59,9 +59,10 @@ class SectionVectors {
 
   /// DepthIntegrals::cutting.
   /// @param beyond  CutDepth::beyond
-  [[nodiscard]] HWY_INLINE Vec cutting(Vec height, Vec least, Vec beyond) const {
+  [[nodiscard]] HWY_INLINE Vec cutting(Vec height, Vec threshold, Vec beyond) const {
     const Corners x = corners(height);
-    return hn::MulAdd(broadcast(0.5F) * least, volumes(x, beyond), broadcast(1.0F / 6) * depths(x, beyond)) * per_area_;
+    return hn::MulAdd(broadcast(0.5F) * threshold, volumes(x, beyond), broadcast(1.0F / 6) * depths(x, beyond)) *
+           per_area_;
   }
 
   /// DepthIntegrals::energy; zero where the depth is not positive.
@@ -109,10 +110,10 @@ class SectionVectors {
 };
 
 /// LayerRecession::of in vectors.
-HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration,
+HWY_INLINE Vec relative_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration,
                                   bool at_end) {
   const Vec one = broadcast(1.0F), dt = broadcast(duration);
-  const Vec least = cut.least, min_squared = least * least, half = broadcast(duration / 2);
+  const Vec min_squared = cut.threshold * cut.threshold, half = broadcast(duration / 2);
   const Vec deeper = hn::Min(top, cut.beyond(top));
   const Vec before = hn::Min(half, deeper / hn::Max(speed, broadcast(1e-20F)));
   const Vec time = before + (at_end ? before : half), t = hn::NegMulAdd(speed, before, top);
@@ -124,10 +125,10 @@ HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate,
   const Vec deficit_of_small = hn::NegMulAdd(balance, broadcast(2.0F / 15), broadcast(1.0F / 3));
   const Vec c = hn::IfThenElse(small, hn::NegMulAdd(balance, deficit_of_small, one), m / hn::NegMulAdd(y, m, one));
   const Vec deficit = hn::IfThenElse(small, deficit_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
-  const Vec recession = hn::MulAdd(time * c, hn::MulSub(t, t, min_squared),
-                                   speed * time * time * hn::MulAdd(time * gain, deficit, t * c));
+  const Vec removed = hn::MulAdd(time * c, hn::MulSub(t, t, min_squared),
+                                 speed * time * time * hn::MulAdd(time * gain, deficit, t * c));
   const Vec as_evaluated = dt * cut.excess;
-  return recession / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
+  return removed / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
 }
 
 /// FoundationLaw on parts of voxels.
@@ -166,15 +167,17 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   const Vec zero = hn::Zero(d), half = broadcast(0.5F);
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
   const Mask inside = s.top > zero;
-  const SectionVectors section(s.largest);
   PartOutcome p;
+  // The steps have the numbers of FoundationLaw::evaluate_parts; the springs (4) come before the chips (3).
+  // 1. The filled part: its section, far plane and height.
+  const SectionVectors section(s.max_component);
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;
   p.top = s.top;
   p.kept = fill;
   p.yielding = zero;
-  if constexpr (kCrushes) {
+  if constexpr (kCrushes) {  // 2. Crushing.
     p.crushed = s.top > crushing_depth;
     p.top = hn::IfThenElse(p.crushed, crushing_depth, s.top);
     height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
@@ -183,6 +186,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     p.kept = hn::IfThenElse(p.crushed, kept, fill);
     p.yielding = hn::IfThenElseZero(p.crushed, p.top * per_l * section.area_at(height));
   }
+  // 4. Springs of the part.
   const Vec top = p.top * per_l;
   const auto part = section.depth_and_volume(height, top);
   p.volume = hn::IfThenElseZero(inside, part.volume);
@@ -192,8 +196,9 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   p.cut = p.credit = p.refused = zero;
   p.left = p.kept;
   p.energy = p.price = material.energy;
+  // 3. Chips: energy and threshold of the cut.
   Mask is_cut = hn::MaskFromVec(zero);
-  CutDepthVectors cut(p.top, material.cutting_depth);
+  CutDepthVectors cut_depth(p.top, material.cutting_depth);
   const Vec work = half * material.cutting_ratio * material.stiffness * damped * s.slip_path;
   const float slip_time = m.duration * m.level_of_detail;
   const Vec speed = hn::Max(zero, s.rate), per_time = broadcast(1 / slip_time);
@@ -203,26 +208,28 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
       const ChordVectors chord =
           chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, mean_rate, (m.velocity - m.ripple).norm());
       p.energy = p.price = chord.energy;
-      cut = chord.cut;
+      cut_depth = chord.cut;
     }
-    is_cut = hn::And(inside, cut.excess > zero);
+    is_cut = hn::And(inside, cut_depth.excess > zero);
     if constexpr (kCrushes) is_cut = hn::And(is_cut, p.kept > zero);
   }
   if (!hn::AllFalse(d, is_cut)) {
-    const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(p.top) * per_l);
+    const Vec cutting = section.cutting(height, cut_depth.threshold * per_l, cut_depth.beyond(p.top) * per_l);
+    // 5. Recession of the layer.
     Vec path = work / p.price;  // k_d dt
-    Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
+    Vec recession = relative_recession(p.top, cut_depth, path * per_time, speed, slip_time, m.at_end());
     if (release) {  // helped by the energy stored at the mean depth of the layer's top
-      const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
+      const Vec squared = hn::MulAdd(recession, cut_depth.excess, cut_depth.threshold * cut_depth.threshold);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kMinEnergyShare));
       path = work / p.price;
-      share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
+      recession = relative_recession(p.top, cut_depth, path * per_time, speed, slip_time, m.at_end());
     }
-    const Vec decay = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
+    // 6. Decay of the fill.
+    const Vec decay = (path + path) * l * cutting * recession / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
     const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(decay, broadcast(FoundationLaw::kMaxExponent)));
     const Vec mean = mean_of_decay(exponent);
-    p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
+    p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * recession * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
     const Vec loss = p.kept * exponent * mean;
     p.left = p.kept - loss;
@@ -232,6 +239,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));
     p.left = hn::IfThenZeroElse(finished, p.left);
   }
+  // 7. Energies before and after.
   const Vec advance = s.rate * broadcast(m.duration), moved = advance * per_l;
   const Vec energy = stiff * l;
   const Vec height_left = may_cut ? section.height_of(p.left) : height;

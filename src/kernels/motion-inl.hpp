@@ -54,13 +54,13 @@ HWY_INLINE Vec slip_beyond_centers(const HeadMotion& m, const Vectors& r, const 
 }
 
 /// [1] the largest |n_i| along the grid's axes, which are the columns of `axes`, of unit vectors n
-HWY_INLINE Vec largest_component(const Eigen::Matrix3f& axes, const Vectors& r, const Sample& s) {
-  Vec largest = broadcast(kMinMaxNorm);
+HWY_INLINE Vec max_component_of(const Eigen::Matrix3f& axes, const Vectors& r, const Sample& s) {
+  Vec max_component = broadcast(kMinMaxNorm);
   for (int axis = 0; axis < 3; ++axis) {
     const Vec across = hn::MulAdd(r.x, broadcast(axes(0, axis)), r.y * broadcast(axes(1, axis)));
-    largest = hn::Max(largest, hn::Abs(hn::MulAdd(s.radial, across, s.axial * broadcast(axes(2, axis)))));
+    max_component = hn::Max(max_component, hn::Abs(hn::MulAdd(s.radial, across, s.axial * broadcast(axes(2, axis)))));
   }
-  return hn::Min(largest, broadcast(1.0F));
+  return hn::Min(max_component, broadcast(1.0F));
 }
 
 }  // namespace strips

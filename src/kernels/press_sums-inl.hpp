@@ -19,14 +19,14 @@ namespace strips {
 
 /// Result of stage sample_contact for a vector of voxels.
 struct Sample {
-  Vec depth;          // [m] of the voxel's centre below the surface; zero in lanes that do not count
-  Vec radial, axial;  // of the normal, as in SpringVectors
-  Vec rate;           // [m/s] rate of change of the depth
-  Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
-  Vec inverse_slip;   // [s/m] zero where the head stands
-  Vec slip_path;      // [m] in the sub-step, likewise
-  Vec top, largest;   // of the filled part: its maximum depth [m], zero in lanes that do not count; and max |n_i|
-  Vec smooth;         // [m^2] as in SpringVectors; read only of springs that are kSmooth
+  Vec depth;               // [m] of the voxel's centre below the surface; zero in lanes that do not count
+  Vec radial, axial;       // of the normal, as in SpringVectors
+  Vec rate;                // [m/s] rate of change of the depth
+  Vec felt_rate;           // [m/s] as the damping feels it; set where some material has damping
+  Vec inverse_slip;        // [s/m] zero where the head stands
+  Vec slip_path;           // [m] in the sub-step, likewise
+  Vec top, max_component;  // of the filled part: its maximum depth [m], zero in lanes that do not count; and max |n_i|
+  Vec smooth;              // [m^2] as in SpringVectors; read only of springs that are kSmooth
 
   [[nodiscard]] HWY_INLINE Mask on_smooth() const { return smooth > hn::Zero(Floats()); }
   /// [m] r x n = (y lever, -x lever, 0)
@@ -41,7 +41,7 @@ class SampleList {
   HWY_INLINE void store(int first, const Sample& s) {
     const auto keep = [&](int n, Vec value) HWY_ATTR { hn::Store(value, Floats(), values_[n] + first); };
     keep(0, s.depth), keep(1, s.radial), keep(2, s.axial), keep(3, s.rate), keep(4, s.felt_rate);
-    keep(5, s.inverse_slip), keep(6, s.slip_path), keep(7, s.top), keep(8, s.largest);
+    keep(5, s.inverse_slip), keep(6, s.slip_path), keep(7, s.top), keep(8, s.max_component);
     if (kSmooth) keep(9, s.smooth);
   }
   template <bool kSmooth>
@@ -50,7 +50,7 @@ class SampleList {
     Sample s;
     s.depth = value(0), s.radial = value(1), s.axial = value(2), s.rate = value(3), s.felt_rate = value(4);
     s.inverse_slip = value(5), s.slip_path = value(6);
-    s.top = value(7), s.largest = value(8);
+    s.top = value(7), s.max_component = value(8);
     s.smooth = kSmooth ? value(9) : hn::Zero(Floats());
     return s;
   }

@@ -20,11 +20,11 @@
 ///                                                            y = 2 (q - h_e f_z)/(b + sqrt(b^2 + 4 (q - h_e f_z))),
 ///                                                            b = sqrt(h_s f_z)
 ///
-/// In the elastic layer of the foundation the pressure at depth t is k_v t^2/2. A voxel between the depths b and t
-/// contributes v(q(t)) - v(q(b)), so the sum over a column is v at the pressure on its top, however thick the layer is.
-/// Between two depths this equals the law of a constant energy u/sigma above a threshold q_0, the chord of v(q):
+/// In the elastic layer of the foundation the pressure at depth t is k_v t^2/2. A voxel between the depths t_1 < t_2
+/// contributes v(q(t_2)) - v(q(t_1)), so the sum over a column is v at the pressure on its top, however thick the layer
+/// is. Between two depths this equals the law of a constant energy u/sigma_c above a threshold q_0, the chord of v(q):
 ///
-///     sigma = (y_1 + y_2)/(y_1 + y_2 + b)         q_0 = h_e f_z + b y_1 y_2/(y_1 + y_2)
+///     sigma_c = (y_1 + y_2)/(y_1 + y_2 + b)         q_0 = h_e f_z + b y_1 y_2/(y_1 + y_2)
 ///
 /// so the equation of the layer (LayerRecession) does not change. In a voxel that holds the bottom of the layer, any
 /// chord through the top gives the same sum. There the other end of the chord is the speed of the head, to which the
@@ -41,7 +41,7 @@ namespace hapticut {
 /// The energy and the threshold depth of the cut of a voxel, in place of u and w0.
 template <class Real>
 struct ChipChord {
-  Real energy;         ///< [J/m^3] u/sigma
+  Real energy;         ///< [J/m^3] u/sigma_c
   CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
 
   static constexpr Real kMinRoots = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
@@ -73,7 +73,7 @@ struct ChipChord {
     const Real outside =
         std::min(Real(1), -2 * bottom / (top - bottom));  // [1] 1 when half of the voxel or more is below the layer
     const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
-    const Real dearer = 1 + b / std::max(at_top + other, kMinRoots);  // 1/sigma
+    const Real dearer = 1 + b / std::max(at_top + other, kMinRoots);  // 1/sigma_c
     const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);
     return {material.cutting_energy * dearer, {std::sqrt(std::max(Real(0), top * top - excess)), excess}};
   }

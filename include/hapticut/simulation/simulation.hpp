@@ -37,6 +37,7 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
+  // --- the step -----------------------------------------------------------------------------------------------------
   /// Moves the tool to a pose, removes what the spindle cuts on the way, and returns the force and torque on the hand.
   ///
   /// The head moves from its pose at the end of the last step to `X_WH` with constant velocity. In the first step it
@@ -57,6 +58,7 @@ class Simulation {
   /// @realtime no allocation, no lock
   void release_hand() noexcept;
 
+  // --- questions, which change nothing ------------------------------------------------------------------------------
   /// The force that a step to `X_WH` would give, and the stiffness of the contact there; changes nothing. When the step
   /// would be split into sub-steps, each is probed on the material as it is now. For implicit integrators such as
   /// `VirtualCoupling` (simulation/coupling.hpp).
@@ -79,6 +81,10 @@ class Simulation {
   /// the very first step, and `reset` when no coupling holds the tool.
   [[nodiscard]] bool starts_afresh() const noexcept;
 
+  /// Upper bound on the work of a step.
+  [[nodiscard]] WorstCase worst_case() const;
+
+  // --- state and results --------------------------------------------------------------------------------------------
   [[nodiscard]] const Workpiece& workpiece() const;
   [[nodiscard]] const Tool& tool() const;
 
@@ -113,6 +119,16 @@ class Simulation {
   /// `Workpiece::bounds`, it does not shrink as material is cut.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] IndexBox first_bounds() const noexcept;
 
+  /// [m^3] cut since construction or reset, by MaterialId.
+  [[nodiscard]] const ByMaterial<double>& removed_volume_by_material() const;
+
+  /// [m^3] removed by `remove_voxels` since construction or reset, by MaterialId.
+  [[nodiscard]] const ByMaterial<double>& detached_volume_by_material() const noexcept;
+
+  /// Times of the stages of the last step; see SimulationConfig::stage_times.
+  [[nodiscard]] const StageTimes& stage_times() const;
+
+  // --- observers ----------------------------------------------------------------------------------------------------
   static constexpr std::size_t kMaxObservers = 8;
 
   /// Adds an observer. It is told of every step from now on, after the observers that were added before. It must live
@@ -122,15 +138,6 @@ class Simulation {
 
   void remove_observer(StepObserver& observer) noexcept;  ///< does nothing if it was not added
   [[nodiscard]] std::span<StepObserver* const> observers() const noexcept;
-
-  /// [m^3] cut since construction or reset, by MaterialId.
-  [[nodiscard]] const ByMaterial<double>& removed_volume_by_material() const;
-
-  /// Upper bound on the work of a step.
-  [[nodiscard]] WorstCase worst_case() const;
-
-  /// Times of the stages of the last step; see SimulationConfig::stage_times.
-  [[nodiscard]] const StageTimes& stage_times() const;
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
   /// Sets the spindle's speed for the following steps. With Spindle::acceleration_limit it is reached on a ramp.
@@ -222,9 +229,6 @@ class Simulation {
   /// @return false, with nothing changed, when no reserved block is left for it
   /// @realtime no allocation, no lock; O(512)
   bool remove_voxels(const BlockVoxels& voxels) noexcept;
-
-  /// [m^3] removed by `remove_voxels` since construction or reset, by MaterialId.
-  [[nodiscard]] const ByMaterial<double>& detached_volume_by_material() const noexcept;
 
   /// Starts again with another workpiece. Tool pose, energies, removed volumes and undo marks are reset. As much memory
   /// for undo is reserved as before.

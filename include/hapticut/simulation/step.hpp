@@ -14,7 +14,7 @@
 
 namespace hapticut {
 
-/// The motion of the hand in one step.
+/// The motion of the hand in one step. `fields_of` below has unit, range and meaning of each field.
 struct StepInput {
   Pose X_WH;
   Twist V_WH;
@@ -179,7 +179,8 @@ constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b
 inline constexpr StepStatus kRejected =
     StepStatus::pose_rejected | StepStatus::velocity_rejected | StepStatus::dt_rejected | StepStatus::jump_rejected;
 
-/// The material that the head touches, in the last sub-step.
+/// The material that the head touches, in the last sub-step. `fields_of` below has unit, range and meaning of each
+/// field.
 struct Contact {
   int voxels = 0;
   double volume = 0;
@@ -240,7 +241,7 @@ constexpr auto fields_of(Of<ContactProbe>) {
   };
 }
 
-/// The spindle during the step.
+/// The spindle during the step. `fields_of` below has unit, range and meaning of each field.
 struct SpindleState {
   double speed = 0;
   double torque = 0;
@@ -260,7 +261,7 @@ struct ChangedBlocks {
   bool complete = true;                 ///< false: not all could be listed, so any block may have changed
 };
 
-/// The result of one step.
+/// The result of one step. `fields_of` below has unit, range and meaning of each field.
 struct StepResult {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();

@@ -145,7 +145,7 @@ class VoxelSection {
 /// The solution tends to t = sqrt(w0^2 + v/k_d), for any stiffness of the foundation and any length of the step.
 template <class Real>
 struct LayerRecession {
-  Real fraction;  ///< [1] recession over the whole sub-step, relative to k_d (t^2 - w0^2) dt at the given depth
+  Real relative;  ///< [1] r: recession over the whole sub-step, relative to k_d (t^2 - w0^2) dt at the given depth
 
   /// @param top      [m] t at the evaluation of the contact if nothing were cut before; > w0
   /// @param cut      [m] w0

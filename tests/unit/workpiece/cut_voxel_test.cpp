@@ -115,10 +115,10 @@ RC_GTEST_PROP(LayerRecession, IsThatOfItsEquation, ()) {
   }
   const auto found =
       LayerRecession<double>::of(top, CutDepth<double>::of(top, threshold), rate, speed, duration, at_end);
-  RC_ASSERT(std::abs(found.fraction * rate * (top * top - threshold * threshold) * duration / removed - 1) < 1e-4);
+  RC_ASSERT(std::abs(found.relative * rate * (top * top - threshold * threshold) * duration / removed - 1) < 1e-4);
   const auto single = LayerRecession<float>::of(float(top), CutDepth<float>::of(float(top), float(threshold)),
                                                 float(rate), float(speed), float(duration), at_end);
-  RC_ASSERT(std::abs(double(single.fraction) / found.fraction - 1) < 1e-4);
+  RC_ASSERT(std::abs(double(single.relative) / found.relative - 1) < 1e-4);
 }
 
 }  // namespace

@@ -41,13 +41,15 @@ std::map<std::string, std::vector<double>> documented_under(const std::string& h
   return rows;
 }
 
-TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
+TEST(MaterialPresets, AreTheTableOfTheDocumentationInSixDigits) {
   const auto rows = documented_under("Materials");
   EXPECT_EQ(rows.size(), preset_names().size());
   for (const std::string_view name : preset_names()) {
     const auto row = rows.find(std::string(name));
     ASSERT_NE(row, rows.end()) << name;
-    EXPECT_EQ(row->second, numbers_of(find_preset(name))) << name;
+    const std::vector<double> numbers = numbers_of(find_preset(name));
+    ASSERT_EQ(row->second.size(), numbers.size()) << name;
+    for (std::size_t n = 0; n < numbers.size(); ++n) EXPECT_NEAR(row->second[n], numbers[n], 5e-6 * numbers[n]) << name;
   }
 }
 

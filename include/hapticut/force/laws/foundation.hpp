@@ -14,18 +14,24 @@ namespace hapticut {
 
 /// The default law: a volumetric elastic foundation that the spinning head cuts by the power it delivers.
 ///
+/// In plain words: the material is a mattress of small springs, one for each bit of volume. A head that presses in
+/// feels the springs that it pushes aside. Where its surface slides over them it drags on them, and the power of this
+/// drag pays for the removed material: each volume costs the energy u. So a standing head sinks in a little and stops,
+/// and a spinning head sinks in as fast as its power pays for. k_v sets only how thick the pressed layer is: softer
+/// springs give a thicker layer and, while it is thin against the head, the same cutting force.
+///
 /// Material at depth w pushes back along the normal n with the pressure gradient k_v w. Hunt-Crossley damping
 /// multiplies it by g_d(chi w_dot), with g_d(x) = 1 + x while the contact closes and 1/(1 - x) while it opens. Where
 /// the head turns, the material also drags along the slip v_t, tangential to the cutting surface:
 ///
-///     g = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
+///     force = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
 ///
-/// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> and <w>_c are the means
+/// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> and <w>_0 are the means
 /// over that part of the depth and of the depth beyond w0. Material shallower than w0 is not cut:
 ///
-///     f = k_v g_d phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
+///     f = k_v g_d phi l^3 (<w> - <w>_0 + r <w>_0)      phi <- phi e^-x      x = 2 k_d r <w>_0 dt
 ///
-/// where k_d = kappa k_v g_d s/(2 u), and g is the recession of the layer within the sub-step over the recession at the
+/// where k_d = kappa k_v g_d s/(2 u), and r is the recession of the layer within the sub-step over the recession at the
 /// speed at the evaluation (LayerRecession). Cutting removes the deepest material, so material that only rubs stays.
 /// The force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so the tangential work of the cut is exactly u
 /// l^3 times the lost fill, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V +
@@ -192,9 +198,11 @@ class FoundationLaw final : public ForceLaw {
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
+      // 1. The filled part: its section, far plane and height.
       const VoxelSection<float> section(b.max_component[n]);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
       const float full_height = b.top[n] / l - far_plane;
+      // 2. Crushing.
       const bool crushed = m.crushes && b.top[n] > crushing_depth;
       if (crushed) b.top[n] = crushing_depth;
       const float top = b.top[n], height = crushed ? std::max(0.0F, top / l - far_plane) : full_height;
@@ -204,6 +212,7 @@ class FoundationLaw final : public ForceLaw {
         if (phi < kMinPart) phi = 0;
         b.fill_after[n] = phi;
       }
+      // 3. Chips: energy and threshold of the cut.
       float u = material.cutting_energy;
       auto cut_depth = CutDepth<float>::of(top, material.cutting_depth);
       if (m.tooth_rate > 0) {
@@ -211,23 +220,26 @@ class FoundationLaw final : public ForceLaw {
             ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, s.mean_w_dot, feed);
         u = chord.energy, cut_depth = chord.cut;
       }
+      // 4. Springs of the part.
       const DepthIntegrals<float> part = section.integrals(height, top / l, cut_depth.scaled(1 / l));
       if (crushed) b.immersed[n] = part.volume;
 
       float rubbing = k * l * part.depth, cut = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
       float refused = 0;  // [1] fill whose work was done, but which rounding did not remove; or the reverse
       if (cutting && cut_depth.excess > 0 && phi > 0) {
+        // 5. Recession of the layer.
         float rate = power / price,
-              share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).fraction;
+              recession = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).relative;
         if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
-          const float w0 = cut_depth.threshold, squared = w0 * w0 + share * cut_depth.excess;
+          const float w0 = cut_depth.threshold, squared = w0 * w0 + recession * cut_depth.excess;
           price = std::max(u - 0.5F * k * squared, kMinEnergyShare * u);
           rate = power / price,
-          share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).fraction;
+          recession = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).relative;
         }
-        const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kMaxExponent);
+        // 6. Decay of the fill.
+        const float exponent = std::min(2 * rate * l * part.cutting / phi * recession * slip_time, kMaxExponent);
         const float mean = mean_of_decay(exponent);
-        cut = k * l * part.cutting * share * mean;
+        cut = k * l * part.cutting * recession * mean;
         rubbing = k * l * std::max(0.0F, part.depth - part.cutting);
         const float loss = phi * exponent * mean;
         left = phi - loss;
@@ -243,7 +255,7 @@ class FoundationLaw final : public ForceLaw {
       b.force_y[n] = -voxel_volume * (normal * b.normal_y[n] + tangential * s.ty);
       b.force_z[n] = -voxel_volume * (normal * b.normal_z[n] + tangential * s.tz);
 
-      // [J/m^3] stored in a part of this height when the far corner has moved
+      // 7. Energies before and after: [J/m^3] stored in a part of this height when the far corner has moved
       const auto stored = [&](float part_height, float moved) {
         const float depth = part_height + far_plane + moved / l;
         return depth > 0 ? k * l * l * section.integrals(part_height, depth).energy : 0.0F;
