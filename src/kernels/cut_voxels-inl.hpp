@@ -211,18 +211,19 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   if (!hn::AllFalse(d, is_cut)) {
     const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(p.top) * per_l);
     Vec path = work / p.price;  // k_d dt
-    Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
+    Vec recession_share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     if (release) {  // helped by the energy stored at the mean depth of the layer's top
-      const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
+      const Vec squared = hn::MulAdd(recession_share, cut.excess, cut.least * cut.least);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kMinEnergyShare));
       path = work / p.price;
-      share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
+      recession_share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     }
-    const Vec decay = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
+    const Vec decay =
+        (path + path) * l * cutting * recession_share / hn::Max(p.kept, broadcast(FoundationLaw::kMinPart));
     const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(decay, broadcast(FoundationLaw::kMaxExponent)));
     const Vec mean = mean_of_decay(exponent);
-    p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
+    p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * recession_share * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
     const Vec loss = p.kept * exponent * mean;
     p.left = p.kept - loss;

@@ -82,7 +82,7 @@ class ScriptedLoop {
   }
   bool tell(LoopCommand command) {
     model.check(command);
-    return model.obey(command);
+    return model.apply(command);
   }
   [[nodiscard]] std::uint64_t events(SafetyEvent event) const { return report.events[std::size_t(event)]; }
 

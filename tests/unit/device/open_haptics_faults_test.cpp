@@ -33,7 +33,7 @@ constexpr unsigned kCalibrationNeedsUpdate = 0x5001, kCalibrationNeedsManualInpu
 
 class OpenHapticsFaults : public test::OpenHapticsTest {};
 
-TEST_F(OpenHapticsFaults, SaysWhatTheDriverSaidWhenItIsUnplugged) {
+TEST_F(OpenHapticsFaults, ReportsTheErrorOfTheDriverWhenItIsUnplugged) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
@@ -244,7 +244,7 @@ TEST_F(OpenHapticsFaults, NeverMakesTheDriverToggleItsAmplifiersHoweverGreatAFor
   EXPECT_LE(fading_in, 2.0) << "the driver's own ramp, 10 N/s";
 }
 
-TEST_F(OpenHapticsFaults, LetsAStrongDeviceLetGoAtOnceWithoutTheDriverSwitchingItOff) {
+TEST_F(OpenHapticsFaults, ReleasesAStrongDeviceAtOnceWithoutTheDriverSwitchingItOff) {
   add_premium();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, [n = 0](const DeviceState&) mutable {
@@ -275,7 +275,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTh
   EXPECT_EQ(motors[950], 1);
 }
 
-TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
+TEST_F(OpenHapticsFaults, EndsOnErrorsOfTheProgrammer) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
@@ -332,7 +332,7 @@ TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
   EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because it pushes all the time
 }
 
-TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhenSomebodyHoldsTheLinks) {
+TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhileTheUserHoldsTheLinks) {
   add_premium();
   hdsim_set_calibration(0, kCalibrationNeedsManualInput);
   try {

@@ -83,7 +83,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
+TEST_F(ForceDimensionFaults, StaysOffUntilTheUserSwitchesItsForcesOnAgain) {
   const std::array<std::pair<dhdsim_cause, const char*>, 3> causes = {{
       {DHDSIM_OFF_BUTTON, "its force button was pressed"},
       {DHDSIM_OFF_DEADMAN, "dead man's switch was released"},
@@ -117,7 +117,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
   }
 }
 
-TEST_F(ForceDimensionFaults, EndsWhenTheDeviceSaysThatItLostItsConnection) {
+TEST_F(ForceDimensionFaults, EndsWhenTheDeviceReportsALostConnection) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -129,7 +129,7 @@ TEST_F(ForceDimensionFaults, EndsWhenTheDeviceSaysThatItLostItsConnection) {
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, SaysWhatTheLibrarySaidWhenItIsUnplugged) {
+TEST_F(ForceDimensionFaults, ReportsTheErrorOfTheLibraryWhenItIsUnplugged) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -139,7 +139,7 @@ TEST_F(ForceDimensionFaults, SaysWhatTheLibrarySaidWhenItIsUnplugged) {
   EXPECT_TRUE(says(report.warnings, "communication error (stand-in) (error 2)"));
 }
 
-TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLongerAnswers) {
+TEST_F(ForceDimensionFaults, ContinuesAfterShortTimeoutsAndEndsWhenTheDeviceNoLongerAnswers) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   RunReport report = run(*device, push_for(1000), quick(), [](long tick) {
@@ -161,7 +161,7 @@ TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLong
   }
 }
 
-TEST_F(ForceDimensionFaults, SaysWhatItRendersWhereACommandDidNotGetThrough) {
+TEST_F(ForceDimensionFaults, ReportsTheRenderedForceWhenACommandIsLost) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   run(
@@ -182,7 +182,7 @@ TEST_F(ForceDimensionFaults, SaysWhatItRendersWhereACommandDidNotGetThrough) {
       });
 }
 
-TEST_F(ForceDimensionFaults, TakesErrorsOfTheProgrammerAsFatal) {
+TEST_F(ForceDimensionFaults, EndsOnErrorsOfTheProgrammer) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -193,7 +193,7 @@ TEST_F(ForceDimensionFaults, TakesErrorsOfTheProgrammerAsFatal) {
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, ReportsForcesThatCannotBeSwitchedOnAndCanBeTriedAgain) {
+TEST_F(ForceDimensionFaults, ReportsForcesThatCannotBeSwitchedOnAndAllowsAnotherRun) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   dhdsim_fail(0, DHDSIM_ENABLE, kErrorInvalid, 1);
@@ -240,7 +240,7 @@ TEST_F(ForceDimensionFaults, GivesNoForceUntilItIsCalibrated) {
   }
 }
 
-TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomebodyHasLooked) {
+TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndContinuesAfterAReset) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   std::vector<double> forces;
@@ -267,7 +267,7 @@ TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomeb
   EXPECT_EQ(forces[1100], 1);
 }
 
-TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
+TEST_F(ForceDimensionFaults, CalibratesItselfOnRequest) {
   add(kOmega6);
   dhdsim_set_calibrated(0, 0);
   ForceDimensionOptions options = options_for();
@@ -277,7 +277,7 @@ TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
   EXPECT_EQ(run(*device, push_for(300)).arming, ArmingState::on);
 }
 
-TEST_F(ForceDimensionFaults, SaysThatADeviceWithoutWatchdogKeepsItsLastForce) {
+TEST_F(ForceDimensionFaults, WarnsThatADeviceWithoutWatchdogKeepsItsLastForce) {
   add(kFalcon);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(200));
