@@ -209,7 +209,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
     add_touch();
     const auto device = open_open_haptics(options_for());
     std::vector<double> forces;
-    const Outcome outcome = run(*device, test::press_and_let_go(300, 350, 600), quick(), [&](long tick) {
+    const Outcome outcome = run(*device, test::press_and_release(300, 350, 600), quick(), [&](long tick) {
       if (tick == 280) hdsim_inject_error(0, code, 0);
       forces.push_back(committed(0).force.x());
     });
@@ -263,7 +263,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTh
   add_touch();
   const auto device = open_open_haptics(options_for());
   std::vector<double> motors;
-  const Outcome outcome = run(*device, test::press_and_let_go(500, 550, 1000), quick(), [&](long tick) {
+  const Outcome outcome = run(*device, test::press_and_release(500, 550, 1000), quick(), [&](long tick) {
     place(0, Pose{}, Vec3(tick >= 480 && tick < 483 ? 1.3 : 0, 0, 0));  // 1.2 m/s are the driver's limit
     motors.push_back(test::rendered(0).x());
   });

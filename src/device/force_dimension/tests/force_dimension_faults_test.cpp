@@ -23,7 +23,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
   double noticed = 0;  // [s]
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+      [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
         if (fault == DeviceFault::none && state.fault != fault) noticed = state.time;
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
@@ -62,13 +62,13 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
   DeviceFault fault = DeviceFault::none;
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+      [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
       },
       quick(),
       [&](long tick) {
-        place_omega(0, Pose{}, {Vec3(tick >= 400 && tick < 405 ? 1.3 : 0, 0, 0), Vec3::Zero()});  // 1 m/s is its limit
+        place_omega(0, Pose{}, {Vec3(tick >= 400 && tick < 405 ? 1.3 : 0, 0, 0), Vec3::Zero()});  // its limit is 1 m/s
         if (tick == 410) {
           EXPECT_EQ(dhdsim_get_counters(0).brakes_on, 1);
         }
@@ -97,7 +97,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilTheUserSwitchesItsForcesOnAgain) {
     DeviceFault fault = DeviceFault::none;
     const RunReport report = run(
         *device,
-        [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+        [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
           if (state.fault != DeviceFault::none) fault = state.fault;
           return press(state);
         },
@@ -111,7 +111,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilTheUserSwitchesItsForcesOnAgain) {
     EXPECT_NE(describe(fault).find("motors were switched off"), std::string::npos);
     EXPECT_EQ(report.fault, DeviceFault::none) << words;
     EXPECT_TRUE(says(report.warnings, words)) << words;
-    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never against the user: " << words;
+    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never while the user keeps them off: " << words;
     for (std::size_t n = 200; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << words << ", tick " << n;
     EXPECT_EQ(forces[900], 1) << words;
   }

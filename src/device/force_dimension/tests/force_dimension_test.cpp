@@ -36,7 +36,7 @@ TEST_F(ForceDimension, OpensTheFirstDeviceAndReadsItsCapabilities) {
   EXPECT_EQ(c.serial_number, "1234");
   EXPECT_EQ(c.driver_version, "3.17.5.0");
   EXPECT_EQ(c.input_degrees_of_freedom, 6);
-  EXPECT_EQ(c.output_degrees_of_freedom, 3) << "its wrist is sensed, not driven";
+  EXPECT_EQ(c.output_degrees_of_freedom, 3) << "its wrist has sensors and no motors";
   EXPECT_EQ(c.peak_force, 12);
   EXPECT_EQ(c.peak_torque, 0);
   EXPECT_EQ(c.stiffness, 5000);
@@ -158,7 +158,7 @@ TEST_F(ForceDimension, SendsForceAndTorqueInTheFrameOfTheLibrary) {
   const Wrench wrench{Vec3(0.5, -0.25, 0.125), Vec3(0.010, 0.005, -0.020)};
   run(*device, push_for(300, wrench));
   std::array<double, 3> f{}, t{};
-  dhdsim_get_committed(0, 300, f.data(), t.data());  // the first two are those of the start
+  dhdsim_get_committed(0, 300, f.data(), t.data());  // the first two commands are sent at the start
   EXPECT_EQ(f, in_library(wrench.force));
   EXPECT_EQ(t, in_library(wrench.torque));
   EXPECT_EQ(dhdsim_get_counters(0).max_torque, 0.2);
