@@ -128,7 +128,8 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly("spindle_setting", reading<S>(&Simulation::spindle_setting),
                              doc("Simulation::spindle_setting"))
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
-      .def_property_readonly("starts_afresh", reading<S>(&Simulation::starts_afresh), doc("Simulation::starts_afresh"))
+      .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
+                             doc("Simulation::next_step_is_first"))
       .def_property_readonly("workpiece_exchanges", reading<S>(&Simulation::workpiece_exchanges),
                              doc("Simulation::workpiece_exchanges"))
       .def(

@@ -69,7 +69,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
   const AtEnd idle_again([this] { phase_.store(Phase::idle); });
   RunOptions options = asked;
-  options.guard.period = settle_period(asked.guard.period);
+  options.guard.period = choose_period(asked.guard.period);
   {
     const std::lock_guard lock(guard_mutex_);
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);

@@ -243,14 +243,14 @@ void SimulationModel::check(const LoopCommand& command) const {
   std::visit([this](const auto& what) { Commands<const SimulationModel>{*this}.check(what); }, command);
 }
 
-bool SimulationModel::obey(LoopCommand& command) noexcept {
-  bool obeyed = false;  // not std::visit, because that may throw
+bool SimulationModel::apply(LoopCommand& command) noexcept {
+  bool applied = false;  // not std::visit, because that may throw
   find_alternative<LoopCommand>([&]<class Command>(std::size_t, Of<Command>) noexcept {
     auto* what = std::get_if<Command>(&command);
-    if (what != nullptr) obeyed = Commands<SimulationModel>{*this}.apply(*what);
+    if (what != nullptr) applied = Commands<SimulationModel>{*this}.apply(*what);
     return what != nullptr;
   });
-  return obeyed;
+  return applied;
 }
 
 }  // namespace hapticut

@@ -25,7 +25,7 @@ struct RealtimeLoop::State {
   }
 
   DeviceCommand tick(const DeviceState& reading) noexcept;
-  void obey() noexcept;
+  void apply_commands() noexcept;
   void free_replaced() noexcept;
 
   Device& device;
@@ -51,11 +51,11 @@ struct RealtimeLoop::State {
   std::exception_ptr exception;
 };
 
-void RealtimeLoop::State::obey() noexcept {
+void RealtimeLoop::State::apply_commands() noexcept {
   LoopCommand message;
   // If `replaced` is full, the next command waits, because nothing may be freed here.
   while (replaced.has_room() && commands.pop(message)) {
-    if (!model.obey(message)) ++refused;
+    if (!model.apply(message)) ++refused;
     replaced.push(std::move(message));
   }
 }
@@ -69,7 +69,7 @@ void RealtimeLoop::State::free_replaced() noexcept {
 
 DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   DeviceCommand command;
-  obey();
+  apply_commands();
   const double nominal = device.period();
   const double dt = ticks == 0 ? nominal : reading.time - last_time;
   last_time = reading.time;

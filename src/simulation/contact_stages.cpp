@@ -348,7 +348,7 @@ bool ContactStages::redo(std::size_t max_blocks) noexcept {
   return false;
 }
 
-void ContactStages::start_afresh() {
+void ContactStages::restart() {
   change_all();
   bounds_ = workpiece_.bounds();
   phase_ = 0;

@@ -122,7 +122,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
   /// To be called when the workpiece was restored to an earlier state.
-  void start_afresh();
+  void restart();
 
   /// Restores up to `max_blocks` blocks, and at least one, to the last mark, and lists them as changed.
   /// @return number of restored blocks
@@ -154,7 +154,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Sets the dry friction of a material.
   void set_friction(MaterialId id, const DryFriction& friction) noexcept;
 
-  /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
+  /// Scales the cutting ratio of all materials while the spindle is slow: see `dry_friction_fraction`.
   void set_cutting_share(double share) noexcept;
 
  private:

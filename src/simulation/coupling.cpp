@@ -67,7 +67,7 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
         "the simulation evaluates contact in the middle of a step, where an implicit coupling would oscillate. "
         "Make it with SimulationConfig::contact_time = ContactTime::end.");
   const bool is_placed =
-      !simulation.starts_afresh() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
+      !simulation.next_step_is_first() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
   if (!is_placed) return;
   held_ = is_placed_ = true;
   result_.X_WH = X_WD_ = simulation.last_input().X_WH;

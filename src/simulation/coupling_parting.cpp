@@ -26,7 +26,7 @@ void VirtualCoupling::begin_grip(const Pose& X_WD, const Twist& V_WD, double dt)
 
 /// After an exchange the tool waits, because it has not cut its way into the material that it is in.
 void VirtualCoupling::part_after_exchange() noexcept {
-  if (!simulation_->starts_afresh() || (!held_ && simulation_->steps() == 0)) return;
+  if (!simulation_->next_step_is_first() || (!held_ && simulation_->steps() == 0)) return;
   waits_ = true;
   rejoin_ = Rejoin::free;
 }

@@ -72,7 +72,7 @@ double Simulation::State::turning_spin() const noexcept {
 /// can hold at a stalled one.
 void Simulation::State::update_cutting_share() noexcept {
   cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
-                                  : 1 - standing_share(motor.speed(), tool.head().cutting_radius());
+                                  : 1 - dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
   contact_stages.set_cutting_share(cutting_share);
 }
 

@@ -95,7 +95,7 @@ void Simulation::State::compare_cutters() noexcept {
 
 /// Makes the next step the first of the tool: its pose is unknown. The hand must not feel the material that the tool is
 /// in now.
-void Simulation::State::start_afresh() noexcept {
+void Simulation::State::forget_pose() noexcept {
   parted = parted || has_pose;
   has_pose = false;
   mean_velocity.reset();
@@ -121,7 +121,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.load = {};
   s.update_cutting_share();
   s.compare_cutters();
-  s.start_afresh();
+  s.forget_pose();
   return true;
 }
 
@@ -131,7 +131,7 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
   if (!s.workpiece.exchange_materials(p.materials)) return false;
   s.set_contact_materials();
   s.compare_cutters();
-  s.start_afresh();
+  s.forget_pose();
   return true;
 }
 
@@ -151,7 +151,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.parted = old.parted || old.has_pose;
   s.observers = std::exchange(prepared.state_->observers, {});
   s.contact_stages.change_all();
-  s.start_afresh();
+  s.forget_pose();
 }
 
 void Simulation::State::halt() noexcept {
@@ -213,7 +213,7 @@ bool Simulation::redo(std::size_t max_blocks) noexcept {
   s.contact_stages.forget_changes();
   if (s.workpiece.redo_marks() == 0) return true;
   const bool done = s.contact_stages.redo(max_blocks);
-  s.start_afresh();
+  s.forget_pose();
   return done;
 }
 

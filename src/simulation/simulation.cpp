@@ -84,7 +84,7 @@ AngularSpeed Simulation::spindle_setting() const noexcept {
 }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
-bool Simulation::starts_afresh() const noexcept { return !state_->has_pose; }
+bool Simulation::next_step_is_first() const noexcept { return !state_->has_pose; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
 std::uint64_t Simulation::workpiece_replacements() const noexcept { return state_->replacements; }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
@@ -136,9 +136,9 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
-  state_->contact_stages.start_afresh();
+  state_->contact_stages.restart();
   ++state_->replacements;
-  state_->start_afresh();
+  state_->forget_pose();
 }
 
 void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
@@ -153,7 +153,7 @@ bool Simulation::undo(std::size_t max_blocks) noexcept {
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
   s.contact_stages.undo(max_blocks);
-  s.start_afresh();
+  s.forget_pose();
   return s.workpiece.marks() < marks;
 }
 

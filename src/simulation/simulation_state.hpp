@@ -50,7 +50,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void set_material_friction() noexcept;
   void compare_cutters() noexcept;
   void halt() noexcept;
-  void start_afresh() noexcept;
+  void forget_pose() noexcept;
 
   // The stages of a step, in their order.
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {

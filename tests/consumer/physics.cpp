@@ -120,7 +120,7 @@ void require_friction(double normal) {
   const SpreadFriction contact = SpreadFriction::at_point(Vec3(0, 0, normal), friction);
   Vec3 force = Vec3::Zero();
   for (int step = 0; step < 100; ++step)
-    force = anchor.move(contact, {Vec3(0.01 * mm, 0, 0), Vec3::Zero()}, standing_share(0, kRadius)).wrench.force;
+    force = anchor.move(contact, {Vec3(0.01 * mm, 0, 0), Vec3::Zero()}, dry_friction_fraction(0, kRadius)).wrench.force;
   require(anchor.sliding() && is_near(-force.x(), friction.dynamic_friction * normal, 1e-9), "friction is not mu_d N");
 }
 

@@ -91,7 +91,7 @@ elseif(CASE STREQUAL "physics")
     message(FATAL_ERROR "a package of headers must say that it has no library:\n${output}")
   endif()
 elseif(CASE STREQUAL "c")
-  # Headers of C++ and archives are taken away: nobody needs them here.
+  # Headers of C++ and archives are removed: this program must not need them.
   file(GLOB_RECURSE others "${WORK}/prefix/*.hpp" "${WORK}/prefix/*.a")
   file(REMOVE ${others})
   build_consumer(c "-DCMAKE_IGNORE_PATH=/usr/include\;/include" -DCOMPONENT=c)

@@ -162,19 +162,19 @@ void change_while_touching(Report& report) {
   chain.before = [&](double time) {
     if (time < 0.02 || ++n % 2 != 0) return;
     const int kind = n / 2 % 40;  // exchanges are rare, so that the hand has a force in between
-    bool obeyed = true;
+    bool applied = true;
     if (kind == 0 || kind == 20) {
       if (chain.snapshot().tool.contact_voxels > 0) exchanges.push_back(chain.log.ticks.size());
-      obeyed = chain.model().obey(kind == 0 ? other_tool : other_material);
+      applied = chain.model().apply(kind == 0 ? other_tool : other_material);
     } else if (kind % 2 == 0) {
       Effects effects;
       effects.gravity = Gravity{};
       effects.gravity->mass = kind % 4 == 0 ? 0.01 : 0.0;
-      obeyed = chain.tell(commands::SetEffects{effects});
+      applied = chain.tell(commands::SetEffects{effects});
     } else {
-      obeyed = chain.tell(commands::SetSpindleSpeed{(kind % 4 == 1 ? 1 : -1) * 40000 * rpm});
+      applied = chain.tell(commands::SetSpindleSpeed{(kind % 4 == 1 ? 1 : -1) * 40000 * rpm});
     }
-    refused += obeyed ? 0 : 1;
+    refused += applied ? 0 : 1;
   };
   const Span span = chain.play(hand);
   const SceneLog& log = chain.log;

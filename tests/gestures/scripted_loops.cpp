@@ -162,7 +162,7 @@ Device& DeviceChain::device() { return *device_; }
 
 bool DeviceChain::tell(LoopCommand command) {
   model_->check(command);
-  return model_->obey(command);
+  return model_->apply(command);
 }
 
 Span DeviceChain::play(const Hand& hand) {

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every header compiles alone: those of include/ and src/, but what kernels include again and again (-inl.hpp).
+"""Checks that every header of include/ and src/ compiles alone, except those that kernels include repeatedly (-inl.hpp).
 
     headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
 
-One run of the compiler for each header, which nobody else's include helps. Two things keep the 200 runs short, and
-neither can hide a missing include:
+The compiler runs once for each header, without other includes before it. Two measures keep the 200 runs short. Neither
+can hide a missing include:
 
-* Where a header includes core/spatial.hpp, directly or not, that one is read first, precompiled, and Eigen with it. The
-  header sees it anyway, and those that it includes before are asked on their own.
-* A run ends at an assertion behind the header, which must be what stops it: parsed is the header by then, and the
-  templates that are instantiated at the end of a file, half of the time, are not.
+* If a header includes core/spatial.hpp, directly or not, that file and Eigen are read first, precompiled. The header
+  includes it anyway, and the headers that it includes before have their own runs.
+* A static assertion after the header stops each run, and no other error may stop it. The header is parsed by then. The
+  templates at the end of a file, half of the time, are not instantiated.
 
-Flags are those of the build: every include folder of its compile_commands.json. Public headers include with quotes only
-each other.
+The flags are those of the build, with every include folder of its compile_commands.json. Public headers include only each
+other with quotes.
 """
 import argparse
 import json

@@ -226,7 +226,7 @@ skipped|Bur.Writes|switched off in its source
 skipped|Bur.Reads|needs a file
 passed|Loop.Begins|
 failed|Rates/Loop.Turns/1|
-skipped|Loop.Waits|its program ended before it said why
+skipped|Loop.Waits|its program ended before it gave a reason
 failed|loop: ended in Loop.Crashes|
 failed|sound: ended in Sound.Leaves|
 failed|vdb: its report cannot be read: no element found: line 1, column 12|

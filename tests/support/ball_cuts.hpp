@@ -12,10 +12,11 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// Cuts balls out of a workpiece without a simulation, with the functions of the step: fast enough for thousands.
+/// Cuts balls out of a workpiece without a simulation, with the functions of the step: fast enough for thousands of
+/// cuts.
 namespace hapticut::test {
 
-/// Voxels at the face of the ball keep the part outside a tangent plane.
+/// Cuts a ball. Voxels at its surface keep the part outside a tangent plane.
 /// @param center, radius  [voxels]
 /// @return the blocks that were changed
 inline std::vector<VoxelIndex> cut_ball(Workpiece& workpiece, const Vec3& center, double radius) {

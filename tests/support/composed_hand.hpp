@@ -8,8 +8,8 @@
 #include "hapticut/tool/tool.hpp"
 #include "support/random_pose.hpp"
 
-/// A hand with a sequence of actions drawn from a seed: what it does, for how long, and how its tip gets there. It
-/// leads by position, as a hand does, but controls its pressing by the force that it feels.
+/// A hand with a sequence of actions drawn from a seed. Each action has a motion, a duration and a path of the tip. The
+/// hand sets the position of the tool, and controls how hard it presses by the force that it feels.
 namespace hapticut::test {
 
 /// What the hand does with the tool.
@@ -66,7 +66,7 @@ class ComposedHand {
       linear = Vec3(0, 0, kFast);
       angular = -2 * vector_from_rotation(X_WD_.rotation);  // upright again
     }
-    for (int axis = 0; axis < 3; ++axis) {  // within the piece, and not away from it for ever
+    for (int axis = 0; axis < 3; ++axis) {  // stays within the piece and near it
       const double low = axis == 2 ? -kBelow : -kAside, high = axis == 2 ? kAir : kAside;
       if (tip[axis] < low) linear[axis] = std::max(linear[axis], kFast);
       if (tip[axis] > high) linear[axis] = std::min(linear[axis], -kSlow);

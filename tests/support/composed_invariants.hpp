@@ -13,7 +13,7 @@
 #include "hapticut/simulation/coupling.hpp"
 #include "support/solid_depth.hpp"
 
-/// Invariants of every tick, whatever came before it. The first broken invariant is kept as a sentence.
+/// Invariants of every tick, after any sequence of ticks. The first broken invariant is kept as a sentence.
 namespace hapticut::test {
 
 /// The margins of a run to its bounds.
@@ -73,7 +73,7 @@ class ComposedInvariants final : public StepObserver {
     const double lost = volume_at_begin_ - volume_of(simulation_->workpiece());
     const double off = std::abs(lost - removed_) / std::max(removed_, kVolume);
     margins.volume = std::max(margins.volume, off);
-    must(off <= kVolumeShare, "removed_volume is what the workpiece lost", lost, removed_);
+    must(off <= kVolumeShare, "removed_volume is the volume that the workpiece lost", lost, removed_);
   }
   void begin_volume() {
     volume_at_begin_ = volume_of(simulation_->workpiece());
@@ -84,7 +84,7 @@ class ComposedInvariants final : public StepObserver {
   void expect_jump_of_stored() { energy_jumps_ = true; }
 
   /// To be called when the hand takes the tool again, and the coupling's ledger begins again.
-  void expect_new_grip() { is_let_go_ = true; }
+  void expect_new_grip() { is_released_ = true; }
 
   /// @param was_refusable  the reading of this tick was not a motion of a hand
   void look(const CoupledResult& result, const CouplingGains& gains, const Effects& effects, bool was_refusable) {
@@ -109,13 +109,13 @@ class ComposedInvariants final : public StepObserver {
     margins.refused += has_any(result.status, kRejected) ? 1 : 0;
     margins.cutting += result.removed_volume > 0 ? 1 : 0;
     margins.unbalanced += has_any(result.status, StepStatus::not_in_balance) ? 1 : 0;
-    if (was_refusable) must(waits, "a reading that is no motion of a hand is refused");
+    if (was_refusable) must(waits, "a reading that is not a motion of a hand is refused");
     if (waits) {
-      must(result.removed_volume == 0, "nothing is cut while the hand feels nothing", result.removed_volume);
+      must(result.removed_volume == 0, "nothing is cut while the hand feels no force", result.removed_volume);
       must(result.hand.force.isZero(0) && result.hand.torque.isZero(0), "a tool that waits gives no force");
       if (has_any(result.status, kRejected)) must(same_bits(result.X_WH, X_WH_), "a refused reading leaves the tool");
     }
-    must(result.removed_volume == removed_in_tick_, "the tick removes what its steps do", result.removed_volume,
+    must(result.removed_volume == removed_in_tick_, "the tick removes the volume of its steps", result.removed_volume,
          removed_in_tick_);
     look_at_coupling(result.energy, waits, has_any(result.status, StepStatus::not_in_balance));
     // With removal off, or where a stall or missing memory leaves material, the head may press itself in elastically.
@@ -135,14 +135,14 @@ class ComposedInvariants final : public StepObserver {
   /// @param applied  to the motors, after the guard
   void look(double removed, const Wrench& applied, double max_force, const Pose& X_WT) {
     ++margins.ticks;
-    must(is_finite(applied), "what the motors get is finite");
+    must(is_finite(applied), "the wrench of the motors is finite");
     must(hapticut::is_finite(X_WT), "the pose of the tool is finite");
-    must(applied.force.norm() <= kRounding * max_force, "the motors get no more than they may", applied.force.norm(),
-         max_force);
+    must(applied.force.norm() <= kRounding * max_force, "the force of the motors is within its limit",
+         applied.force.norm(), max_force);
     must(std::abs(removed - removed_in_tick_) <= kVolumeShare * removed_in_tick_ + kVolume * kVolumeShare,
-         "the tick removes what its steps do", removed, removed_in_tick_);
+         "the tick removes the volume of its steps", removed, removed_in_tick_);
     if (applied.force.isZero(0) && applied.torque.isZero(0))
-      must(removed_in_tick_ == 0, "nothing is cut while the hand feels nothing", removed_in_tick_);
+      must(removed_in_tick_ == 0, "nothing is cut while the hand feels no force", removed_in_tick_);
     margins.cutting += removed_in_tick_ > 0 ? 1 : 0;
     if (std::exchange(is_exchanged_, false))
       begin_volume();
@@ -154,7 +154,7 @@ class ComposedInvariants final : public StepObserver {
     mix(removed);
   }
 
-  void on_exchange() noexcept override { is_exchanged_ = is_let_go_ = true; }
+  void on_exchange() noexcept override { is_exchanged_ = is_released_ = true; }
 
   void on_step(const ObservedStep& step) noexcept override {
     const StepResult& result = step.result;
@@ -232,12 +232,12 @@ class ComposedInvariants final : public StepObserver {
     margins.unbooked = std::max(margins.unbooked, unbooked);
     margins.entered = std::max(margins.entered, entered);
     must(unbooked <= kUnbooked, "the ledger closes", unbooked, kUnbooked);
-    must(entered <= kEntered, "little comes in unpressed", entered, kEntered);
+    must(entered <= kEntered, "entered energy is small", entered, kEntered);
   }
 
   void look_at_coupling(const CouplingEnergy& e, bool waits, bool says_so) noexcept {
-    const bool is_new_grip = (is_let_go_ && !waits) || e.turnover < coupling_.turnover;
-    is_let_go_ = waits;
+    const bool is_new_grip = (is_released_ && !waits) || e.turnover < coupling_.turnover;
+    is_released_ = waits;
     margins.grips += is_new_grip ? 1 : 0;
     // A failed search for the balance sets a status; its error is counted separately.
     const double missed = e.imbalance() - coupling_.imbalance();
@@ -262,7 +262,7 @@ class ComposedInvariants final : public StepObserver {
     const double allowed = allowed_depth(*simulation_) + simulation_->workpiece().voxel_size();
     const double depth = solid_depth(*simulation_, X_WT);
     margins.too_deep = std::max(margins.too_deep, depth / allowed);
-    must(depth <= allowed, "no solid material deep in the head", depth, allowed);
+    must(depth <= allowed, "no solid material is deep in the head", depth, allowed);
   }
 
   /// The power of the motor in a step is its work less the work of the rotor as it slowed down. Its limit is the
@@ -302,7 +302,7 @@ class ComposedInvariants final : public StepObserver {
   double step_error_ = 0;  // [J] of `entered`
   CouplingEnergy coupling_;
   double explained_ = 0;  // [J] of the coupling's imbalance, by what changed between ticks
-  bool is_exchanged_ = false, is_let_go_ = true, energy_jumps_ = false, solid_may_be_deep_ = false;
+  bool is_exchanged_ = false, is_released_ = true, energy_jumps_ = false, solid_may_be_deep_ = false;
   double rotor_speed_ = std::numeric_limits<double>::infinity();  // [rad/s]
   Pose X_WH_;
 };

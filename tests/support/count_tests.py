@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What came of each test of a run of ctest, one a line: passed|failed|skipped <tab> name <tab> reason.
+"""Lists the result of each test of a run of ctest, one per line: passed|failed|skipped <tab> name <tab> reason.
 
     count_tests.py JUNIT REPORTS
 
-JUNIT is what `ctest --output-junit` wrote. Where REPORTS holds <name>.xml, the report of a GoogleTest program that ctest
-knows as <name>, the tests in it are counted instead. A program that ended before it wrote one has failed in the test that
-it was in, and what it says of those before stands; one without any test has failed, for its filter names tests that do
-not exist; so has what ctest could not start.
+JUNIT is the file that `ctest --output-junit` wrote. If REPORTS contains <name>.xml, the report of a GoogleTest program
+with the name <name> in ctest, the tests in that report are counted instead. These cases count as failed:
+
+* a program that ended before it wrote its report: the test that was running; the results of earlier tests are kept
+* a program without any test, because its filter names tests that do not exist
+* a program that ctest could not start
 """
 import re
 import sys
@@ -40,7 +42,7 @@ def of_output(name, output):
     """The tests of a GoogleTest program that left no report."""
     ended = re.findall(r"^\[ +(OK|FAILED|SKIPPED) +\] (\S+?)(?:,.*)? \(\d+ ms\)$", output, re.M)
     for outcome, test in ended:
-        reason = "its program ended before it said why" if outcome == "SKIPPED" else ""
+        reason = "its program ended before it gave a reason" if outcome == "SKIPPED" else ""
         yield {"OK": "passed", "FAILED": "failed", "SKIPPED": "skipped"}[outcome], test, reason
     begun = re.findall(r"^\[ RUN +\] (\S+)$", output, re.M)
     inside = begun[-1] if len(begun) > len(ended) else "no test"
@@ -48,7 +50,7 @@ def of_output(name, output):
 
 
 def of_ctest(test):
-    """A test that ctest knows and nobody else."""
+    """The result of a test without a report."""
     name, status = test.get("name"), test.get("status")
     output = test.findtext("system-out") or ""
     if re.search(r"^\[=+\] Running ", output, re.M):
@@ -68,7 +70,7 @@ def of_ctest(test):
 
 
 def outcomes(test, report):
-    """What came of a test of ctest, or of those in the report of its program."""
+    """The results of a test of ctest, or of the tests in the report of its program."""
     if not report.is_file():
         return list(of_ctest(test))
     try:

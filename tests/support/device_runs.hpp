@@ -33,7 +33,7 @@ inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3:
 }
 
 /// 1 N to the right, except in the first 50 ticks and from `free` to `again`.
-inline DeviceCallback press_and_let_go(long free, long again, long ticks) {
+inline DeviceCallback press_and_release(long free, long again, long ticks) {
   return [=, n = 0L](const DeviceState&) mutable {
     DeviceCommand command;
     ++n;
@@ -43,7 +43,8 @@ inline DeviceCallback press_and_let_go(long free, long again, long ticks) {
   };
 }
 
-/// In and out of contact, saturated, not finite: every branch of the guard that does not end the run.
+/// A force that enters and leaves contact, saturates and is not finite. It reaches every branch of the guard that does
+/// not end the run.
 /// @param n       tick, from 1
 /// @param growth  [N] a tick, over 300 ticks of each 400
 inline DeviceCommand through_the_guard(long n, const DeviceState& state, double growth) {
@@ -54,7 +55,7 @@ inline DeviceCommand through_the_guard(long n, const DeviceState& state, double 
   return command;
 }
 
-/// A released device that is nudged against a linear wall, and how it swings in it.
+/// A released device that is pushed against a linear wall, and the amplitude of its oscillation there.
 class NudgedPlant {
  public:
   explicit NudgedPlant(const char* device) : plant_(device_model(device), hand_model("released"), {}) {}

@@ -17,7 +17,7 @@
 namespace hapticut::test {
 
 /// A scripted tick as a reading.
-inline void read_happening(const ScriptedTick& now, DeviceState& state) {
+inline void read_scripted_tick(const ScriptedTick& now, DeviceState& state) {
   state.X_BS = now.X_BS;
   state.velocity = now.velocity;
   state.buttons = now.buttons;
@@ -26,7 +26,7 @@ inline void read_happening(const ScriptedTick& now, DeviceState& state) {
   state.fault = now.unplugged ? DeviceFault::disconnected : DeviceFault::none;
 }
 
-/// A mock that follows its script, whatever the force.
+/// A mock that follows its script at any force.
 struct RigidMock : DeviceUnderTest {
   static constexpr DeviceTraits kTraits{.has_buttons = false, .has_cable = false};
   explicit RigidMock(const char* model = "touch") { options.device = device_model(model); }
@@ -34,7 +34,7 @@ struct RigidMock : DeviceUnderTest {
   std::unique_ptr<Device> open() override {
     options.path = [this](double time) {
       DeviceState state;
-      read_happening(script(std::lround(time / GuardOptions{}.period)), state);
+      read_scripted_tick(script(std::lround(time / GuardOptions{}.period)), state);
       return state.X_BS;
     };
     return std::make_unique<Watched<MockDevice>>(commanded, options);
@@ -91,7 +91,7 @@ struct Playback : DeviceUnderTest {
     std::vector<DeviceState> readings(kReadings);
     for (long n = 0; n < kReadings; ++n) {
       DeviceState& state = readings[std::size_t(n)];
-      read_happening(script(n), state);
+      read_scripted_tick(script(n), state);
       state.time = 1e-3 * double(n);
       state.sequence = std::uint64_t(n) + 1;
     }
@@ -123,7 +123,7 @@ struct OwnDevice : DeviceUnderTest {
     device->forces.reserve(kLongest);
     device->next = [this](DeviceState& state) {
       state.time -= 1e-3;  // from zero
-      read_happening(script(long(state.sequence) - 1), state);
+      read_scripted_tick(script(long(state.sequence) - 1), state);
       return true;
     };
     device->on_write = [this](const Vec3& force) { commanded.push_back({force, Vec3::Zero()}); };

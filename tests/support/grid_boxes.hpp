@@ -12,10 +12,10 @@
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
-/// Boxes that do not match their grids.
+/// Boxes whose faces do not lie between voxels.
 namespace hapticut::test {
 
-/// Materials with the given relative stiffnesses; other constants do not matter to a standing head.
+/// Materials with the given relative stiffnesses; other constants do not affect a standing head.
 inline MaterialTable materials_of_stiffness(const std::vector<double>& relative_stiffnesses) {
   MaterialTable table;
   for (const double stiffness : relative_stiffnesses) {

@@ -10,7 +10,7 @@ namespace hapticut::test {
 
 inline constexpr double kPeriod = 1e-3;  // [s]
 
-/// A guard with readings of good time stamps, and forces that pass through it.
+/// A guard whose readings have regular time stamps. It limits the forces of a test.
 class GuardedLoop {
  public:
   explicit GuardedLoop(const GuardOptions& options = {}, const char* device = "touch")
@@ -29,12 +29,12 @@ class GuardedLoop {
     for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick();
     ASSERT_EQ(guard.state(), ArmingState::on);
   }
-  /// Runs with 1 N until it passes completely.
+  /// Runs with 1 N until the guard passes the full force.
   void push() {
     for (int n = 0; n < 10; ++n) tick({0, 0, 1});
     EXPECT_NEAR(tick({0, 0, 1}).force.z(), 1, 1e-12);
   }
-  /// Pushes for a while: no force may pass, and the guard waits until the tool is free.
+  /// Pushes for 100 ticks: no force may pass, and the guard waits until the tool is free.
   void expect_no_force_until_free() {
     for (int n = 0; n < 100; ++n) {
       EXPECT_TRUE(tick({0, 0, 1}).force.isZero(0));

@@ -8,7 +8,7 @@
 
 namespace hapticut::test {
 
-/// A ball of `rings` by 2 `rings` patches, counter-clockwise seen from outside.
+/// A ball of `rings` by 2 `rings` patches. Its triangles are counter-clockwise seen from outside.
 inline TriangleMesh ball_mesh(const Vec3& center, double radius, int rings) {
   TriangleMesh mesh;
   const int around = 2 * rings;

@@ -7,7 +7,7 @@
 
 namespace hapticut::test {
 
-/// A material whose name alone matters.
+/// A material with a name and default constants.
 [[nodiscard]] inline Material named(const std::string& name) {
   Material material;
   material.name = name;

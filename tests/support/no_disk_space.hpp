@@ -6,7 +6,7 @@
 
 namespace hapticut::test {
 
-/// While it lives, no file of this process can grow beyond a few bytes: writing fails like on a full disk.
+/// During its lifetime no file of this process can grow beyond a few bytes: writing fails as on a full disk.
 class NoDiskSpace {
  public:
   explicit NoDiskSpace(rlim_t bytes = 64) {

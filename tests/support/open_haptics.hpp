@@ -14,7 +14,7 @@
 #include "support/device_runs.hpp"
 
 /// @file
-/// Runs of OpenHaptics devices against the stand-in, with the test as the clock.
+/// Runs of OpenHaptics devices against the stand-in. The test drives the clock.
 namespace hapticut::test {
 
 inline OpenHapticsOptions options_for(const char* name = "") {
@@ -55,13 +55,13 @@ inline Vec3 rendered(int device) {
   return force;
 }
 
-/// The end of a run in ticks.
+/// The outcome of `run_in_ticks`.
 struct OpenHapticsOutcome {
   RunReport report;
   std::exception_ptr exception;
 };
 
-/// Runs a device in its own thread while this thread is the clock, until the run has ended.
+/// Runs a device in a separate thread until the run has ended. The calling thread drives the clock.
 inline OpenHapticsOutcome run_in_ticks(Device& device, const DeviceCallback& callback, const RunOptions& options,
                                        const std::function<void(long tick)>& before_tick) {
   OpenHapticsOutcome outcome;

@@ -86,7 +86,7 @@ class Program : public testing::Test {
     (void)drill(arguments + " --steps_csv " + path("steps.csv"));
     return read_csv(read_bytes(folder / "steps.csv"));
   }
-  /// The message of a command that is refused: one line in words of the program, without C++ names.
+  /// The message of a refused command: one line without C++ names.
   std::string refusal(const std::string& arguments, int code = kFailed, const std::string& program = kProgram) {
     const Outcome outcome = run_program(folder, arguments, program);
     EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.errors;

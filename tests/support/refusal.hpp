@@ -9,10 +9,10 @@
 #include "hapticut/core/errors.hpp"
 
 /// @file
-/// Messages with which the library refuses something.
+/// Messages of refused actions.
 namespace hapticut::test {
 
-/// The message with which an action is refused; empty: it is not refused.
+/// The error message of a refused action; empty if the action is not refused.
 template <class Action>
 std::string refusal(const Action& action) {
   try {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# A project that looks for a vendor's SDK with our module finds the stand-in, and is told what to do where it is absent:
+# Tests a find module: a project that uses it finds the stand-in of a vendor's SDK. If the SDK is absent, the message says
+# what to do:
 #   cmake -DPACKAGE=OpenHaptics -DLIBRARY=OpenHaptics_HD_LIBRARY -DSOURCE=... -DBINARY=... -DSDK=... -DFLAGS=... -DMODULES=...
 #         -DCOMPILER=... -DGENERATOR=... -P run_finder.cmake
 file(REMOVE_RECURSE "${BINARY}")
@@ -16,9 +17,9 @@ run(${CMAKE_COMMAND} --build "${BINARY}")
 run("${BINARY}/finder")
 
 file(REMOVE_RECURSE "${BINARY}")
-# As on a machine without the SDK, also where there is one.
+# Simulates a machine without the SDK, even if this machine has one.
 execute_process(COMMAND ${configure} -D${LIBRARY}=OFF
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(result EQUAL 0 OR NOT output MATCHES "${PACKAGE}_ROOT")
-  message(FATAL_ERROR "an absent SDK was not reported with what to do:\n${output}")
+  message(FATAL_ERROR "the message for an absent SDK does not say what to do:\n${output}")
 endif()

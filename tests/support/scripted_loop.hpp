@@ -29,7 +29,7 @@ inline std::unique_ptr<Device> stiff_mock(const std::string& path, double second
   return std::make_unique<MockDevice>(std::move(options));
 }
 
-using test::touch_gains;  // of the device that `stiff_mock` says to be stiffer
+using test::touch_gains;  // of the real device; `stiff_mock` states a higher stiffness
 
 inline Workpiece block(double voxel = 2e-4, double depth = 8e-3) {
   return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, voxel, plain_material());
@@ -61,8 +61,8 @@ class ScriptedLoop {
   explicit ScriptedLoop(double speed = 3000, bool coupled = false)
       : simulation(block(), ball(kRadius, speed), config(coupled)), model(simulation, *device, options(coupled)) {}
 
-  /// @param height  [m] of the ball's lowest point over the face, for each tick
-  /// @param at      actions before ticks, and expectations after them
+  /// @param height         [m] of the lowest point of the ball over the face, for each tick
+  /// @param before, after  actions and expectations before and after each tick
   void run(int ticks, const std::function<double(int)>& height, const std::function<void(int)>& before,
            const std::function<void(int)>& after) {
     RunOptions run = simulated_run();
@@ -82,7 +82,7 @@ class ScriptedLoop {
   }
   bool tell(LoopCommand command) {
     model.check(command);
-    return model.obey(command);
+    return model.apply(command);
   }
   [[nodiscard]] std::uint64_t events(SafetyEvent event) const { return report.events[std::size_t(event)]; }
 

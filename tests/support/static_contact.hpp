@@ -8,12 +8,12 @@
 #include "support/grid_boxes.hpp"
 
 /// @file
-/// A tool whose spindle stands, held still in a workpiece whose grid is misaligned with it.
+/// A tool with a standing spindle, held still in a workpiece with a misaligned grid.
 namespace hapticut::test {
 
 inline constexpr double kStiffness = 1e12;  ///< [N/m^4] k_v of the static cases, at relative stiffness 1
 
-/// Only springs: no removal, no friction; and a step may move the head anywhere, for `hold`.
+/// Only springs: no removal, no friction. A step may move the head by any distance, for `hold`.
 inline SimulationConfig static_config() {
   SimulationConfig config;
   config.reference_stiffness = kStiffness;
@@ -24,8 +24,7 @@ inline SimulationConfig static_config() {
   return config;
 }
 
-/// The wrench on a tool that stands still at a pose, or moves through it with the given velocity, which only the
-/// damping sees.
+/// The wrench on a tool at rest at a pose. The given velocity affects only the damping.
 ///
 /// Takes two steps. The first moves the tool there; if it is rejected as a jump, the second places it there. In the
 /// second step the tool does not move, so the wrench is that of exactly this pose.
@@ -39,8 +38,7 @@ inline const StepResult& hold(Simulation& simulation, const Pose& X_WH, const Tw
 inline const StepResult& hold_well(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
   const StepResult& result = hold(simulation, X_WH, velocity);
   if (result.status != StepStatus::ok || result.sub_steps != 1)
-    throw Error("a head that is held still takes " + std::to_string(result.sub_steps) +
-                " sub-steps: " + describe(result.status));
+    throw Error("a head at rest takes " + std::to_string(result.sub_steps) + " sub-steps: " + describe(result.status));
   return result;
 }
 

@@ -11,7 +11,7 @@
 
 namespace hapticut::test {
 
-/// A folder for the files of a test, removed afterwards.
+/// A folder for the files of a test. The destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

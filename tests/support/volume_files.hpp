@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Volumes in the formats that the library reads but does not write, byte by byte from the formats' descriptions, for
-/// tests without external files.
+/// Writes volumes in formats that the library only reads, byte by byte from the descriptions of the formats, for tests
+/// without external files.
 namespace hapticut::test {
 
 template <class Number>
@@ -97,7 +97,7 @@ std::string tiff_slice(std::uint32_t width, std::uint32_t height, const std::vec
 
 /// A NIfTI-1 file of int16 values.
 struct NiftiFile {
-  std::vector<std::int16_t> dims = {4, 3, 5};  ///< as many as there are
+  std::vector<std::int16_t> dims = {4, 3, 5};  ///< number of samples along each axis
   std::vector<float> spacing = {0.1F, 0.2F, 0.7F};
   std::vector<float> rows = {};        ///< 12 numbers: the affine map to x right, y front, z up, in mm
   std::vector<float> quaternion = {};  ///< 6 numbers: b, c, d and the offset, in mm

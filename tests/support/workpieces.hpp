@@ -22,7 +22,7 @@ inline Vec3 centroid_of(const Workpiece& workpiece, const VoxelIndex& at) {
   return Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps;
 }
 
-/// Empties one voxel as the step does.  @return false: the pool is exhausted
+/// Empties one voxel with the functions of the step.  @return false: the pool is exhausted
 inline bool cut_voxel(Workpiece& workpiece, const VoxelIndex& at) {
   const VoxelIndex origin = {block_start(at[0]), block_start(at[1]), block_start(at[2])};
   if (workpiece.writable_fill(origin) == nullptr) return false;

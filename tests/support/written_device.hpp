@@ -9,7 +9,7 @@
 #include "hapticut/device/simulated/device_models.hpp"
 
 /// @file
-/// A device that records what is written to it, and its options.
+/// A device that records the forces written to it, and options for its runs.
 namespace hapticut::test {
 
 /// Options with a real clock, without privileges, and with quick arming.
@@ -22,7 +22,7 @@ inline RunOptions real(double seconds) {
   return options;
 }
 
-/// Records what was written, and can simulate faults.
+/// Records the written forces, and can simulate faults.
 class WrittenDevice : public PolledDevice {
  public:
   WrittenDevice() : PolledDevice("written", capabilities_of_a_touch()) {}
@@ -51,7 +51,7 @@ class WrittenDevice : public PolledDevice {
   [[nodiscard]] bool is_simulated() const override { return true; }
 };
 
-/// No force at first, until the guard is armed, and then 1 N.
+/// No force until the time `from`, when the guard is armed, and then 1 N.
 inline DeviceCallback pushing(double from = 0.1) {
   return [=](const DeviceState& state) {
     DeviceCommand command;

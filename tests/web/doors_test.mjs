@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may come in, and what is left when somebody goes without a word.
+// Connections: which pages are accepted, and what remains when a page or the program ends without notice.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readdirSync, statSync } from "node:fs";
@@ -20,19 +20,19 @@ after(async () => {
   await program?.stop();
 });
 
-test("the second page looks on, and leads when the first has gone", async () => {
+test("the second page watches, and takes control after the first has closed", async () => {
   const first = await open(program.url);
   await isReady(first);
   const second = await open(program.url);
   await until(second, () => document.getElementById("role").textContent === "watching");
   await until(second, () => hapticut.workpiece.triangles > 1000);
   await until(second, () => document.querySelector('details[data-panel="tool"] fieldset')?.disabled === true);
-  await second.keyboard.press("Escape"); // who looks on is not thrown out, for the page does not send it
+  await second.keyboard.press("Escape"); // a watching page does not send it, so it is not disconnected
   await first.evaluate(() => hapticut.panels.set("Volume", 0.25));
   await until(second, () => hapticut.panels.control("Volume").value === 0.25);
   assert.equal(await second.locator("#role").textContent(), "watching");
   await first.context().close();
-  await until(second, () => hapticut.snapshot.arming === 0); // off: nobody leads
+  await until(second, () => hapticut.snapshot.arming === 0); // off: no page has control
   assert.deepEqual(await second.evaluate(() => hapticut.snapshot.force), [0, 0, 0]);
   await until(second, () => /reload this page if it only watches/.test(document.getElementById("cure").textContent));
   await second.reload();
@@ -40,12 +40,12 @@ test("the second page looks on, and leads when the first has gone", async () => 
   assert.equal(await second.locator("#role").textContent(), "in control");
 });
 
-test("a page with a wrong token is told so in a sentence", async () => {
+test("a page with a wrong token shows this in a sentence", async () => {
   const page = await open(program.url.replace(/token=.*/, "token=" + "0".repeat(32)));
   await until(page, () => /token/.test(document.getElementById("notice").textContent));
 });
 
-test("a page from elsewhere is refused", async () => {
+test("a page of another origin is refused", async () => {
   const { port, search } = new URL(program.url);
   const status = await new Promise((resolve) => {
     const request = http.request({ port, host: "127.0.0.1", path: "/socket" + search, headers: {
@@ -57,7 +57,7 @@ test("a page from elsewhere is refused", async () => {
   assert.equal(status, 403);
 });
 
-test("a scene that is not there, and a port in use, are one sentence each", async () => {
+test("an unknown scene and a port in use each give one sentence", async () => {
   const page = await open(program.url);
   await isReady(page);
   await page.evaluate(() => hapticut.load("no_such_thing.vdb"));
@@ -70,7 +70,7 @@ test("a scene that is not there, and a port in use, are one sentence each", asyn
   assert.match(other.stderr, /port .* Choose another port/);
 });
 
-test("the program ends well when its page has gone, after a load as a page's first word, and while it loads", async () => {
+test("the program ends without an error after its page has closed, after a load as the first command, and while it loads", async () => {
   const own = await startProgram("clay");
   try {
     const first = await open(own.url);
@@ -87,7 +87,7 @@ test("the program ends well when its page has gone, after a load as a page's fir
   }
 });
 
-test("a program that is killed leaves a recording that opens, and a page that says so", async () => {
+test("a killed program leaves a recording that opens, and its page reports the end", async () => {
   const page = await open(program.url);
   await isReady(page);
   await page.getByRole("button", { name: "Record" }).click();
@@ -98,12 +98,12 @@ test("a program that is killed leaves a recording that opens, and a page that sa
   await drill(page, { x, y }, [{ x: x + 10, y }]);
   const recording = () => readdirSync(program.folder).find((name) => name.endsWith(".h5"));
   const size = () => statSync(join(program.folder, recording())).size;
-  for (const then = size(); size() === then;) await nextSnapshot(page); // until what was drilled is written
+  for (const then = size(); size() === then;) await nextSnapshot(page); // until the drilled steps are written
   await program.stop("SIGKILL");
   await until(page, () => /program has ended/.test(document.getElementById("notice").textContent));
-  assert.equal(await page.locator("#cure").textContent(), "", "nothing is told that may be otherwise");
+  assert.equal(await page.locator("#cure").textContent(), "", "no cure of the last state stays visible");
   assert.ok(!await page.getByRole("button", { name: "Emergency stop" }).isVisible());
   const file = recording();
-  assert.ok(file, "a recording");
+  assert.ok(file, "there is no recording");
   execFileSync(process.env.HAPTICUT_PROGRAM, ["export", join(program.folder, file), join(program.folder, "steps.csv")]);
 });

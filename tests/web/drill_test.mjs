@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The molar is drilled with the mouse.
+// Drills the molar with the mouse, and uses every panel.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -23,7 +23,7 @@ const open = (panel) => page.locator("details", { has: page.locator("summary", {
 const valueOf = (label) => page.evaluate((name) => hapticut.panels.control(name).value, label);
 const button = (name) => page.getByRole("button", { name, exact: true });
 
-test("a pointer that nobody presses removes nothing, wherever it goes", async () => {
+test("a pointer without a pressed button removes nothing, wherever it moves", async () => {
   const { x, y } = await middle(page);
   for (const [dx, dy] of [[-120, -60], [110, 70], [-90, 90], [130, -80], [-20, 10], [0, -40]]) {
     await page.mouse.move(x + dx, y + dy);
@@ -34,7 +34,7 @@ test("a pointer that nobody presses removes nothing, wherever it goes", async ()
   assert.equal(await page.evaluate(() => hapticut.snapshot.undoMarks), 0);
 });
 
-test("a mouse drills the tooth, the curve shows it, undo and redo go over it", async () => {
+test("the mouse drills the tooth, the curve shows the force, and undo and redo restore the surface", async () => {
   const { x, y } = await middle(page);
   const curve = () => page.evaluate(() => [0, 1, 2].map((axis) => hapticut.curves.ring.decimate(axis, 50))
     .reduce(([a, b], { low, high }) => [Math.min(a, ...low.filter(Number.isFinite)), Math.max(b, ...high.filter(Number.isFinite))],
@@ -55,7 +55,7 @@ test("a mouse drills the tooth, the curve shows it, undo and redo go over it", a
   await until(page, (then) => hapticut.workpiece.triangles === then, before);
 });
 
-test("every control of every panel of the program changes what it says", async () => {
+test("every control of every panel of the program changes its value", async () => {
   const controls = await page.evaluate(() => JSON.parse(JSON.stringify([...hapticut.panels.controls.values()])));
   assert.ok(controls.length > 50, `${controls.length} controls`);
   for (const panel of new Set(controls.map((one) => one.panel)))
@@ -95,17 +95,17 @@ test("a value that is out of range is marked and not sent", async () => {
   await field.press("Enter");
 });
 
-test("the emergency stop takes the force, and a reset brings it back", async () => {
+test("the emergency stop removes the force, and a reset restores it", async () => {
   await page.keyboard.press("Escape");
   await until(page, () => hapticut.snapshot.arming === 5);
   await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // with the next picture
   assert.match(await page.locator("#cure").textContent(), /reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);
-  await until(page, () => document.getElementById("notice").textContent === ""); // it is over
+  await until(page, () => document.getElementById("notice").textContent === ""); // the notice is gone
 });
 
-test("another scene is loaded, the tool changes while it cuts, and the sound has the spindle's tone", async () => {
+test("another scene loads, the tool changes while it cuts, and the sound has the tone of the spindle", async () => {
   await open("Load");
   await page.getByRole("button", { name: "clay", exact: true }).click();
   await until(page, () => hapticut.panels.control("clay stiffness") !== undefined && hapticut.snapshot?.arming === 4);
@@ -123,7 +123,7 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
   await page.evaluate((speed) => hapticut.panels.set("Speed", speed), rpm);
   await until(page, () => Math.abs(hapticut.snapshot.speed / (2 * Math.PI) - 2000) < 20);
   const heard = await page.evaluate(() => hapticut.speaker.heard);
-  await until(page, (then) => hapticut.speaker.heard > then + 24_000, heard); // the tone follows in 30 ms of sound
+  await until(page, (then) => hapticut.speaker.heard > then + 24_000, heard); // the tone follows within 30 ms of sound
   const tone = await page.evaluate(() => {
     const samples = hapticut.speaker.recent.slice(-4800);
     let best = [0, 0];
@@ -138,7 +138,7 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
   assert.ok(Math.abs(tone - 2000) <= 20, `${tone} Hz`);
 });
 
-test("stereo has two halves, and two colours", async () => {
+test("stereo shows two halves or two colours", async () => {
   await open("Stereo");
   const pixels = (mode) => page.evaluate(async (name) => {
     const select = [...document.querySelectorAll('details[data-panel="stereo"] select')][0];
@@ -154,7 +154,7 @@ test("stereo has two halves, and two colours", async () => {
       const [r, g, b] = [data[4 * n], data[4 * n + 1], data[4 * n + 2]];
       if (Math.abs(r - ground[0]) + Math.abs(g - ground[1]) + Math.abs(b - ground[2]) < 40) continue;
       if (n % w < w / 2) ++left; else ++right;
-      if (r > g + 50 || b > r + 50) ++colored; // dentin is less red than that
+      if (r > g + 50 || b > r + 50) ++colored; // dentin is less red
     }
     return { left, right, colored, all: w * h };
   }, mode);
@@ -166,4 +166,4 @@ test("stereo has two halves, and two colours", async () => {
   await pixels("off");
 });
 
-test("nothing went wrong in the page", () => assert.deepEqual(page.mistakes, []));
+test("the page reports no errors", () => assert.deepEqual(page.mistakes, []));

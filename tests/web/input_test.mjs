@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, keys, fingers and gamepads beside each other, on a page that leads, one that looks on, and one that replays.
+// Mouse, keys, fingers and gamepads together: on a page in control, on a watching page and on a replay.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync } from "node:fs";
@@ -30,7 +30,7 @@ const pictures = async (on = page, count = 2) => {
   await until(on, ([from, more]) => hapticut.frames >= from + more, [then, count]);
 };
 const pressed = async () => {
-  await pictures(); // each asks the gamepads
+  await pictures(); // each picture reads the gamepads
   return page.evaluate(() => hapticut.hand.pressed);
 };
 const pull = (pad, value) => page.evaluate(([n, to]) => { window.pads[n].buttons[7].value = to; }, [pad, value]);
@@ -47,11 +47,11 @@ const drag = async (on, button = "left") => {
   await on.mouse.up({ button });
 };
 
-test("a press lasts until the last lets go that holds it, and idle gamepads hold and undo nothing", async () => {
+test("a press lasts until the last input is released, and idle gamepads neither hold nor release it", async () => {
   const { x, y } = await middle(page);
   await page.mouse.move(x, y - 40);
   await page.mouse.down();
-  assert.ok(await pressed(), "the mouse, beside two idle gamepads");
+  assert.ok(await pressed(), "the mouse, with two idle gamepads");
   await page.keyboard.down(" ");
   await page.mouse.up();
   assert.ok(await pressed(), "Space");
@@ -59,36 +59,36 @@ test("a press lasts until the last lets go that holds it, and idle gamepads hold
   await page.keyboard.up(" ");
   assert.ok(await pressed(), "the second gamepad");
   await pull(1, 0);
-  assert.ok(!await pressed(), "nobody");
+  assert.ok(!await pressed(), "no input");
   await pull(1, 1);
   assert.ok(await pressed(), "the second gamepad again");
   await page.evaluate(() => { window.kept = window.pads; window.pads = [null, null]; });
-  await until(page, () => !hapticut.hand.pressed); // the gamepads were taken away
+  await until(page, () => !hapticut.hand.pressed); // the gamepads are disconnected
   await page.evaluate(() => { window.pads = window.kept; });
   await pull(1, 0);
   await page.mouse.down();
   await page.mouse.down({ button: "right" });
   await page.mouse.up();
-  assert.ok(!await pressed(), "only the right button is left");
+  assert.ok(!await pressed(), "only the right button is still pressed");
   await page.mouse.up({ button: "right" });
   await page.keyboard.down(" ");
   assert.ok(await pressed(), "Space again");
   await page.evaluate(() => dispatchEvent(new Event("blur")));
-  assert.ok(!await pressed(), "the window is left with a key down");
+  assert.ok(!await pressed(), "the window lost the focus with a key down");
   await page.keyboard.up(" ");
   await page.mouse.down();
   assert.ok(await pressed());
-  const told = await page.evaluate(() => { // no picture comes any more
+  const told = await page.evaluate(() => { // no further picture is drawn
     Object.defineProperty(document, "hidden", { value: true, configurable: true });
     document.dispatchEvent(new Event("visibilitychange"));
     delete document.hidden;
     return hapticut.path.at(-1).pressed;
   });
-  assert.ok(!told, "the page is hidden, and has told so at once");
+  assert.ok(!told, "the page is hidden, and releases the press at once");
   await page.mouse.up();
 });
 
-test("keys lead the tool wherever the focus is, but where it needs them", async () => {
+test("keys move the tool with any focus, except in controls that use keys", async () => {
   const tip = () => page.evaluate(() => hapticut.hand.place.join());
   for (const [place, leads] of [["#views button", true], ["#record", true], ["aside input[type=text]", false], ["aside select", false]]) {
     await page.locator(place).first().evaluate((one) => one.focus());
@@ -102,7 +102,7 @@ test("keys lead the tool wherever the focus is, but where it needs them", async 
   assert.notEqual(await tip(), before, "without any focus");
 });
 
-test("Space and a trigger press on what lies under the tip, wherever keys have led it", async () => {
+test("Space and a trigger press on the surface under the tip, wherever keys have moved it", async () => {
   const { x, y } = await middle(page);
   for (const source of ["Space", "trigger"]) {
     await page.mouse.move(x, y - 20);
@@ -118,14 +118,14 @@ test("Space and a trigger press on what lies under the tip, wherever keys have l
     const way = after.tip.map((at, n) => at - before.tip[n]);
     const along = way.reduce((sum, by, n) => sum + by * before.axis[n], 0);
     const aside = Math.hypot(...way.map((by, n) => by - along * before.axis[n]));
-    assert.ok(aside < 1e-3, `${source}: ${1e3 * aside} mm beside where the keys have led`);
+    assert.ok(aside < 1e-3, `${source}: ${1e3 * aside} mm beside the place that the keys have set`);
     assert.ok(along < -after.depth, `${source}: ${1e3 * along} mm along the tool`);
     await (source === "Space" ? page.keyboard.up(" ") : pull(0, 0));
     assert.ok(!await pressed());
   }
 });
 
-/** The middle, as a mouse tells it; zoom enlarges what is less. */
+/** The middle in whole pixels, as a mouse reports it; zoom would enlarge a fraction of a pixel. */
 const pixel = async () => {
   const { x, y } = await middle(page);
   return { x: Math.floor(x), y: Math.floor(y) };
@@ -147,7 +147,7 @@ const isThere = async (point, at, pixels) => {
   assert.ok(clearance >= near && !inside, `${clearance} mm from the surface, ${near} mm to the near plane, inside: ${inside}`);
 };
 
-test("thirty notches of the wheel go to what is under the pointer, and end before it", async () => {
+test("thirty notches of the wheel zoom to the surface under the pointer, and end in front of it", async () => {
   const { x, y } = await pixel();
   for (const at of [{ x: x + 25, y: y - 30 }, { x: x - 30, y: y + 10 }]) {
     await page.keyboard.press("0");
@@ -160,12 +160,12 @@ test("thirty notches of the wheel go to what is under the pointer, and end befor
     await until(page, (from) => hapticut.eye.distance < from / 4, distance);
     await drawn(page);
     await isThere(point, at, 3);
-    await drag(page, "right"); // and it may turn there
+    await drag(page, "right"); // the view can turn there
     await isThere(point, at, Infinity);
   }
 });
 
-test("two fingers that part zoom to what is between them", async () => {
+test("spreading two fingers zooms to the surface between them", async () => {
   await page.keyboard.press("0");
   await drawn(page);
   const { x, y } = await pixel(), at = { x: x + 20, y: y - 20 }, point = await aim(at);
@@ -182,7 +182,7 @@ test("two fingers that part zoom to what is between them", async () => {
   await page.keyboard.press("0");
 });
 
-test("side by side, each half is pointed at through its own eye", async () => {
+test("side by side, the pointer uses the eye of the half that it is in", async () => {
   const choose = (name) => page.evaluate((to) => {
     const select = document.querySelector('details[data-panel="stereo"] select');
     select.value = to;
@@ -213,14 +213,14 @@ test("side by side, each half is pointed at through its own eye", async () => {
   await pictures();
 });
 
-test("the panel shows the depth that the wheel has set", async () => {
+test("the panel shows the depth that the wheel set", async () => {
   await page.mouse.wheel(0, -200);
   await pictures();
   assert.match(await page.locator('details[data-panel="pointer"] label', { hasText: "Depth" }).textContent(), /0\.7 mm/);
   await page.mouse.wheel(0, 200);
 });
 
-test("every text can be read, in the dark and in the light", async () => {
+test("every text is readable in the dark and in the light theme", async () => {
   for (const theme of ["dark", "light"]) {
     await page.evaluate((name) => { hapticut.setTheme(name); }, theme);
     await page.evaluate(() => { for (const panel of document.querySelectorAll("details")) panel.open = true; });
@@ -248,12 +248,12 @@ test("every text can be read, in the dark and in the light", async () => {
   }
 });
 
-test("buttons, notices and units are inside of the page, also on a telephone", async () => {
+test("buttons, notices and units are inside the page, also on a phone", async () => {
   const text = "A sentence of a hundred and twenty letters, as long as those of the guard with their cure, is read to its very end: yes.";
   for (const viewport of [{ width: 390, height: 844 }, { width: 1280, height: 720 }]) {
     await page.setViewportSize(viewport);
     await page.evaluate((words) => { hapticut.indicators.notice(words, 1); }, text);
-    await pictures(); // curves have the new width by then
+    await pictures(); // the curves then have the new width
     const outside = await page.evaluate(() => [...document.querySelectorAll("header *, aside *")].filter((one) => {
       const { left, right } = one.getBoundingClientRect();
       return one.checkVisibility() && (left < 0 || right > innerWidth + 1 || (one.id === "notice" && one.scrollWidth > one.clientWidth));
@@ -265,7 +265,7 @@ test("buttons, notices and units are inside of the page, also on a telephone", a
   await page.setViewportSize(kSize.viewport);
 });
 
-test("a drag turns the view of who looks on, and there is nothing that only who leads can do", async () => {
+test("a drag turns the view of a watching page, which has no controls of the page in control", async () => {
   const second = await openPage(browser, program.url, kSize);
   await until(second, () => document.getElementById("role").textContent === "watching" && hapticut.workpiece.triangles > 1000);
   const from = await direction(second);
@@ -277,18 +277,18 @@ test("a drag turns the view of who looks on, and there is nothing that only who 
   await second.context().close();
 });
 
-test("an exported page plays, turns, zooms and says its keys, and has nothing without meaning", async () => {
+test("an exported page plays, turns, zooms and lists its keys, and has no controls without effect", async () => {
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true" && hapticut.snapshot.arming === 4);
   const { x, y } = await middle(page);
   await drill(page, { x, y }, [{ x: x + 10, y }]);
-  for (let n = 0; n < 4; ++n) await page.keyboard.press("Shift+PageDown"); // free of the tooth, as a run begins
+  for (let n = 0; n < 4; ++n) await page.keyboard.press("Shift+PageDown"); // out of the tooth, as at the start of a run
   await atRest(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => /is complete/.test(document.getElementById("notice").textContent));
   await until(page, () => hapticut.snapshot.arming === 4);
   await pictures();
-  assert.match(await page.locator("#notice").textContent(), /is complete/, "that the force is on says the badge");
+  assert.match(await page.locator("#notice").textContent(), /is complete/, "the badge, not the notice, shows that the force is on");
   const recording = join(program.folder, readdirSync(program.folder).find((name) => name.endsWith(".h5")));
   const file = join(program.folder, "page.html");
   execFileSync(process.env.HAPTICUT_PROGRAM, ["export", recording, file, "--page", process.env.HAPTICUT_PAGE]);
@@ -308,4 +308,4 @@ test("an exported page plays, turns, zooms and says its keys, and has nothing wi
   assert.deepEqual(replay.mistakes, []);
 });
 
-test("nothing went wrong in the page", () => assert.deepEqual(page.mistakes, []));
+test("the page reports no errors", () => assert.deepEqual(page.mistakes, []));

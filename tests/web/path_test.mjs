@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the mouse removes is what the same path removes without a page, a loop and a coupling.
+// The mouse removes the same volume as its path does without page, loop and coupling.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -17,7 +17,7 @@ after(async () => {
   await program?.stop();
 });
 
-test("a scripted path of the mouse removes what the simulation removes, within 2 %", async () => {
+test("a scripted path of the mouse removes the volume that the simulation removes, within 2 %", async () => {
   const page = await openPage(browser, program.url);
   await isReady(page);
   await page.getByRole("button", { name: "top", exact: true }).click();

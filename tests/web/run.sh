@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# One test of the page: run.sh logic | FILE_test.mjs. Says what is missing where it cannot run.
+# Runs one test of the page: run.sh logic | FILE_test.mjs. If it cannot run, it says what is missing.
 set -eu
 if [ ! -d "$HAPTICUT_WEB/node_modules" ] || [ ! -f "$HAPTICUT_PAGE/index.html" ]; then
-  echo "SKIPPED: the page was not built, for npm could fetch nothing; run npm ci in web and build again."
+  echo "SKIPPED: the page was not built, because npm fetched nothing; run npm ci in web and build again."
   exit 0
 fi
 if [ "$1" = logic ]; then
@@ -13,7 +13,7 @@ if [ "$1" = logic ]; then
   exec "$HAPTICUT_NODE" --test build/tests/*_test.mjs
 fi
 if [ ! -x "$HAPTICUT_CHROMIUM" ]; then
-  echo "SKIPPED: there is no chromium; install it by scripts/install-deps.sh --for test."
+  echo "SKIPPED: there is no chromium; install it with scripts/install-deps.sh --for test."
   exit 0
 fi
 exec "$HAPTICUT_NODE" --test "$(dirname "$0")/$1"

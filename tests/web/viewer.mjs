@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program and a browser, for tests of the page. What they need comes by the environment: HAPTICUT_PROGRAM,
+// The program and a browser, for tests of the page. They use these environment variables: HAPTICUT_PROGRAM,
 // HAPTICUT_WEB (with node_modules), HAPTICUT_PAGE, HAPTICUT_CHROMIUM.
 import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
@@ -8,15 +8,15 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 const env = (name) => {
-  if (!process.env[name]) throw new Error(`${name} is not set; run these tests by ctest.`);
+  if (!process.env[name]) throw new Error(`${name} is not set; run these tests with ctest.`);
   return process.env[name];
 };
-const kEnd = Date.now() + 580_000; // a little before ctest ends the script, so that it is said what was waited for
+const kEnd = Date.now() + 580_000; // shortly before ctest ends the script, to report the condition that did not come true
 const left = () => Math.max(1, kEnd - Date.now());
-let fallen = ""; // of a program that nobody has stopped
+let unexpectedEnd = ""; // of a program that no test has stopped
 const { chromium } = createRequire(join(env("HAPTICUT_WEB"), "package.json"))("playwright-core");
 
-/** Runs the program until it has told its address. */
+/** Starts the program, and waits until it has printed its address. */
 export async function startProgram(scene, ...more) {
   const folder = mkdtempSync(join(tmpdir(), "hapticut-view-"));
   const child = spawn(env("HAPTICUT_PROGRAM"), ["view", scene, "--no-browser", "--page", env("HAPTICUT_PAGE"), ...more],
@@ -34,11 +34,11 @@ export async function startProgram(scene, ...more) {
   });
   const ended = new Promise((resolve) => {
     child.on("exit", (code, signal) => {
-      if (!stopped) fallen = `the program ended with ${code ?? signal}: ${failed}`;
+      if (!stopped) unexpectedEnd = `the program ended with ${code ?? signal}: ${failed}`;
       resolve({ code, signal });
     });
   });
-  /** Ends it, which it must do well unless it is killed. */
+  /** Ends the program. Throws if its exit code is not 0, unless it is killed. */
   const stop = async (signal = "SIGINT") => {
     if (stopped) return ended;
     stopped = true;
@@ -57,7 +57,7 @@ export const startBrowser = () => chromium.launch({
          "--autoplay-policy=no-user-gesture-required", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
 });
 
-/** A page that says what goes wrong in it. */
+/** Opens a page that collects its errors in `mistakes`. */
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "dark", ...options });
   context.setDefaultTimeout(left());
@@ -70,27 +70,27 @@ export async function openPage(browser, url, options = {}) {
 }
 
 /**
- * Waits until something that the page computes is so, however slow the machine is: as long as the program runs and the
- * page is connected to it. The page's own rules forbid to evaluate texts in it.
+ * Waits until a condition in the page is true, for any speed of the machine: as long as the program runs and the page is
+ * connected to it. The condition is a function, because the content policy of the page forbids evaluating strings.
  */
 export async function until(page, condition, argument) {
   const texts = () => ["role", "notice"].map((id) => document.getElementById(id).textContent);
   for (;;) {
     const [role, notice] = await page.evaluate(texts);
     if (await page.evaluate(condition, argument)) return;
-    const why = fallen || (role === "disconnected" && "the page is alone") || (Date.now() > kEnd && "its time is over");
-    if (why) throw new Error(`${why}; never so: ${condition}, ${JSON.stringify(argument)}; the page says: ${notice}`);
+    const why = unexpectedEnd || (role === "disconnected" && "the page is disconnected") || (Date.now() > kEnd && "timeout");
+    if (why) throw new Error(`${why}; never true: ${condition}, ${JSON.stringify(argument)}; the page says: ${notice}`);
     await page.waitForTimeout(50);
   }
 }
 
-/** Another snapshot than the one that the page has. The second from now on is of after now. */
+/** Waits for the next snapshot. It may be older than the call; the snapshot after it is not. */
 export async function nextSnapshot(page) {
   const tick = await page.evaluate(() => hapticut.snapshot.tick);
   await until(page, (then) => hapticut.snapshot !== null && hapticut.snapshot.tick !== then, tick);
 }
 
-/** Waits until the surface is whole: each frame of the program sends a part of it, while one is due. */
+/** Waits until the surface is complete: each frame of the program sends a part of the changes. */
 export async function whole(page) {
   for (let calm = 0, then = -1; calm < 5; ++calm) {
     const bytes = await page.evaluate(() => hapticut.workpiece.uploaded);
@@ -100,7 +100,7 @@ export async function whole(page) {
   }
 }
 
-/** Waits until a page leads and has its scene. Where the page before is not yet gone for the program, it comes anew. */
+/** Waits until a page has control and its scene. Reloads it if the program still has the connection of an earlier page. */
 export async function isReady(page) {
   await until(page, () => hapticut.snapshot !== null);
   if (await page.locator("#role").textContent() === "watching") {
@@ -113,10 +113,10 @@ export async function isReady(page) {
   await whole(page);
 }
 
-/** Waits until the camera is where it was sent. */
+/** Waits until the camera has reached its target. */
 export const drawn = (page) => until(page, () => !hapticut.eye.changed);
 
-/** Waits until the loop has the hand where the pointer is, and the tool creeps slower than 0.1 mm/s. */
+/** Waits until the loop has the position of the pointer, and the tool moves slower than 0.1 mm/s. */
 export async function atRest(page) {
   await until(page, () => {
     const { hand, instruments, moved, pointer } = hapticut, to = hand.X_WT.translation;
@@ -139,8 +139,8 @@ export async function middle(page) {
 }
 
 /**
- * Presses at a place of the page, goes along a way, and lets go.
- * @param pause  ms between places  @param atEnd  what to do before it lets go
+ * Presses the mouse at a point of the page, moves it along a path, and releases it.
+ * @param pause  ms between the points of the path  @param atEnd  called before the release
  */
 export async function drill(page, from, way, pause = 40, atEnd = async () => {}) {
   await drawn(page);

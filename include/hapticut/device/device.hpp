@@ -143,7 +143,7 @@ class Device {
   /// whole run uses the result.
   /// @param asked  [s] GuardOptions::period
   /// @throws Error when no period suits
-  [[nodiscard]] virtual double settle_period(double asked) { return asked; }
+  [[nodiscard]] virtual double choose_period(double asked) { return asked; }
 
   /// Scales the force that the device renders, from another thread, because the loop does not answer. Some devices can
   /// only switch the force off (0). Only for devices that hold the last force without further commands.

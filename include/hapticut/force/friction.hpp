@@ -58,7 +58,7 @@ inline constexpr double kFullSpinSpeed = 0.01;
 /// rest, so starting and stopping the spindle changes the force continuously.
 /// @param spin    [rad/s]
 /// @param radius  [m] maximum radius of the head
-[[nodiscard]] inline double standing_share(double spin, double radius) {
+[[nodiscard]] inline double dry_friction_fraction(double spin, double radius) {
   const double t = std::min(1.0, std::abs(spin) * radius / kFullSpinSpeed);
   return 1 - t * t * (3 - 2 * t);
 }

@@ -39,7 +39,7 @@ class LimitSurface {
   /// Moves the tool over the material.
   /// @param contact       about the reference point, a point of the tool, in axes that do not rotate
   /// @param displacement  [m], [rad] of the tool at that point, in the same axes
-  /// @param fraction      [1] part of the coefficients that acts: see `standing_share`
+  /// @param fraction      [1] part of the coefficients that acts: see `dry_friction_fraction`
   /// @param lead          [1] time of the force after the middle, in sub-steps: 0, or 0.5 for the end
   /// @realtime no allocation, no lock
   Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1,

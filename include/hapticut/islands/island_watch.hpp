@@ -76,7 +76,7 @@ class IslandModel final : public LoopModel {
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
   void check(const LoopCommand& command) const override { model_.check(command); }
-  bool obey(LoopCommand& command) noexcept override { return model_.obey(command); }
+  bool apply(LoopCommand& command) noexcept override { return model_.apply(command); }
   [[nodiscard]] Simulation* simulation() noexcept override { return model_.simulation(); }
 
  private:

@@ -34,7 +34,7 @@ class LoopModel {
   /// Applies a checked command, before the step of the same tick. Swaps the objects of the command with those in place.
   /// @return false when the command does not suit the objects in place, or the model does not know it. The loop counts
   ///         refused commands
-  virtual bool obey(LoopCommand& /*command*/) noexcept { return false; }
+  virtual bool apply(LoopCommand& /*command*/) noexcept { return false; }
 
   /// The simulation whose changed blocks the loop sends; null: no blocks are sent.
   [[nodiscard]] virtual Simulation* simulation() noexcept { return nullptr; }

@@ -79,7 +79,7 @@ class Simulation {
   /// `set_tool`, `set_materials`, `exchange` and `reset`. After these calls, the material that the tool is in is
   /// neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing. Exceptions are
   /// the very first step, and `reset` when no coupling holds the tool.
-  [[nodiscard]] bool starts_afresh() const noexcept;
+  [[nodiscard]] bool next_step_is_first() const noexcept;
 
   /// Upper bound on the work of a step.
   [[nodiscard]] WorstCase worst_case() const;
@@ -157,13 +157,13 @@ class Simulation {
   /// @throws Error naming the field, its value and the allowed range; then nothing has changed
   void set_effects(const Effects& effects);
 
-  /// Exchanges the tool. The workpiece with its cuts, undo marks, removed volumes and energies stay. The new tool
-  /// starts afresh (`starts_afresh`), with the speed of its own spindle.
+  /// Exchanges the tool. The workpiece with its cuts, undo marks, removed volumes and energies stay. The next
+  /// step is the first of the new tool (`next_step_is_first`), with the speed of its own spindle.
   /// @throws Error when the head does not suit the voxels or the law; then nothing has changed
   void set_tool(Tool tool);
 
-  /// Exchanges the constants of the materials. Cuts, undo marks, removed volumes and energies stay, and the tool starts
-  /// afresh.
+  /// Exchanges the constants of the materials. Cuts, undo marks, removed volumes and energies stay. The next step
+  /// is the first of the tool (`next_step_is_first`).
   /// @throws Error when the number of materials differs, or a stiffness is out of range; then nothing has changed
   void set_materials(MaterialTable materials);
 
@@ -178,7 +178,7 @@ class Simulation {
   void reserve_blocks(std::size_t count);
 
   [[nodiscard]] WorkpieceSnapshot snapshot() const;  ///< state of the workpiece, for `restore`
-  void restore(const WorkpieceSnapshot& snapshot);   ///< restores the workpiece; the tool starts afresh, in the air
+  void restore(const WorkpieceSnapshot& snapshot);   ///< restores the workpiece; then `next_step_is_first`
 
   /// Reserves memory for `set_undo_mark` and `undo`, also for workpieces of a later `reset`: see
   /// Workpiece::reserve_undo.
@@ -210,7 +210,7 @@ class Simulation {
 
   /// Restores the state of the last mark, by up to `max_blocks` blocks a call (at least one), 0.3 us each;
   /// `changed_blocks` then lists them. Call it until it returns true: the workpiece is then as at the mark, and the
-  /// mark is gone. The tool starts afresh. Removed volumes are not reduced.
+  /// mark is gone, and the next step is the first of the tool (`next_step_is_first`). Removed volumes are not reduced.
   /// @return true when it is done, or there is no mark
   /// @realtime no allocation, no lock; O(max_blocks)
   bool undo(std::size_t max_blocks) noexcept;

@@ -173,7 +173,7 @@ void ViewSession::hold() {
   controls_outdated_ = true;
 }
 
-void ViewSession::obey(const view::ViewCommand& command) {
+void ViewSession::apply(const view::ViewCommand& command) {
   try {
     if (!std::holds_alternative<view::WriterLeft>(command)) start();
     std::visit([this](const auto& one) { handle(one); }, command);

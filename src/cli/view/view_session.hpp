@@ -23,7 +23,7 @@ namespace hapticut::cli {
 /// The description of a scene that pages receive first.
 [[nodiscard]] view::Scene shown_scene(const Workpiece& workpiece);
 
-/// A scene being drilled and shown. The loop runs in its own thread. Another thread calls `frame` and `obey`, which
+/// A scene being drilled and shown. The loop runs in its own thread. Another thread calls `frame` and `apply`, which
 /// feed the server and forward commands.
 class ViewSession {
  public:
@@ -45,7 +45,7 @@ class ViewSession {
   void hold();
 
   /// Executes a command of a page. If that fails, sends a notice to the page.
-  void obey(const view::ViewCommand& command);
+  void apply(const view::ViewCommand& command);
 
   /// Sends all changes to the server; called sixty times per second.
   /// @param seconds  since the last call

@@ -49,13 +49,13 @@ Viewer::~Viewer() { end(); }
 
 void Viewer::frame() {
   const auto now = Clock::now();
-  while (const auto command = server_.receive()) obey(*command);
+  while (const auto command = server_.receive()) apply(*command);
   if (loading_.valid() && loading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish_loading();
   session_->frame(std::chrono::duration<double>(now - std::exchange(last_, now)).count());
   if (session_->consume_restart()) load(session_->name());
 }
 
-void Viewer::obey(const view::ViewCommand& command) {
+void Viewer::apply(const view::ViewCommand& command) {
   if (is_loading()) {
     has_writer_ = !std::holds_alternative<view::WriterLeft>(command);
     if (is_a_wish(command))
@@ -63,7 +63,7 @@ void Viewer::obey(const view::ViewCommand& command) {
   } else if (const auto* request = std::get_if<view::Load>(&command)) {
     load(request->name);
   } else {
-    session_->obey(command);
+    session_->apply(command);
   }
 }
 

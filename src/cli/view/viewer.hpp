@@ -52,7 +52,7 @@ class Viewer {
   void end() { replace(nullptr); }
 
  private:
-  void obey(const view::ViewCommand& command);
+  void apply(const view::ViewCommand& command);
   void load(const std::string& name);
   void finish_loading();
   void replace(std::unique_ptr<ViewSession> next);

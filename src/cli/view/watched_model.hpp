@@ -17,7 +17,7 @@ struct ModelSettings {
   double spindle_speed = 0;  ///< [rad/s] set speed while there is a force
   RemovalLaw removal = RemovalLaw::none;
   Effects effects;
-  std::uint64_t answered = 0;  ///< number of processed commands, obeyed or refused
+  std::uint64_t answered = 0;  ///< number of processed commands, applied or refused
 };
 
 /// A model that records data of every tick for a page: the force on the hand (the model's force as limited by the
@@ -78,11 +78,11 @@ class WatchedModel final : public LoopModel {
 
   [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
   void check(const LoopCommand& command) const override { model_.check(command); }
-  bool obey(LoopCommand& command) noexcept override {
-    const bool obeyed = model_.obey(command);
+  bool apply(LoopCommand& command) noexcept override {
+    const bool applied = model_.apply(command);
     ++answered_;
     settings_.write(settings_now());
-    return obeyed;
+    return applied;
   }
   [[nodiscard]] Simulation* simulation() noexcept override { return model_.simulation(); }
 

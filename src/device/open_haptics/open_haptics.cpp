@@ -63,7 +63,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
 
  protected:
   std::string drive(Servo& servo, const RunOptions& options) override;
-  [[nodiscard]] double settle_period(double asked) override;
+  [[nodiscard]] double choose_period(double asked) override;
   void scale_output(double scale) noexcept override;
 
  private:
@@ -225,8 +225,8 @@ HDCallbackCode OpenHapticsDevice::tick() noexcept {
   return HD_CALLBACK_DONE;
 }
 
-double OpenHapticsDevice::settle_period(double asked) {
-  return Scheduler::instance().settle_period(asked, connection_.handle());
+double OpenHapticsDevice::choose_period(double asked) {
+  return Scheduler::instance().choose_period(asked, connection_.handle());
 }
 
 void OpenHapticsDevice::scale_output(double scale) noexcept {

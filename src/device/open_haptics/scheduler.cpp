@@ -60,7 +60,7 @@ bool Scheduler::wait_for_driver() noexcept {
   return false;
 }
 
-double Scheduler::settle_period(double asked, HHD device) {
+double Scheduler::choose_period(double asked, HHD device) {
   const std::lock_guard lock(mutex_);
   if (users_ > 0) {
     if (asked != asked_) require_same(asked, period_);

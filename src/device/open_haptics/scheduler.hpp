@@ -54,10 +54,10 @@ class Scheduler {
 
   /// Requests a period if the scheduler does not run yet.  @return [s] the period of the scheduler
   /// @throws Error when the scheduler runs with another period
-  double settle_period(double asked, HHD device);
+  double choose_period(double asked, HHD device);
 
   /// Schedules calls of the highest priority. Starts the scheduler if it does not run yet.
-  /// @param period  [s] result of `settle_period`
+  /// @param period  [s] result of `choose_period`
   /// @throws Error when the driver refuses, or the period has changed since
   HDSchedulerHandle join(Entry& entry, double period);
 

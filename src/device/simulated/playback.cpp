@@ -16,7 +16,7 @@ PlaybackDevice::PlaybackDevice(std::vector<DeviceState> readings, const DeviceCa
 }
 
 /// The median period of the readings, if it differs from the requested period by more than the error of a clock.
-double PlaybackDevice::settle_period(double asked) {
+double PlaybackDevice::choose_period(double asked) {
   constexpr double kInexact = 0.02, kMinStep = 1e-5, kMaxStep = 0.1;  // [1], [s], [s]
   std::vector<double> steps;
   steps.reserve(readings_.size());

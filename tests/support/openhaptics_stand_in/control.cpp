@@ -8,7 +8,7 @@ using hdsim::simulation;
 
 namespace {
 
-constexpr std::size_t kHistory = 100000;  // ticks before a frame would allocate
+constexpr std::size_t kHistory = 100000;  // [frames] reserved, so that none of them allocates
 
 /// Runs `work` on a device under the lock.
 template <typename Work>

@@ -140,7 +140,7 @@ void hdBeginFrame(HHD handle) {
   Device* device = hdsim::find(handle);
   if (device == nullptr) return hdsim::push(HD_BAD_HANDLE, 0, handle);
   s.current = handle;
-  if (device->unplugged) hdsim::push(HD_COMM_ERROR, -28, 0);  // as in the field: no handle with it
+  if (device->unplugged) hdsim::push(HD_COMM_ERROR, -28, 0);  // like the real driver, without a handle
   if (device->frame_depth++ > 0) return;
   if (device->frame_done && device->enabled.count(HD_ONE_FRAME_LIMIT) > 0) {
     ++device->counters.illegal_begins;

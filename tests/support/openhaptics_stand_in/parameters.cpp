@@ -6,7 +6,7 @@
 namespace hdsim {
 namespace {
 
-/// What can be read under a name.
+/// The value of a parameter that hdGetIntegerv or hdGetDoublev reads.
 struct Parameter {
   int count = 0;  // 0: unknown
   bool whole = false;

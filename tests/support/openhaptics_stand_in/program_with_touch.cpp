@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line program as it is on a machine with the SDK and a Touch, whose scheduler runs in a thread of its own:
-// linked with the program's own main.
+// Simulates a machine with the SDK and a Touch, whose scheduler runs in a separate thread. Linked with the main
+// function of the command line program.
 #include <hdsim.h>
 
 namespace {

@@ -22,7 +22,7 @@ void finish_threads() {
   if (s.thread.joinable() && !in_servo()) s.thread.join();
 }
 
-/// Waits until a callback wants no further call.  @return false when the scheduler was stopped first
+/// Waits until a callback needs no further call.  @return false when the scheduler was stopped first
 bool has_ended(HDSchedulerHandle handle) {
   auto& s = simulation();
   for (;;) {

@@ -35,9 +35,9 @@ struct Device {
   std::string name, model;
   bool initialised = false;
   Reading actual, current;
-  Output set, committed, previous;  // being set in a frame, of the last frame, of the one before
+  Output set, committed, previous;  // of the current frame, of the last frame, of the frame before
   Output rendered;                  // by the motors in the last tick
-  double ramp = 0;                  // [N] that the amplifiers let through
+  double ramp = 0;                  // [N] limit of the amplifiers
   std::vector<Output> history;
   int frame_depth = 0;
   bool frame_done = false, frame_this_tick = false;
@@ -57,10 +57,10 @@ struct Callback {
   HDushort priority = 0;
 };
 
-/// One per process, like the library it stands for.
+/// One per process, like the real library.
 struct Simulation {
-  std::recursive_mutex tick;   // held over a tick: who takes callbacks back or stops the scheduler waits for its end
-  std::recursive_mutex mutex;  // of a call; taken after `tick`, and not held while a callback runs
+  std::recursive_mutex tick;   // held during a tick, so hdUnschedule and hdStopScheduler wait for its end
+  std::recursive_mutex mutex;  // held during a call; acquired after `tick`, and not held during a callback
   std::vector<HDErrorInfo> errors;
   std::vector<Device> devices;
   std::set<std::string> refused;
@@ -68,7 +68,7 @@ struct Simulation {
   HHD current = HD_INVALID_HANDLE;
 
   std::map<HDSchedulerHandle, Callback> callbacks;
-  Callback unscheduled;  // last, by hdUnschedule
+  Callback unscheduled;  // the last callback that hdUnschedule removed
   HDSchedulerHandle next_handle = 1;
   std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // of a tick; kept so that a tick allocates nothing
   bool running = false, use_thread = false;
@@ -91,8 +91,8 @@ Device* needed();
 void push(HDerror code, int internal = 0, HHD handle = 0);
 void sample(Device& device);
 
-/// What the motors make of the committed force: nothing in the tick in which a limit is exceeded, and a ramp after that
-/// and after the start.
+/// Computes the force of the motors from the committed force: zero in the tick in which a limit is exceeded, and
+/// limited by a ramp after that and after the start.
 void render(Device& device, HHD handle);
 int run_tick();
 

@@ -199,7 +199,7 @@ TEST_F(Drill, CutsTheLayersOfASlab) {
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 0);
 }
 
-TEST_F(Drill, SavesWhatIsLeftAndGoesOnFromThere) {
+TEST_F(Drill, SavesTheRemainingMaterialAndContinuesFromIt) {
   const nlohmann::json first = drill(kBlock + kStiffBall + kGroove + "--save " + path("left.vdb"));
   const nlohmann::json second = drill("--workpiece " + path("left.vdb") + " " + kStiffBall + kGroove);
   EXPECT_LT(second["removed_volume_mm3"]["total"].get<double>(),

@@ -147,7 +147,7 @@ TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
 }
 
 #ifdef HAPTICUT_HAS_ITK
-TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
+TEST_F(Files, OfSamplesNeedTheMeaningOfTheirValues) {
   std::string volume = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n";
   write_bytes(folder / "v.nrrd", volume + std::string(64, '\1'));
   const std::string source = "drill --workpiece " + path("v.nrrd") + " " + kBall + kLine;

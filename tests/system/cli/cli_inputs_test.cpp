@@ -81,7 +81,7 @@ TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
   EXPECT_EQ(message.find("unit"), std::string::npos) << message;
 }
 
-TEST_F(Inputs, ThatDoNotSayWhatTheirValuesMeanNeedAFlag) {
+TEST_F(Inputs, WithoutAMeaningOfTheirValuesNeedAFlag) {
   ASSERT_EQ(run("convert block " + path("a.vdb") + " --size_mm 2,2,2 --voxel_mm 0.2 --material cortical_bone").code, 0);
   std::string bytes = test::read_bytes(folder / "a.vdb");
   expect_refused("inspect " + path("a.vdb") + " --material clay", {"a.vdb", "leave --material out"});

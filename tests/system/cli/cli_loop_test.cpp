@@ -172,7 +172,7 @@ TEST_F(Loop, KeepsTheRecordingThatItPlays) {
   EXPECT_EQ(read_bytes(folder / "a.h5"), before);
 }
 
-TEST_F(Loop, RecordsWhatReplaysAndPlaysBackWithTheSameResult) {
+TEST_F(Loop, RecordsARunThatReplaysAndPlaysBackWithTheSameResult) {
   const nlohmann::json first =
       loop("mock:spiral,hand=nominal --seconds 4 --simulated-time --record " + path("a.h5") + " " + kCoarse);
   ASSERT_EQ(first["steps_lost_by_recorder"], 0);

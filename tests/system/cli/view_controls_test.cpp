@@ -39,7 +39,7 @@ struct Panel {
   Change set(const std::string& name, double value) { return controls.set({control(name).id, value}); }
   void tell(LoopCommand command) {
     watched.check(command);
-    EXPECT_TRUE(watched.obey(command));
+    EXPECT_TRUE(watched.apply(command));
   }
   void turn(const std::string& name, double value) {
     const Change change = set(name, value);
@@ -139,7 +139,7 @@ TEST(ViewControls, EachIsOneOfThoseThatAreTestedHere) {
   EXPECT_EQ(names.size(), turned().size() + kBeside.size());
 }
 
-TEST(ViewControls, ChangeInTheModelWhatTheyName) {
+TEST(ViewControls, ChangeTheQuantityOfTheModelThatTheyName) {
   for (const auto& [name, to] : turned()) {
     Panel panel;
     for (const auto& [other, value] : to.before) panel.turn(other, value);
@@ -154,7 +154,7 @@ TEST(ViewControls, ChangeInTheModelWhatTheyName) {
   }
 }
 
-TEST(ViewControls, RefuseWhatIsOutOfTheirRange) {
+TEST(ViewControls, RefuseValuesOutOfTheirRange) {
   Panel panel;
   const std::vector<view::Control> before(panel.controls.all().begin(), panel.controls.all().end());
   for (const view::Control& one : before) {
@@ -189,7 +189,7 @@ TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   EXPECT_NO_THROW((void)panel.controls.tool());
 }
 
-TEST(ViewControls, OfAButtonThatFailedAreWhatTheyWere) {
+TEST(ViewControls, KeepTheirValuesAfterAButtonFailed) {
   Panel panel;
   panel.turn("tool/Diameter", 2);
   ASSERT_EQ(panel.set("application/Reset", 1), Change::reset);

@@ -34,14 +34,14 @@ struct Desk {
   void turn(const std::string& label, double value) {
     const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())
-      if (control.label == label) return session.obey(view::SetControl{control.id, value});
+      if (control.label == label) return session.apply(view::SetControl{control.id, value});
     ADD_FAILURE() << "there is no control " << label;
   }
   /// Moves the tip of the ball to a point, and runs frames until the hand is there.
   void lead(const Vec3& tip, bool pressed) {
     const Pose X_WT = Pose::from_translation(tip + Vec3(0, 0, 0.5 * mm));
-    session.obey(view::LookAt{});
-    session.obey(view::MoveHand{X_WT * session.tool().X_HT().inverse(), pressed});
+    session.apply(view::LookAt{});
+    session.apply(view::MoveHand{X_WT * session.tool().X_HT().inverse(), pressed});
     ASSERT_TRUE(soon([&] {
       session.frame(0.016);
       return (session.latest().device.X_BS.translation - X_WT.translation).norm() < 1e-6;
@@ -51,7 +51,7 @@ struct Desk {
   /// Ends the run, so the model can be inspected.
   const Simulation& model() {
     frames();
-    session.obey(view::WriterLeft{});
+    session.apply(view::WriterLeft{});
     return session.simulation();
   }
   view::ViewServer server{{}};
@@ -67,7 +67,7 @@ TEST(ViewSession, BeginsASentenceWithACapitalButKeepsNames) {
     EXPECT_EQ(sentence(name), name);
 }
 
-TEST(ViewSession, HandsToTheModelWhatIsTurned) {
+TEST(ViewSession, SendsChangedControlsToTheModel) {
   Desk desk;
   desk.lead(Vec3(0, 0, 2 * mm), true);
   EXPECT_NEAR(desk.model().spindle_setting(), 1000, 1e-9);
@@ -81,7 +81,7 @@ TEST(ViewSession, HandsToTheModelWhatIsTurned) {
   EXPECT_NE(desk.model().spindle_setting(), 0);
   desk.turn("Gravity", 1);
   EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
-  desk.session.obey(commands::SetSpindleSpeed{500 * units::rad_per_s});
+  desk.session.apply(commands::SetSpindleSpeed{500 * units::rad_per_s});
   EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
 }
 
@@ -90,14 +90,14 @@ TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
   const Pose inside = Pose::from_translation({0, 0, -1 * mm});
   const auto press = [&] {
     for (int n = 0; n < 100; ++n) {
-      desk.session.obey(view::MoveHand{inside, true});
+      desk.session.apply(view::MoveHand{inside, true});
       desk.session.frame(0.016);
       std::this_thread::sleep_for(10ms);
     }
   };
   press();
   EXPECT_EQ(desk.model().removed_volume_by_material()[1], 0) << "the page has not looked at this scene yet";
-  desk.session.obey(view::LookAt{});
+  desk.session.apply(view::LookAt{});
   press();
   EXPECT_GT(desk.model().removed_volume_by_material()[1], 0);
 }
@@ -120,7 +120,7 @@ TEST(ViewSession, TellsTheForceThatTheHandIsGiven) {
   desk.lead(Vec3(0, 0, 1 * mm), false);
   desk.lead(Vec3(0, 0, -0.3 * mm), false);
   EXPECT_GT(desk.session.latest().tool.force.norm(), 0.1);
-  desk.session.obey(view::Stop{});
+  desk.session.apply(view::Stop{});
   ASSERT_TRUE(soon([&] { return desk.session.latest().arming == ArmingState::fault; }));
   std::this_thread::sleep_for(50ms);
   EXPECT_GT(desk.session.latest().tool.contact_voxels, 0);
@@ -153,7 +153,7 @@ TEST(ViewSession, ChangesTheHeadInTheRunAndTheHandleBesideIt) {
   EXPECT_NEAR(tool.head().cutting_radius(), 1 * mm, 1e-9) << "the head stays";
 }
 
-TEST(ViewSession, RecordsARunThatEndsWhole) {
+TEST(ViewSession, RecordsACompleteRun) {
   const test::TemporaryFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(folder / "");

@@ -274,7 +274,7 @@ TEST(Viewer, ALoadWhileOneIsUnderWayIsRefusedInASentence) {
   EXPECT_EQ(maker.made, 2);
 }
 
-TEST(Viewer, NobodyIsHeldByASceneThatNobodyLeads) {
+TEST(Viewer, ASceneWithoutAWriterStartsNoRun) {
   Maker maker;
   const auto device = open_device("mock:rest");
   cli::Viewer viewer("first", {}, device.get(), maker.function());
@@ -292,7 +292,7 @@ TEST(Viewer, NobodyIsHeldByASceneThatNobodyLeads) {
   EXPECT_FALSE(device->is_running());
   Page page(viewer.server());
   page.write(kUndo);
-  EXPECT_TRUE(soon([&] { return device->is_running(); })) << "somebody leads again";
+  EXPECT_TRUE(soon([&] { return device->is_running(); })) << "a page has control again";
 }
 
 }  // namespace

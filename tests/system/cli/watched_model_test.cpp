@@ -55,7 +55,7 @@ TEST(WatchedModel, TellsTheForceOfEachTickOnce) {
   EXPECT_EQ(cut.forces.back().norm(), 0) << "the second run begins in the material, and the guard holds its force back";
 }
 
-TEST(WatchedModel, KeepsTheOldestTicksWhileNobodyLooks) {
+TEST(WatchedModel, KeepsTheOldestTicksWhileNoneAreRead) {
   Cut cut;
   cut.run(int(WatchedModel::kTicks) + 10);
   const WatchedModel::Trace trace = cut.watched.drain_trace();
@@ -65,7 +65,7 @@ TEST(WatchedModel, KeepsTheOldestTicksWhileNobodyLooks) {
   EXPECT_EQ(cut.watched.drain_trace().samples.size(), 1U);
 }
 
-TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
+TEST(WatchedModel, ReportsTicksTheirLatenessAndTheRemovedVolume) {
   Cut cut;
   cut.watched.begin_run();
   cut.run(600);
@@ -79,18 +79,18 @@ TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
   EXPECT_EQ(shown.removed[0], cut.scripted.simulation.removed_volume_by_material()[1]);
 }
 
-TEST(WatchedModel, TellsWhatCommandsHaveMadeOfTheModel) {
+TEST(WatchedModel, ReportsTheSettingsAfterCommands) {
   Cut cut;
   EXPECT_EQ(cut.watched.settings().spindle_speed, 3000);
   EXPECT_EQ(cut.watched.settings().answered, 0U);
   LoopCommand refused = commands::Undo{};  // there is no mark
-  EXPECT_FALSE(cut.watched.obey(refused));
+  EXPECT_FALSE(cut.watched.apply(refused));
   EXPECT_EQ(cut.watched.settings().answered, 1U);
   Effects effects;
   effects.gravity = Gravity{.mass = 0.2};
   LoopCommand spindle = commands::SetSpindleSpeed{100 * units::rad_per_s}, gravity = commands::SetEffects{effects},
               removal = commands::SetRemoval{RemovalLaw::none};
-  for (LoopCommand* command : {&spindle, &gravity, &removal}) EXPECT_TRUE(cut.watched.obey(*command));
+  for (LoopCommand* command : {&spindle, &gravity, &removal}) EXPECT_TRUE(cut.watched.apply(*command));
   const cli::ModelSettings& has = cut.watched.settings();
   EXPECT_EQ(has.answered, 4U);
   EXPECT_EQ(has.spindle_speed, 100);

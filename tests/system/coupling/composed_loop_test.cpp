@@ -155,7 +155,7 @@ class Course {
     if (command_ == 9) hand_.hold(std::get<commands::SetTool>(*command).tool.tool());
     if (command_ == 9) invariants_.forget_motor();
     model_.check(*command);
-    (void)model_.obey(*command);
+    (void)model_.apply(*command);
   }
 
   std::optional<LoopCommand> next() {

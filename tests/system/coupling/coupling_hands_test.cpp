@@ -290,7 +290,7 @@ TEST(RandomHands, AndTheMotorGetNothingFromAHeadThatTurns) {
 }
 
 // A device without motors for torque lets the hand rotate the tool without torque. It gives away that work, not more.
-TEST(RandomHands, GetFromATurnWithoutMotorsAtMostWhatTheTurnWouldCost) {
+TEST(RandomHands, GetAtMostTheWorkOfARotationWithoutTorqueMotors) {
   Tally tally;
   for (int n = 0; n < kHands; ++n) {
     SCOPED_TRACE(named("no motors for torque", n));

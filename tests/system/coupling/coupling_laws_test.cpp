@@ -41,7 +41,7 @@ TEST(CouplingLaws, ALawThatIntegratesPartsIsNotAskedAtPoints) {
   EXPECT_THROW(Simulation(half_space(), ball(kSpin), config), Error);
 }
 
-TEST(CouplingLaws, TheDefaultLawInDisguiseMovesTheToolAsItDoesItself) {
+TEST(CouplingLaws, TheDefaultLawAsACustomLawMovesTheToolEqually) {
   for (const double spin : {0.0, kSpin})
     for (const double k : {1e14, 1e16}) {
       Simulation known(half_space(), ball(spin), implicit(k));

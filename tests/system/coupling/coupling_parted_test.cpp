@@ -97,7 +97,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   }
 }
 
-TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
+TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
   for (const Exchange& exchange : exchanges()) {
     if (exchange.name == std::string("reset")) continue;  // like a new simulation, whose first step may be anywhere
     SCOPED_TRACE(exchange.name);
@@ -310,7 +310,7 @@ TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
 
 // --- half a revolution against a head that cannot follow ------------------------------------------------------------
 
-TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
+TEST(PartedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
   const CouplingGains gains = coupling_gains(capabilities(device_model("premium6dof")));
   ASSERT_GT(gains.angular_stiffness, 0);
   const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});

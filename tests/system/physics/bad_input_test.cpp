@@ -51,7 +51,7 @@ class BadInput : public testing::Test {
   std::uint64_t before_ = 0;
 };
 
-TEST_F(BadInput, WhatIsNoReadingIsRejectedAndTheNextStepGoesOn) {
+TEST_F(BadInput, AnInvalidReadingIsRejectedAndTheNextStepContinues) {
   using enum StepStatus;
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     Pose pose = at(150);

@@ -116,7 +116,7 @@ TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
 }
 
 // The remaining material pushes back up to the depth it was pressed to: moving out and in again crushes nothing.
-TEST(Crushing, WhatIsLeftIsElastic) {
+TEST(Crushing, RemainingMaterialIsElastic) {
   Press press(SphereHead{kRadius}, 1e16, 0.1 * mm);
   const double force = press.move(0, 0.5 * mm, kRadius), crushed = press.crushed();
   const double hand = press.energy().hand_work, elastic = press.energy().elastic;

@@ -85,7 +85,7 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
   EXPECT_FALSE(has_any(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
 }
 
-TEST(NoAllocation, WhileHeatAndChangedBlocksAreCollectedAndNobodyTakesThem) {
+TEST(NoAllocation, WhileCollectedHeatAndChangedBlocksAreNotRead) {
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   HeatCollectorOptions options;
@@ -161,7 +161,7 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
       const double t = 1e-3 * tick;
       const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
       const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
-      const double fraction = standing_share(result.spindle.speed, 1e-3);
+      const double fraction = dry_friction_fraction(result.spindle.speed, 1e-3);
       ++(fraction == 1 ? standing : fraction == 0 ? spinning : between);
     }
   });

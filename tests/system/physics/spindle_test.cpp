@@ -55,7 +55,7 @@ TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
 }
 
 // `Tool(head)` has a standing spindle, and cuts nothing.
-TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
+TEST(Spindle, WithoutASpeedIsReportedWhenItTouchesMaterialThatCouldBeCut) {
   const auto status_of = [](const Spindle& spindle, RemovalLaw removal, double depth) {
     SimulationConfig config;
     config.removal = removal;

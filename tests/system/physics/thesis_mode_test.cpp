@@ -119,7 +119,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
 
 // 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l).
 // Proves: thesis mode.
-TEST(ThesisMode, TakesWholeVoxelsAwayWhereTheirPowerReachesWhatTheirStiffnessAsksFor) {
+TEST(ThesisMode, RemovesWholeVoxelsThatAreDeepEnoughForTheRequiredPower) {
   const double spin = 900, deepest_kept = 0.2 * mm;
   ThesisMode mode = constants();
   mode.law.required_power = mode.law.spin_torque * std::pow(spin, 1.5) * kRadius * kVoxel * deepest_kept;

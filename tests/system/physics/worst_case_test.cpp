@@ -115,7 +115,7 @@ TEST(LevelOfDetail, IsOnlyReducedWhereTheHeadTouchesMoreThanTheBudget) {
   EXPECT_TRUE(has_any(deep.status, StepStatus::detail_reduced));
 }
 
-TEST(LevelOfDetail, IsRefusedForALawOfOnesOwnAndForAnAbsurdBudget) {
+TEST(LevelOfDetail, IsRefusedForACustomLawAndForAnAbsurdBudget) {
   SimulationConfig config;
   config.voxel_budget = 10;
   EXPECT_THROW(Simulation(deep_block(), Tool(SphereHead{1 * mm}), config), Error);

@@ -156,7 +156,7 @@ TEST(CLoop, ObeysCommandsWhileItRuns) {
   EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_UNDO), HAPTICUT_ERROR_REFUSED) << "the loop was stopped";
 }
 
-TEST(CLoop, HasItsSimulationAndItsDeviceToItself) {
+TEST(CLoop, OwnsItsSimulationAndItsDeviceExclusively) {
   ScriptedLoop scripted;
   scripted.open_surface();
   Owned coupling;

@@ -279,7 +279,7 @@ TEST(CInterface, SavesAWorkpieceThatASceneReads) {
   EXPECT_EQ(volume_of(again.get()), volume_of(simulation.get()));
 }
 
-TEST(CInterface, SpeaksOfItselfAndOfItsStatus) {
+TEST(CInterface, ReportsItsVersionAndTheNamesOfStatusBits) {
   EXPECT_EQ(hapticut_abi_version(), std::uint32_t(HAPTICUT_ABI_VERSION));
   EXPECT_EQ(std::string(hapticut_version()).find("0."), 0U) << hapticut_version();
   char text[64];

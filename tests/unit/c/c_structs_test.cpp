@@ -125,7 +125,7 @@ TEST(CStructs, OfAnOlderCallerHaveTheirDefaults) {
   EXPECT_NE(result.status, 0U);
 }
 
-TEST(CStructs, OfANewerCallerMayNotAskForWhatIsNotHere) {
+TEST(CStructs, OfANewerCallerMayNotSetUnknownFields) {
   const Owned simulation(simulation_of());
   struct Newer {
     hapticut_step_input input;

@@ -26,7 +26,7 @@ void in_threads(int count, Body&& body) {
   for (std::thread& one : threads) one.join();
 }
 
-TEST(CThreads, WhoComesWhileAnotherIsAtItIsToldSo) {
+TEST(CThreads, ACallOnABusyObjectReturnsBusy) {
   const Owned simulation(simulation_of());
   std::atomic<int> made{0}, busy{0}, wrong{0};
   in_threads(4, [&](int) {
@@ -77,7 +77,7 @@ TEST(CThreads, HaveEachItsOwnLastError) {
   EXPECT_EQ(hapticut_last_error(), here);
 }
 
-TEST(CThreads, OnlyOneReleasesAHandleAndNobodyIsLeftInACall) {
+TEST(CThreads, AHandleIsReleasedOnceWhileOtherThreadsUseIt) {
   for (int round = 0; round < 200; ++round) {
     hapticut_sound sound = 0;
     ASSERT_EQ(hapticut_sound_open(nullptr, &sound), HAPTICUT_OK);

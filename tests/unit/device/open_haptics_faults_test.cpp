@@ -33,7 +33,7 @@ constexpr unsigned kCalibrationNeedsUpdate = 0x5001, kCalibrationNeedsManualInpu
 
 class OpenHapticsFaults : public test::OpenHapticsTest {};
 
-TEST_F(OpenHapticsFaults, SaysWhatTheDriverSaidWhenItIsUnplugged) {
+TEST_F(OpenHapticsFaults, ReportsTheErrorOfTheDriverWhenItIsUnplugged) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
@@ -209,7 +209,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
     add_touch();
     const auto device = open_open_haptics(options_for());
     std::vector<double> forces;
-    const Outcome outcome = run(*device, test::press_and_let_go(300, 350, 600), quick(), [&](long tick) {
+    const Outcome outcome = run(*device, test::press_and_release(300, 350, 600), quick(), [&](long tick) {
       if (tick == 280) hdsim_inject_error(0, code, 0);
       forces.push_back(committed(0).force.x());
     });
@@ -244,7 +244,7 @@ TEST_F(OpenHapticsFaults, NeverMakesTheDriverToggleItsAmplifiersHoweverGreatAFor
   EXPECT_LE(fading_in, 2.0) << "the driver's own ramp, 10 N/s";
 }
 
-TEST_F(OpenHapticsFaults, LetsAStrongDeviceLetGoAtOnceWithoutTheDriverSwitchingItOff) {
+TEST_F(OpenHapticsFaults, ReleasesAStrongDeviceAtOnceWithoutTheDriverSwitchingItOff) {
   add_premium();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, [n = 0](const DeviceState&) mutable {
@@ -263,7 +263,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTh
   add_touch();
   const auto device = open_open_haptics(options_for());
   std::vector<double> motors;
-  const Outcome outcome = run(*device, test::press_and_let_go(500, 550, 1000), quick(), [&](long tick) {
+  const Outcome outcome = run(*device, test::press_and_release(500, 550, 1000), quick(), [&](long tick) {
     place(0, Pose{}, Vec3(tick >= 480 && tick < 483 ? 1.3 : 0, 0, 0));  // 1.2 m/s are the driver's limit
     motors.push_back(test::rendered(0).x());
   });
@@ -275,7 +275,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTh
   EXPECT_EQ(motors[950], 1);
 }
 
-TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
+TEST_F(OpenHapticsFaults, EndsOnErrorsOfTheProgrammer) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
@@ -332,7 +332,7 @@ TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
   EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because it pushes all the time
 }
 
-TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhenSomebodyHoldsTheLinks) {
+TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhileTheUserHoldsTheLinks) {
   add_premium();
   hdsim_set_calibration(0, kCalibrationNeedsManualInput);
   try {

@@ -22,7 +22,7 @@ using test::quick;
 
 class OpenHaptics : public test::OpenHapticsTest {};
 
-TEST_F(OpenHaptics, OpensTheDefaultDeviceAndAsksWhatItIs) {
+TEST_F(OpenHaptics, OpensTheDefaultDeviceAndReadsItsCapabilities) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const DeviceCapabilities& c = device->capabilities();
@@ -55,7 +55,7 @@ TEST_F(OpenHaptics, GoesThroughTheNamesThatDriversUse) {
   EXPECT_NE(outcome.report.warnings.front().find("Default PHANToM"), std::string::npos);
 }
 
-TEST_F(OpenHaptics, SaysWhyNothingCouldBeOpened) {
+TEST_F(OpenHaptics, ReportsWhyNoDeviceCouldBeOpened) {
   try {
     (void)open_open_haptics(options_for("Left"));
     FAIL();

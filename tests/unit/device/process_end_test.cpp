@@ -132,7 +132,7 @@ struct CrashOfTheLoop {
 };
 CrashOfTheLoop* crash_of_the_loop = nullptr;  // in memory that the processes share
 
-TEST(Device, WaitsForNobodyWhenItsOwnThreadCrashes) {
+TEST(Device, DoesNotWaitWhenItsOwnThreadCrashes) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
   constexpr double kGrace = 0.3;  // [s] that a loop has to switch its force off

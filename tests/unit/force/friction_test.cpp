@@ -40,7 +40,7 @@ RC_GTEST_PROP(LimitSurface, NeverLeavesTheConeAndNeverDissipatesLessThanNothing,
   for (int i = 0; i < 100; ++i) {
     const Vec3 normal = *rc::gen::inRange(0, 20) == 0 ? Vec3(0, 0, 0) : *arbitrary_vector(5);
     const Vec3 move = *arbitrary_vector(0.5 * mm);
-    const double share = *number_between(0, 1);
+    const double fraction = *number_between(0, 1);
     const auto outcome = move_point(contact, normal, move, friction, share);
     RC_ASSERT(outcome.force.norm() <= friction.static_friction * share * normal.norm() * (1 + 1e-9));
     RC_ASSERT(std::abs(outcome.force.dot(normal)) <= 1e-9 * (1 + normal.squaredNorm()));
@@ -64,17 +64,17 @@ TEST(LimitSurface, HasNoAnchorWithoutContact) {
 }
 
 // Proves: hand-over to the spin.
-TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
+TEST(DryFrictionFraction, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
   const double radius = 1 * mm, full = kFullSpinSpeed / radius;
-  EXPECT_EQ(standing_share(0, radius), 1);
-  EXPECT_EQ(standing_share(full, radius), 0);
-  EXPECT_EQ(standing_share(-2 * full, radius), 0);
+  EXPECT_EQ(dry_friction_fraction(0, radius), 1);
+  EXPECT_EQ(dry_friction_fraction(full, radius), 0);
+  EXPECT_EQ(dry_friction_fraction(-2 * full, radius), 0);
   double before = 1;
   for (double spin = 0; spin <= full; spin += full / 1000) {
-    const double share = standing_share(spin, radius);
-    EXPECT_LE(share, before);
-    EXPECT_LT(before - share, 2e-3) << "no step";
-    before = share;
+    const double fraction = dry_friction_fraction(spin, radius);
+    EXPECT_LE(fraction, before);
+    EXPECT_LT(before - fraction, 2e-3) << "no step";
+    before = fraction;
   }
 }
 

@@ -94,7 +94,7 @@ double wetted_area(const Workpiece& workpiece) {
   return field.balance().irrigation / (config.irrigation * 1e-3);
 }
 
-TEST(HeatField, TakesTheSurfaceOfABodyForWhatItIs) {
+TEST(HeatField, MeasuresTheSurfaceOfABody) {
   // Cells of 0.4 mm. A plate's faces are exact; where faces meet in an edge the diagonal across it counts.
   const double ball =
       wetted_area(build_sphere({0.03 * mm, 0.01 * mm, 0.02 * mm}, 3 * mm, 0.1 * mm, test::named("bone")));

@@ -13,7 +13,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-TEST(AtomicFile, WhatAKilledProgramLeftIsRemovedByTheNext) {
+TEST(AtomicFile, TheFileOfAKilledProgramIsRemovedByTheNextOne) {
   const TemporaryFolder folder;
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);

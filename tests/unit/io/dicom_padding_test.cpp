@@ -99,7 +99,7 @@ TEST(DicomPadding, IsFoundInCompressedPictures) {
   expect_slices(two_slices(change, "1.2.840.10008.1.2.5"), {-1254, -1254, -997, -996}, 2);
 }
 
-TEST(DicomPadding, StandsInTheFileOrInAnyFunctionalGroup) {
+TEST(DicomPadding, IsReadFromTheFileOrFromAnyFunctionalGroup) {
   const auto read = [](int where) {
     DicomElements e = test::dicom_picture(2, 1, {7, 1, 7, 1}), converted, other, shared;
     e.set(0x00280008, "IS", "2").set(0x00180088, "DS", "0.5");

@@ -101,7 +101,7 @@ TEST(Dicom, PicturesBesideSlicesAreLeftOut) {
   }
 }
 
-TEST(Dicom, ASeriesOfWhatHasNoneIsRefused) {
+TEST(Dicom, ASeriesOfFilesThatAreNotDicomIsRefused) {
   const TemporaryFolder folder;
   const std::string png = test::png_slice(4, 3, std::vector<std::uint8_t>(12));
   for (const char* name : {"1.png", "2.png"}) write_bytes(folder / name, png);

@@ -78,7 +78,7 @@ TEST(Picture, ShowsABallRoundFramedAndLitFromTheUpperLeft) {
   EXPECT_GT(pixels.brightness(60, 40), pixels.brightness(100, 80) + 60);
 }
 
-TEST(Picture, WhatIsInFrontHidesWhatIsBehind) {
+TEST(Picture, ANearerSurfaceHidesAFartherOne) {
   const TemporaryFolder folder;
   const ColoredMesh red = ball(Vec3(0, 5, 0) * mm, 2 * mm, {220, 30, 30});
   const ColoredMesh blue = ball(Vec3(0, -5, 0) * mm, 1 * mm, {30, 30, 220});
@@ -132,7 +132,7 @@ TEST(Picture, TheScaleBarIsDrawnInTheCorner) {
   EXPECT_NEAR(dark, 0.88 * 120 / 4, 2);
 }
 
-TEST(Picture, WhatCannotBeShownOrWrittenIsRefused) {
+TEST(Picture, InvalidPicturesAndPathsAreRefused) {
   const TemporaryFolder folder;
   const ColoredMesh good = ball(Vec3::Zero(), 1 * mm, {200, 200, 200});
   const auto refuses = [&](const std::vector<ColoredMesh>& meshes, const PictureOptions& options) {

@@ -219,7 +219,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   EXPECT_GT(max_difference, 0.1);
 }
 
-TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {
+TEST(Recorder, RecordsStepsThatOtherCodeMakes) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());
@@ -277,7 +277,7 @@ TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
   EXPECT_EQ(folder.file_count(), 0U);
 }
 
-TEST(Recorder, EndsWhenAPieceThatWasCutLooseLeavesAndWhatCameBeforeReplays) {
+TEST(Recorder, EndsWhenALoosePieceIsRemovedAndTheRecordedStepsReplay) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());

@@ -59,7 +59,7 @@ std::string octal(const Reply& reply) {
   return text;
 }
 
-TEST(RecordingProcess, GivesWhatHdf5GivesInThisProcess) {
+TEST(RecordingProcess, ReadsTheSameDataAsHdf5InThisProcess) {
   const TemporaryFolder folder;
   const std::filesystem::path path = recorded(folder);
   RecordingProcess process(path, std::filesystem::file_size(path));

@@ -69,7 +69,7 @@ TEST(Recording, ReplaysEverySceneWithTheSameBits) {
   }
 }
 
-TEST(Recording, HoldsWhatTheStepsReturned) {
+TEST(Recording, HoldsTheResultsOfTheSteps) {
   const TemporaryFolder folder;
   Simulation simulation = small_cut();
   RecorderOptions options = patient();
@@ -114,7 +114,7 @@ TEST(Recording, HoldsWhatTheStepsReturned) {
   EXPECT_TRUE(recording.read(300, 10).empty());
 }
 
-TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
+TEST(Recording, ReplaysSettingsBetweenStepsAndRejectedSteps) {
   const TemporaryFolder folder;
   SimulationConfig config;
   config.reserved_blocks = 2;  // soon used up

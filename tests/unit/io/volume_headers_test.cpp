@@ -138,7 +138,7 @@ TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
       << "the last ones, which it asks for";
 }
 
-TEST(Nifti, WhoseValuesWouldBeginInItsHeaderHasThemBehindIt) {
+TEST(Nifti, AnOffsetWithinTheHeaderMeansThatTheValuesFollowIt) {
   test::NiftiFile file;
   file.values.resize(60);
   file.values[0] = 7;
@@ -209,7 +209,7 @@ TEST(MetaImage, SkipsKeysThatItDoesNotKnowHoweverManyAndLong) {
   expect_meta_refusal(kMeta3 + keys, "its header is longer than");
 }
 
-TEST(MetaImage, ReadsWhatStandsBehindTheNameOfItsDataFile) {
+TEST(MetaImage, ReadsFieldsAfterTheNameOfItsDataFile) {
   const std::string header = kMeta3 + "ElementDataFile = v.raw\n";
   expect_ramp(read("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\n\n"));
   expect_refused("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\nabc\n", "damaged at 'abc'");

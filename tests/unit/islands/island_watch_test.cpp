@@ -115,7 +115,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   EXPECT_TRUE(simulation.remove_voxels(others));
 }
 
-TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
+TEST(IslandWatch, RemovesAPieceBesideACustomLoop) {
   Simulation simulation = bar_and_ball();
   IslandWatch watch(simulation);
   for (int tick = 1; tick <= kThrough; ++tick) {

@@ -275,7 +275,7 @@ TEST(IslandFinder, TakesThinVoxelsForAirAndTheirSkinWithTheIsland) {
   EXPECT_EQ(sizes_of(finder.find()), Sizes{125});
 }
 
-TEST(IslandFinder, JoinsAgainWhatAnUndoBringsBack) {
+TEST(IslandFinder, JoinsAPieceAgainAfterAnUndo) {
   Workpiece block = block_of(32, 32, 32);
   block.reserve_undo(1000);
   IslandFinder finder(block);

@@ -85,7 +85,7 @@ TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
   }
 }
 
-TEST(SetTool, RefusesWhatTheConstructorWouldAndChangesNothingThen) {
+TEST(SetTool, RefusesTheToolsThatTheConstructorRefusesAndThenChangesNothing) {
   Simulation simulation(block(), ball(1e-3), config());
   EXPECT_THROW(simulation.set_tool(ball(0.5e-4)), Error);  // thinner than a voxel
   EXPECT_THROW(simulation.set_tool(ball(1)), Error);       // not millimetres
@@ -213,7 +213,7 @@ TEST(SetRemoval, SwitchesCuttingOffAndOn) {
   EXPECT_EQ(simulation.workpiece_exchanges(), exchanges) << "nothing has changed";
 }
 
-TEST(ExchangeOfAWorkpiece, BringsTheOthersWorkpieceToolAndCountsAndKeepsWhatIsSet) {
+TEST(ExchangeOfAWorkpiece, BringsWorkpieceToolAndCountsOfTheOtherAndKeepsTheSettings) {
   Simulation simulation(block(), ball(1e-3), config());
   drill(simulation, 1e-3);
   Effects effects;

@@ -226,7 +226,7 @@ TEST(LiveCommands, ExchangeWorkpieceBringsAnotherOneWithItsTool) {
           if (n == 700) {
             cut = scripted.simulation.workpiece().hash();
             EXPECT_GT(scripted.snapshot.tool.removed_volume, 0);
-            EXPECT_TRUE(scripted.model.obey(exchange));
+            EXPECT_TRUE(scripted.model.apply(exchange));
           }
         },
         [&](int n) {
@@ -245,7 +245,7 @@ TEST(LiveCommands, ExchangeWorkpieceBringsAnotherOneWithItsTool) {
   }
 }
 
-TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
+TEST(LiveCommands, RedoRestoresTheUndoneCutUnlessSomethingElseWasCut) {
   ScriptedLoop scripted;
   std::uint64_t cut = 0;
   const std::uint64_t whole = scripted.simulation.workpiece().hash();
@@ -288,7 +288,7 @@ TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
   EXPECT_GT(scripted.events(SafetyEvent::model_swapped), 2U);
 }
 
-TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
+TEST(LiveCommands, RefuseValuesOutOfRangeInTheThreadOfTheSender) {
   ScriptedLoop scripted(3000, true);
   const auto refused = [&](LoopCommand command) { EXPECT_THROW(scripted.model.check(command), Error); };
   refused(commands::SetSpindleSpeed{2 * kMaxSpindleSpeed * units::rad_per_s});
@@ -307,7 +307,7 @@ TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
   EXPECT_THROW((void)scripted.model.prepare_workpiece(block(4e-3), ball()), Error);
 }
 
-TEST(LiveCommands, RefuseInTheLoopWhatDoesNotSuitWhatIsInPlace) {
+TEST(LiveCommands, RefuseObjectsInTheLoopThatDoNotSuitThePresentOnes) {
   ScriptedLoop scripted;
   EXPECT_FALSE(scripted.tell(commands::SetTool(ball(), 1e-4, config())));
   Material other = test::plain_material();

@@ -50,9 +50,9 @@ struct UndoingLoop {
   DeviceCommand tick(const DeviceState& state) {
     ++ticks;
     if (ticks == 100) test::arm_call_counts();
-    if (ticks % 500 == 1 && ticks % 2000 > 1000) (void)model.obey(mark);
-    if (ticks % 2000 == 1999) (void)model.obey(undo);
-    if (ticks % 4000 == 2199) (void)model.obey(redo);
+    if (ticks % 500 == 1 && ticks % 2000 > 1000) (void)model.apply(mark);
+    if (ticks % 2000 == 1999) (void)model.apply(undo);
+    if (ticks % 4000 == 2199) (void)model.apply(redo);
     const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000, model.contact()};
     feed.tick(16, snapshot.tool.workpiece);
     undo_ticks += snapshot.tool.undoing ? 1 : 0;
@@ -96,10 +96,10 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
   class WatchedModel final : public LoopModel {
    public:
     explicit WatchedModel(SimulationModel& model) : model_(&model) {}
-    bool obey(LoopCommand& command) noexcept override {
-      const bool obeyed = model_->obey(command);
-      (obeyed ? obeyed_ : refused_)[command.index()] += 1;
-      return obeyed;
+    bool apply(LoopCommand& command) noexcept override {
+      const bool applied = model_->apply(command);
+      (applied ? applied_ : refused_)[command.index()] += 1;
+      return applied;
     }
     Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
       if (++ticks_ == 1) test::arm_call_counts();
@@ -111,7 +111,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
 
     SimulationModel* model_;
     int ticks_ = 0;
-    std::array<int, std::variant_size_v<LoopCommand>> obeyed_{}, refused_{};
+    std::array<int, std::variant_size_v<LoopCommand>> applied_{}, refused_{};
     test::CallCounts counts_;
   };
   for (const bool coupled : {false, true}) {
@@ -177,10 +177,10 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
     EXPECT_EQ(watched.counts_.deallocations, 0);
     EXPECT_EQ(watched.counts_.locks, 0);
     const LoopCommand undo = commands::Undo{}, redo = commands::Redo{};
-    for (std::size_t kind = 0; kind < watched.obeyed_.size(); ++kind) {
+    for (std::size_t kind = 0; kind < watched.applied_.size(); ++kind) {
       if (kind == undo.index() || kind == redo.index())
         continue;  // covered by the test above: here nothing is cut for long
-      EXPECT_GT(watched.obeyed_[kind], 2) << kind;
+      EXPECT_GT(watched.applied_[kind], 2) << kind;
     }
   }
 }

@@ -31,17 +31,17 @@ class CountingModel final : public LoopModel {
     return model_->step(state, dt, snapshot);
   }
   void check(const LoopCommand& command) const override { model_->check(command); }
-  bool obey(LoopCommand& command) noexcept override {
+  bool apply(LoopCommand& command) noexcept override {
     const std::size_t kind = command.index();
-    const bool obeyed = model_->obey(command);
-    ++(obeyed ? obeyed_ : refused_)[kind];
+    const bool applied = model_->apply(command);
+    ++(applied ? applied_ : refused_)[kind];
     ++all_;
-    return obeyed;
+    return applied;
   }
   [[nodiscard]] Simulation* simulation() noexcept override { return model_->simulation(); }
 
   SimulationModel* model_;
-  std::array<int, std::variant_size_v<LoopCommand>> obeyed_{}, refused_{};
+  std::array<int, std::variant_size_v<LoopCommand>> applied_{}, refused_{};
   std::atomic<int> all_{0};
 };
 
@@ -179,15 +179,15 @@ void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   EXPECT_EQ(last.commands_dropped, dropped);
   EXPECT_EQ(last.blocks_outside, 0U);
   std::uint64_t refused = 0;
-  for (std::size_t kind = 0; kind < counting.obeyed_.size(); ++kind) {
-    EXPECT_GT(counting.obeyed_[kind], 20) << "of kind " << kind << "; send it in next() above";
+  for (std::size_t kind = 0; kind < counting.applied_.size(); ++kind) {
+    EXPECT_GT(counting.applied_[kind], 20) << "of kind " << kind << "; send it in next() above";
     refused += std::uint64_t(counting.refused_[kind]);
   }
   EXPECT_EQ(last.commands_refused, refused);
   EXPECT_GT(refused, 50U);
   EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 100U);
   const LoopCommand exchange = model.prepare_workpiece(coarse(2e-3), ball);
-  EXPECT_EQ(std::uint32_t(counting.obeyed_[exchange.index()]), last.tool.workpiece);
+  EXPECT_EQ(std::uint32_t(counting.applied_[exchange.index()]), last.tool.workpiece);
 
   // The received blocks of the last workpiece equal its blocks.
   if (workpiece == last.tool.workpiece)

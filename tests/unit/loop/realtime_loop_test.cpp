@@ -22,7 +22,7 @@ namespace {
 /// A model that publishes its number of steps.
 class CountingModel : public LoopModel {
  public:
-  std::atomic<int> obeyed{0};
+  std::atomic<int> applied{0};
   double last_number = -1;
   bool in_order = true;
   long step_count = 0;
@@ -39,12 +39,12 @@ class CountingModel : public LoopModel {
     in_order = in_order && dt > 0;
     return wrench;
   }
-  bool obey(LoopCommand& command) noexcept override {
+  bool apply(LoopCommand& command) noexcept override {
     const auto* numbered = std::get_if<commands::SetScale>(&command);
     if (numbered == nullptr) return false;
     in_order = in_order && numbered->scale == last_number + 1;
     last_number = numbered->scale;
-    ++obeyed;
+    ++applied;
     return true;
   }
 };
@@ -59,7 +59,7 @@ RealtimeLoopOptions options_for(double seconds) {
 
 // 200 simulated seconds at full speed with a reader that polls 60 times a second: no partial snapshot, no command lost.
 // Also run with the sanitizers.
-TEST(RealtimeLoop, GivesASlowReaderWholeSnapshotsAndObeysInOrder) {
+TEST(RealtimeLoop, GivesASlowReaderWholeSnapshotsAndAppliesCommandsInOrder) {
   const auto device = open_device("mock:spiral");
   CountingModel model;
   RealtimeLoop loop(*device, model, options_for(200));
@@ -83,10 +83,10 @@ TEST(RealtimeLoop, GivesASlowReaderWholeSnapshotsAndObeysInOrder) {
   look();
   EXPECT_EQ(tick, 200001U);
   EXPECT_TRUE(model.in_order);
-  EXPECT_GE(model.obeyed, 1);
+  EXPECT_GE(model.applied, 1);
 }
 
-TEST(RealtimeLoop, TellsTheLargestForceOfTicksThatNobodyLookedAt) {
+TEST(RealtimeLoop, ReportsTheMaximumForceOfUnreadTicks) {
   class PushingModel : public CountingModel {
     Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
       Wrench wrench = CountingModel::step(state, dt, snapshot);
@@ -118,7 +118,7 @@ TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
   EXPECT_FALSE(std::get<commands::SetTool>(more).tool.empty());
   loop.start();
   loop.wait();
-  EXPECT_EQ(std::size_t(model.obeyed), accepted);
+  EXPECT_EQ(std::size_t(model.applied), accepted);
   EXPECT_EQ(loop.latest().commands_dropped, 1001 - accepted);
   EXPECT_EQ(loop.latest().commands_refused, 0U);
 }
@@ -133,17 +133,17 @@ TEST(RealtimeLoop, CountsCommandsThatTheModelDoesNotKnow) {
   loop.start();
   loop.wait();
   EXPECT_EQ(loop.latest().commands_refused, 2U);
-  EXPECT_EQ(model.obeyed, 1);
+  EXPECT_EQ(model.applied, 1);
 }
 
-TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
+TEST(RealtimeLoop, ReturnsEveryReplacedObject) {
   class SwappingModel : public CountingModel {
    public:
     explicit SwappingModel(PreparedTool tool) : in_place(std::move(tool)) {}
-    bool obey(LoopCommand& command) noexcept override {
+    bool apply(LoopCommand& command) noexcept override {
       std::swap(in_place, std::get<commands::SetTool>(command).tool);
       loop_thread = std::this_thread::get_id();
-      ++obeyed;
+      ++applied;
       return true;
     }
     PreparedTool in_place;
@@ -160,7 +160,7 @@ TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
     LoopCommand next = commands::SetTool(Tool(SphereHead{radius += 1e-7}), 1e-4, {});
     while (!loop.send(std::move(next))) std::this_thread::yield();
   }
-  while (model.obeyed < kTools) std::this_thread::yield();
+  while (model.applied < kTools) std::this_thread::yield();
   loop.stop();
   EXPECT_NE(model.loop_thread, std::this_thread::get_id());
   EXPECT_EQ(std::get<SphereHead>(model.in_place.tool().head().shape()).radius, radius);
@@ -275,7 +275,7 @@ TEST(RealtimeLoop, GivesAllChangedBlocksOutAfterItsEndHoweverSmallItsQueueIs) {
   EXPECT_EQ(received(loop).size(), 3U);
 }
 
-TEST(RealtimeLoop, SendsWhatHasChangedBetweenTwoRuns) {
+TEST(RealtimeLoop, SendsTheChangesBetweenTwoRuns) {
   Simulation simulation = block_and_ball();
   const auto device = open_device("mock:rest");
   RemovingModel model(simulation);
@@ -348,7 +348,7 @@ TEST(ChangeFeed, AcceptsAWorkpieceThatIsEmptied) {
   EXPECT_EQ(feed.outside(), 0U);
 }
 
-TEST(ChangeFeed, SendsWhatAnUndoBringsBackAndAllOfAnotherWorkpiece) {
+TEST(ChangeFeed, SendsTheChangesOfAnUndoAndAllOfAnotherWorkpiece) {
   const auto make = [] {
     return Simulation(build_block({Vec3::Constant(-4e-3), Vec3::Constant(4e-3)}, 2e-4, test::plain_material()),
                       Tool(SphereHead{1e-3}), {});

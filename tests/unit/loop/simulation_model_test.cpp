@@ -78,7 +78,7 @@ Picture picture_of(const Workpiece& workpiece) {
 /// Applies a command between two ticks, without a queue.
 bool apply(SimulationModel& model, LoopCommand command) {
   model.check(command);
-  return model.obey(command);
+  return model.apply(command);
 }
 
 bool is_empty(const ChangedBlock& block) {
@@ -86,7 +86,7 @@ bool is_empty(const ChangedBlock& block) {
 }
 
 // A device of 700 N/m must not render a contact of 16 kN/m, or of the default stiffness.
-TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
+TEST(SimulationModel, RefusesToDriveADeviceDirectlyWithAStiffnessThatItCannotRender) {
   const auto device = open_device("mock:rest");
   const auto refusal = [&](double stiffness) -> std::string {
     SimulationConfig config;
@@ -156,7 +156,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   expect_same(picture, picture_of(simulation.workpiece()));
 }
 
-TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
+TEST(SimulationModel, RendersTheForceOfTheSimulationOnTheDevice) {
   const auto device = test::scripted_loop::stiff_mock("press", 2);
   Simulation simulation = block_under_the_ball(0);
   SimulationModel model(simulation, *device, ball_above_the_block());

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test::scripted_loop;
 
-TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
+TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInACustomLoop) {
   for (const bool interlocked : {true, false}) {
     const std::unique_ptr<Device> device = stiff_mock("rest");
     Simulation simulation(block(), ball(), config(true));
@@ -53,7 +53,7 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
 }
 
 // Once the interlock had set the speed to 0, and the next loop cut nothing.
-TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
+TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   Simulation simulation(block(), ball(), config(true));
   const AngularSpeed speed = simulation.spindle_setting();
   ASSERT_GT(speed, 0);

@@ -78,7 +78,7 @@ TEST(BackgroundWriter, EndsAlsoWhereFlushingFailsAndWhateverIsThrown) {
   EXPECT_TRUE(strange.failed());
 }
 
-TEST(BackgroundWriter, WritesWhatIsLeftWhenItGoesAway) {
+TEST(BackgroundWriter, WritesTheRemainingMessagesWhenItIsDestroyed) {
   long written = 0;
   {
     BackgroundWriter<Row> writer(1000, Row{}, 0.5,

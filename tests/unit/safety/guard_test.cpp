@@ -314,7 +314,7 @@ TEST(Guard, CountsEveryTickOfAnEventButEntersItOnce) {
   EXPECT_EQ(entries, 2);
 }
 
-TEST(SafetyLog, CountsWhatItsListCannotHold) {
+TEST(SafetyLog, CountsEventsBeyondTheCapacityOfItsList) {
   SafetyLog log;
   for (int n = 0; n < 3000; ++n) {
     log.begin_tick(n * kPeriod, std::uint64_t(n));

@@ -68,7 +68,7 @@ TEST(PassivityController, LeavesASpringAloneThatTheDeviceRenders) {
   }
 }
 
-TEST(PassivityController, TakesOutWhatAStifferSpringGives) {
+TEST(PassivityController, RemovesTheEnergyThatAStifferSpringGives) {
   PassivityOptions off = options_of_touch();
   off.enabled = false;
   PassivityController watches_nothing(off, kPeak), watches(options_of_touch(), kPeak);
@@ -103,7 +103,7 @@ TEST(PassivityController, LeavesWeightAndVibrationOutOfTheAccount) {
   }
 }
 
-TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
+TEST(PassivityController, DiscardsEnergyThatTheModelHasNotStored) {
   for (const bool says : {true, false}) {
     PassivityOptions options = options_of_touch();
     options.max_damping = 0;  // no bound
@@ -130,7 +130,7 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
 }
 
 // If the model reports the work of its motor, a force that pushes the hand on is limited to that work and the spring's.
-TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
+TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
   const Vec3 pushes(0, 0, 1), on(0, 0, 1e-4);  // 0.1 mJ a tick
   for (const double paid : {0.0, 0.5, 1.0}) {
     PassivityController controller(options_of_touch(), kPeak);

@@ -106,7 +106,7 @@ TEST(Scene, NamesLineKeyAndRangeOfAWrongValue) {
             "scene:1: effects: must be a table, written [effects].");
 }
 
-TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
+TEST(Scene, RefusesATextThatIsNotTomlWithTheCure) {
   const auto expect = [](const std::string& in_its_place, const std::string& part, int line = 3) {
     const std::string message = complaint("size_mm = [3, 3, 1]", in_its_place);
     EXPECT_TRUE(message.starts_with("scene:" + std::to_string(line) + ": ")) << in_its_place << '\n' << message;

@@ -175,7 +175,7 @@ TEST(SurfaceStream, PagesNearestToThePointLookedAtComeFirst) {
   EXPECT_THROW(stream.look_at({std::nan(""), 0, 0}), Error);
 }
 
-TEST(SurfaceStream, AnotherOneWhoLooksOnGetsAllPages) {
+TEST(SurfaceStream, ANewReaderGetsAllPages) {
   const Workpiece ball = build_sphere(Vec3::Zero(), 4 * mm, kVoxel, named("clay"));
   SurfaceStream stream(ball);
   Pages first, second;
@@ -188,7 +188,7 @@ TEST(SurfaceStream, AnotherOneWhoLooksOnGetsAllPages) {
   EXPECT_EQ(stream.blocks_meshed(), meshed) << "nothing has changed, so nothing is meshed again";
 }
 
-TEST(SurfaceStream, WhatIsCutAwayWhollyLeavesEmptyPages) {
+TEST(SurfaceStream, CompletelyRemovedMaterialLeavesEmptyPages) {
   Workpiece ball = build_sphere(Vec3::Zero(), 2 * mm, kVoxel, named("clay"));
   ball.reserve_blocks(1000);
   SurfaceStream stream(ball);

@@ -19,7 +19,7 @@ using view_test::CommandKind;
 using view_test::kCommandKinds;
 using view_test::number_at;
 
-TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
+TEST(ViewProtocol, HelloHasTheGridTheMaterialsAndWhetherThePageMayWrite) {
   Scene scene;
   scene.frame = {1e-4, Pose::from_translation(Vec3(1, 2, 3))};
   scene.materials = {{"enamel", {250, 249, 248}}, {std::string(300, 'x'), {1, 2, 3}}};
@@ -131,7 +131,7 @@ TEST(ViewProtocol, CommandsArriveAsTheyWereMeant) {
   EXPECT_EQ(look.p_WQ, Vec3(1, 2, 3));
 }
 
-TEST(ViewProtocol, WhatIsNoCommandInEveryByteIsRefused) {
+TEST(ViewProtocol, AMalformedCommandIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto is_refused = [](const Bytes& given) { return !decode_command(given.bytes).has_value(); };
   for (const double speed : {nan, infinity, -infinity, 1e9})

@@ -53,7 +53,7 @@ std::optional<ViewCommand> heard(ViewServer& server) {
   return command;
 }
 
-TEST(ViewServer, TellsAPageTheSceneAndThenWhatItHas) {
+TEST(ViewServer, SendsANewPageTheSceneAndThenTheState) {
   ViewServer server(scene());
   server.send(page_at(0, 1));
   server.send(page_at(32, 2));
@@ -75,7 +75,7 @@ TEST(ViewServer, TellsAPageTheSceneAndThenWhatItHas) {
   EXPECT_TRUE(is_kind(page.read(), MessageKind::sound));
 }
 
-TEST(ViewServer, LetsNobodyInWithoutItsTokenFromItsOwnPage) {
+TEST(ViewServer, RefusesARequestWithoutItsTokenOrFromAnotherOrigin) {
   ViewServer server(scene());
   EXPECT_EQ(server.token().size(), 32U);
   EXPECT_NE(server.token(), ViewServer(scene()).token());
@@ -94,7 +94,7 @@ TEST(ViewServer, LetsNobodyInWithoutItsTokenFromItsOwnPage) {
   EXPECT_EQ(view_test::knock(server, server.token(), "http://" + ours), 101U);
 }
 
-TEST(ViewServer, HasOneWriterAndOthersLookOn) {
+TEST(ViewServer, HasOneWriterAndOtherPagesWatch) {
   ViewServer server(scene());
   auto first = std::make_unique<Page>(server);
   EXPECT_TRUE(is_writer(first->read().value()));
@@ -129,7 +129,7 @@ TEST(ViewServer, AWriterThatIsTornAwayHasLeft) {
   EXPECT_TRUE(soon([&] { return server.connections() == 0; }));
 }
 
-TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
+TEST(ViewServer, ClosesAConnectionThatSendsAMalformedCommand) {
   ViewServer server(scene());
   std::vector<std::uint8_t> long_one(kMaxCommand + 1, 0);
   for (const auto& bytes :
@@ -154,7 +154,7 @@ TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
   while (const auto command = server.receive()) EXPECT_TRUE(std::holds_alternative<WriterLeft>(*command));
 }
 
-TEST(ViewServer, CallsForAStopAndForALeaderThatHasGoneBeforeAnybodyReceivesThem) {
+TEST(ViewServer, ReportsAStopAndALostWriterBeforeCommandsAreReceived) {
   std::atomic<int> stops{0}, left{0}, others{0};
   ViewServerOptions options;
   options.on_urgent = [&](const ViewCommand& command) {
@@ -185,7 +185,7 @@ TEST(ViewServer, GivesARecordingOnlyWithTheToken) {
   EXPECT_EQ(ask(server, "/recording.bin?token=" + server.token()).body(), "HCRP");
 }
 
-TEST(ViewServer, ThrowsOutWhoTalksTooMuch) {
+TEST(ViewServer, ClosesAConnectionThatSendsTooManyCommands) {
   ViewServerOptions options;
   options.commands_per_second = 50;
   ViewServer server(scene(), options);
@@ -321,7 +321,7 @@ TEST(ViewServer, RefusesAPortInUseAndConnectionsBeyondItsNumber) {
   EXPECT_TRUE(soon([&] { return Page(server).is_open(); })) << "a connection is free again";
 }
 
-TEST(ViewServer, OutlivesWhatIsNoHttp) {
+TEST(ViewServer, SurvivesDataThatIsNotHttp) {
   ViewServer server(scene());
   for (const std::string& noise : {std::string("\x16\x03\x01 hello"), std::string(20'000, 'a'), std::string()}) {
     view_test::asio::io_context context;

@@ -36,7 +36,7 @@ class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
   void cut(Simulation& simulation, int steps) {
-    if (simulation.starts_afresh()) begin_anew();  // or the tool would wait where it is
+    if (simulation.next_step_is_first()) begin_anew();  // or the tool would wait where it is
     for (int n = 0; n < steps; ++n) {
       position_ += 2e-5 * direction_;
       if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
@@ -69,7 +69,8 @@ TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   Simulation simulation = slab(4000);
   Wandering(3).cut(simulation, 400);
   simulation.set_undo_mark();
-  EXPECT_TRUE(simulation.undo(1)) << "nothing was cut, but the tool starts afresh, as in the second run";
+  EXPECT_TRUE(simulation.undo(1))
+      << "nothing was cut, but the next step is the first of the tool, as in the second run";
   simulation.set_undo_mark();
   Wandering tool(4);
   tool.cut(simulation, 300);

@@ -22,7 +22,7 @@ class PlaybackDevice : public PolledDevice {
 
  protected:
   void begin_run(const RunOptions& options) override;
-  [[nodiscard]] double settle_period(double asked) override;
+  [[nodiscard]] double choose_period(double asked) override;
   bool read(DeviceState& state) noexcept override;
   Wrench write(const Wrench& wrench) noexcept override;
   [[nodiscard]] bool is_simulated() const override { return true; }

@@ -33,7 +33,8 @@ TEST_F(ForceDimensionLoop, AllocatesNothingAlsoWhenTheDeviceSwitchesItsForcesOff
   EXPECT_EQ(report.ticks, std::uint64_t(kTo));
   EXPECT_EQ(counts.allocations, 0);
   EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_GT(dhdsim_get_counters(0).enables, 5) << "it must be switched on again, or the test says nothing";
+  EXPECT_GT(dhdsim_get_counters(0).enables, 5)
+      << "the forces must be switched on again, otherwise the test checks nothing";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
   double noticed = 0;  // [s]
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+      [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
         if (fault == DeviceFault::none && state.fault != fault) noticed = state.time;
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
@@ -62,13 +62,13 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
   DeviceFault fault = DeviceFault::none;
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+      [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
       },
       quick(),
       [&](long tick) {
-        place_omega(0, Pose{}, {Vec3(tick >= 400 && tick < 405 ? 1.3 : 0, 0, 0), Vec3::Zero()});  // 1 m/s is its limit
+        place_omega(0, Pose{}, {Vec3(tick >= 400 && tick < 405 ? 1.3 : 0, 0, 0), Vec3::Zero()});  // its limit is 1 m/s
         if (tick == 410) {
           EXPECT_EQ(dhdsim_get_counters(0).brakes_on, 1);
         }
@@ -83,7 +83,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
+TEST_F(ForceDimensionFaults, StaysOffUntilTheUserSwitchesItsForcesOnAgain) {
   const std::array<std::pair<dhdsim_cause, const char*>, 3> causes = {{
       {DHDSIM_OFF_BUTTON, "its force button was pressed"},
       {DHDSIM_OFF_DEADMAN, "dead man's switch was released"},
@@ -97,7 +97,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
     DeviceFault fault = DeviceFault::none;
     const RunReport report = run(
         *device,
-        [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
+        [&, press = press_and_release(600, 606, 1000)](const DeviceState& state) mutable {
           if (state.fault != DeviceFault::none) fault = state.fault;
           return press(state);
         },
@@ -111,13 +111,13 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
     EXPECT_NE(describe(fault).find("motors were switched off"), std::string::npos);
     EXPECT_EQ(report.fault, DeviceFault::none) << words;
     EXPECT_TRUE(says(report.warnings, words)) << words;
-    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never against the user: " << words;
+    EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never while the user keeps them off: " << words;
     for (std::size_t n = 200; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << words << ", tick " << n;
     EXPECT_EQ(forces[900], 1) << words;
   }
 }
 
-TEST_F(ForceDimensionFaults, EndsWhenTheDeviceSaysThatItLostItsConnection) {
+TEST_F(ForceDimensionFaults, EndsWhenTheDeviceReportsALostConnection) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -129,7 +129,7 @@ TEST_F(ForceDimensionFaults, EndsWhenTheDeviceSaysThatItLostItsConnection) {
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, SaysWhatTheLibrarySaidWhenItIsUnplugged) {
+TEST_F(ForceDimensionFaults, ReportsTheErrorOfTheLibraryWhenItIsUnplugged) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -139,7 +139,7 @@ TEST_F(ForceDimensionFaults, SaysWhatTheLibrarySaidWhenItIsUnplugged) {
   EXPECT_TRUE(says(report.warnings, "communication error (stand-in) (error 2)"));
 }
 
-TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLongerAnswers) {
+TEST_F(ForceDimensionFaults, ContinuesAfterShortTimeoutsAndEndsWhenTheDeviceNoLongerAnswers) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   RunReport report = run(*device, push_for(1000), quick(), [](long tick) {
@@ -161,7 +161,7 @@ TEST_F(ForceDimensionFaults, HoldsOnThroughATimeoutAndGivesUpOnADeviceThatNoLong
   }
 }
 
-TEST_F(ForceDimensionFaults, SaysWhatItRendersWhereACommandDidNotGetThrough) {
+TEST_F(ForceDimensionFaults, ReportsTheRenderedForceWhenACommandIsLost) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   run(
@@ -182,7 +182,7 @@ TEST_F(ForceDimensionFaults, SaysWhatItRendersWhereACommandDidNotGetThrough) {
       });
 }
 
-TEST_F(ForceDimensionFaults, TakesErrorsOfTheProgrammerAsFatal) {
+TEST_F(ForceDimensionFaults, EndsOnErrorsOfTheProgrammer) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(10000), quick(), [](long tick) {
@@ -193,7 +193,7 @@ TEST_F(ForceDimensionFaults, TakesErrorsOfTheProgrammerAsFatal) {
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, ReportsForcesThatCannotBeSwitchedOnAndCanBeTriedAgain) {
+TEST_F(ForceDimensionFaults, ReportsForcesThatCannotBeSwitchedOnAndAllowsAnotherRun) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   dhdsim_fail(0, DHDSIM_ENABLE, kErrorInvalid, 1);
@@ -240,7 +240,7 @@ TEST_F(ForceDimensionFaults, GivesNoForceUntilItIsCalibrated) {
   }
 }
 
-TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomebodyHasLooked) {
+TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndContinuesAfterAReset) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   std::vector<double> forces;
@@ -267,7 +267,7 @@ TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomeb
   EXPECT_EQ(forces[1100], 1);
 }
 
-TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
+TEST_F(ForceDimensionFaults, CalibratesItselfOnRequest) {
   add(kOmega6);
   dhdsim_set_calibrated(0, 0);
   ForceDimensionOptions options = options_for();
@@ -277,7 +277,7 @@ TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
   EXPECT_EQ(run(*device, push_for(300)).arming, ArmingState::on);
 }
 
-TEST_F(ForceDimensionFaults, SaysThatADeviceWithoutWatchdogKeepsItsLastForce) {
+TEST_F(ForceDimensionFaults, WarnsThatADeviceWithoutWatchdogKeepsItsLastForce) {
   add(kFalcon);
   const auto device = open_force_dimension(options_for());
   const RunReport report = run(*device, push_for(200));

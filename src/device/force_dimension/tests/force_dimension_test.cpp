@@ -27,7 +27,7 @@ std::string refusal(const ForceDimensionOptions& options) {
   return "";
 }
 
-TEST_F(ForceDimension, OpensTheFirstDeviceAndKnowsWhatItIs) {
+TEST_F(ForceDimension, OpensTheFirstDeviceAndReadsItsCapabilities) {
   EXPECT_NE(uchar::red, uchar::green);
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
@@ -36,7 +36,7 @@ TEST_F(ForceDimension, OpensTheFirstDeviceAndKnowsWhatItIs) {
   EXPECT_EQ(c.serial_number, "1234");
   EXPECT_EQ(c.driver_version, "3.17.5.0");
   EXPECT_EQ(c.input_degrees_of_freedom, 6);
-  EXPECT_EQ(c.output_degrees_of_freedom, 3) << "its wrist is sensed, not driven";
+  EXPECT_EQ(c.output_degrees_of_freedom, 3) << "its wrist has sensors and no motors";
   EXPECT_EQ(c.peak_force, 12);
   EXPECT_EQ(c.peak_torque, 0);
   EXPECT_EQ(c.stiffness, 5000);
@@ -70,7 +70,7 @@ TEST_F(ForceDimension, TellsLeftHandedDevicesApart) {
   EXPECT_EQ(c.rotational_stiffness, 1);
 }
 
-TEST_F(ForceDimension, SaysWhyNothingCouldBeOpened) {
+TEST_F(ForceDimension, ReportsWhyNoDeviceCouldBeOpened) {
   const std::string nothing = refusal(options_for());
   EXPECT_NE(nothing.find("no device found (stand-in) (error 5), 0 connected, 0 of them free"), std::string::npos)
       << nothing;
@@ -89,7 +89,7 @@ TEST_F(ForceDimension, SaysWhyNothingCouldBeOpened) {
   EXPECT_NE(refusal(options_for()).find("communication error (stand-in) (error 2)"), std::string::npos);
 }
 
-TEST_F(ForceDimension, RefusesADeviceThatThisProgramHasOpen) {
+TEST_F(ForceDimension, RefusesADeviceThatIsOpenInThisProgram) {
   add(kOmega3);
   const auto device = open_force_dimension(options_for());
   EXPECT_NE(refusal(options_for()).find("device in use"), std::string::npos);
@@ -121,7 +121,7 @@ TEST_F(ForceDimension, IsFoundByTheNameOfItsModel) {
   EXPECT_EQ(open_device("forcedimension:omega.3")->name(), "forcedimension:omega.3");
 }
 
-TEST_F(ForceDimension, IsCarefulWithADeviceThatItDoesNotKnow) {
+TEST_F(ForceDimension, LimitsTheForceOfAnUnknownDevice) {
   add(kCustom);
   const auto device = open_force_dimension(options_for());
   EXPECT_EQ(device->capabilities().peak_force, 1);
@@ -133,7 +133,7 @@ TEST_F(ForceDimension, IsCarefulWithADeviceThatItDoesNotKnow) {
   EXPECT_EQ(dhdsim_get_counters(0).max_force, 1);
 }
 
-TEST_F(ForceDimension, TurnsTheFrameOfTheLibraryIntoThatOfTheBase) {
+TEST_F(ForceDimension, ConvertsTheFrameOfTheLibraryToTheBase) {
   add(kSigma7);
   const Mat3 about_up = rotation_from_vector(Vec3(0, 0, 0.3));  // z is up for the library
   const std::array<double, 3> position = {0.01, 0.02, 0.03};    // towards the user, right, up
@@ -158,7 +158,7 @@ TEST_F(ForceDimension, SendsForceAndTorqueInTheFrameOfTheLibrary) {
   const Wrench wrench{Vec3(0.5, -0.25, 0.125), Vec3(0.010, 0.005, -0.020)};
   run(*device, push_for(300, wrench));
   std::array<double, 3> f{}, t{};
-  dhdsim_get_committed(0, 300, f.data(), t.data());  // the first two are those of the start
+  dhdsim_get_committed(0, 300, f.data(), t.data());  // the first two commands are sent at the start
   EXPECT_EQ(f, in_library(wrench.force));
   EXPECT_EQ(t, in_library(wrench.torque));
   EXPECT_EQ(dhdsim_get_counters(0).max_torque, 0.2);
@@ -175,7 +175,7 @@ TEST_F(ForceDimension, GivesNoTorqueToAnyPassiveWrist) {
   }
 }
 
-TEST_F(ForceDimension, TakesTheAngularVelocityThatIsReportedAndEstimatesItOtherwise) {
+TEST_F(ForceDimension, UsesTheReportedAngularVelocityOrEstimatesIt) {
   for (const bool reports : {true, false}) {
     dhdsim_reset();
     dhdsim_device spec = dhdsim_device_of(kOmega6, 1);
@@ -198,7 +198,7 @@ TEST_F(ForceDimension, TakesTheAngularVelocityThatIsReportedAndEstimatesItOtherw
   }
 }
 
-TEST_F(ForceDimension, TakesPositiveAnswersForSuccess) {
+TEST_F(ForceDimension, TreatsPositiveReturnValuesAsSuccess) {
   for (const int positive : {1, 2}) {  // time guard, motors saturated
     dhdsim_reset();
     add(kOmega6);
@@ -213,7 +213,7 @@ TEST_F(ForceDimension, TakesPositiveAnswersForSuccess) {
   }
 }
 
-TEST_F(ForceDimension, SendsACommandInEveryTickSoThatTheArmIsCarried) {
+TEST_F(ForceDimension, SendsACommandInEveryTickSoThatGravityIsCompensated) {
   add(kOmega6);
   ForceDimensionOptions options = options_for();
   options.effector_mass = 0.05;
@@ -252,7 +252,7 @@ TEST_F(ForceDimension, SetsTheWatchdogInItsOwnStepsAndOnlyInExpertMode) {
   EXPECT_EQ(dhdsim_get_counters(0).expert_mode, 0);
 }
 
-TEST_F(ForceDimension, LeavesNoForceAndPutsTheBrakesOnWhenItsLoopCannotBegin) {
+TEST_F(ForceDimension, LeavesNoForceAndEngagesTheBrakesWhenItsLoopCannotBegin) {
   add(kOmega6);
   auto device = open_force_dimension(options_for());
   RunOptions impossible = quick();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Control of the stand-in for the OpenHaptics device library: what a test does to it, and what it saw. */
+/* Control of the stand-in for the OpenHaptics device library, for tests: functions to change and to observe it. */
 #ifndef HAPTICUT_HDSIM_H
 #define HAPTICUT_HDSIM_H
 
@@ -7,9 +7,9 @@
 extern "C" {
 #endif
 
-/* What a simulated device is; hdsim_touch and hdsim_premium6dof fill in the numbers of two real ones. */
+/* The properties of a simulated device; hdsim_touch and hdsim_premium6dof fill in those of two real ones. */
 typedef struct {
-  const char* name; /* that hdInitDevice must be called with; the first device also answers to NULL */
+  const char* name; /* for hdInitDevice; NULL selects the first device */
   const char* model;
   int input_dof, output_dof;
   double stiffness;                                         /* N/mm */
@@ -19,7 +19,7 @@ typedef struct {
   int calibration_style;
 } hdsim_device;
 
-/* Back to no devices, no scheduler, manual clock. */
+/* Removes all devices, stops the scheduler, and selects the manual clock. */
 void hdsim_reset(void);
 
 hdsim_device hdsim_touch(const char* name);
@@ -34,7 +34,7 @@ void hdsim_refuse_name(const char* name);
 /* 1: hdInitDevice needs hdDeploymentLicense first. */
 void hdsim_require_license(int required);
 
-/* Column-major, mm. Bases of the rotation are taken as they are. */
+/* Column-major, mm. The rotation is not normalized. */
 void hdsim_set_transform(int device, const double transform[16]);
 void hdsim_set_velocity(int device, const double velocity[3]);
 void hdsim_set_buttons(int device, int buttons);
@@ -51,27 +51,28 @@ void hdsim_inject_error(int device, unsigned int code, int internal);
 /* hdStartScheduler fails with HD_TIMER_ERROR. */
 void hdsim_fail_start(int fail);
 
-/* 1: hdStartScheduler starts a thread of the scheduler's rate; 0 (default): the test runs the ticks. */
+/* 1: hdStartScheduler starts a thread with the rate of the scheduler; 0 (default): the test runs the ticks. */
 void hdsim_use_thread(int use);
 /* Runs ticks of the manual clock in the calling thread. Returns how many callbacks it called. */
 int hdsim_run_ticks(int ticks);
-/* Calls what hdUnschedule took back last once more, as a driver that is late. Returns what it returned. */
+/* Calls the callback that hdUnschedule removed last, like a late driver. Returns its result. */
 unsigned int hdsim_call_late(void);
-/* Seconds of ticks since hdsim_reset. */
+/* [s] Time of the ticks since hdsim_reset. */
 double hdsim_time(void);
 int hdsim_is_running(void);
 int hdsim_scheduled_callbacks(void);
 
-/* What the motors get now. N and mNm. */
+/* The committed force and torque. N and mNm. */
 void hdsim_get_committed_force(int device, double force[3], double torque[3]);
-/* What the motors rendered in the last tick: the committed force, but for the ramp after the start and after a limit
-   was exceeded (speed, step of the force, force without clamping), at HD_FORCE_RAMPING_RATE. */
+/* The force that the motors rendered in the last tick. It is the committed force, limited by a ramp at
+   HD_FORCE_RAMPING_RATE after the start and after a limit was exceeded (speed, step of the force, force without
+   clamping). */
 void hdsim_get_rendered_force(int device, double force[3]);
 /* The n-th committed force of the run, n < hdsim_committed_count. */
 long hdsim_committed_count(int device);
 void hdsim_get_committed(int device, long n, double force[3], double torque[3]);
 
-/* What was done right and wrong. */
+/* Counters and flags of correct and incorrect use. */
 typedef struct {
   long frames;              /* completed */
   long open_frames;         /* begun and not ended at the end of a tick */
@@ -79,12 +80,12 @@ typedef struct {
   long illegal_begins, illegal_ends;
   long sets_outside_frame, gets_outside_frame;
   long torque_sets_on_3dof;
-  long amplifier_toggles; /* a limit was exceeded: the force was away, and came back on a ramp */
+  long amplifier_toggles; /* a limit was exceeded: the force was zero, and returned on a ramp */
   int force_output_enabled;
   int callbacks_at_disable;   /* still scheduled when hdDisableDevice was called; -1: never called */
   int running_at_init;        /* hdInitDevice was called while the scheduler ran */
   int zero_force_before_stop; /* 1: the last committed force was zero when the scheduler stopped; -1: never stopped */
-  int zero_force_before_disable; /* the same for hdDisableDevice */
+  int zero_force_before_disable; /* 1: the last committed force was zero at hdDisableDevice; -1: never disabled */
   int calibration_updates;
   int force_during_calibration;  /* 1: hdUpdateCalibration was called while a force was committed */
   const char* init_locale_point; /* how "1.5" was printed with %.1f during hdInitDevice */

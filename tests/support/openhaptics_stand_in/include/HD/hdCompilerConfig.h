@@ -4,7 +4,7 @@
 #ifndef HAPTICUT_STAND_IN_HD_COMPILER_CONFIG_H
 #define HAPTICUT_STAND_IN_HD_COMPILER_CONFIG_H
 
-/* The real header carries a pragma here that GCC and clang do not know; a consumer has to cope with it. */
+/* The real header has a pragma here that GCC and clang do not know. A program must accept it. */
 #pragma deprecated(HAPTICUT_STAND_IN_UNKNOWN_PRAGMA)
 
 #endif

@@ -60,12 +60,12 @@ typedef struct {
 #define HD_SCHEDULER_FULL 0x0501
 #define HD_INVALID_LICENSE 0x0600
 
-/* What can be read */
+/* Readings */
 #define HD_CURRENT_BUTTONS 0x2000
 #define HD_CURRENT_VELOCITY 0x2051
 #define HD_CURRENT_TRANSFORM 0x2052
 
-/* What the device is */
+/* Properties of the device */
 #define HD_DEVICE_MODEL_TYPE 0x2501
 #define HD_DEVICE_DRIVER_VERSION 0x2502
 #define HD_DEVICE_VENDOR 0x2503
@@ -93,7 +93,7 @@ typedef struct {
 #define HD_CURRENT_FORCE 0x2700
 #define HD_CURRENT_TORQUE 0x2701
 
-/* What can be switched */
+/* Switches */
 #define HD_FORCE_OUTPUT 0x4000
 #define HD_MAX_FORCE_CLAMPING 0x4001
 #define HD_FORCE_RAMPING 0x4002
@@ -107,8 +107,6 @@ typedef struct {
 #define HD_CALIBRATION_ENCODER_RESET 0x1
 #define HD_CALIBRATION_AUTO 0x2
 #define HD_CALIBRATION_INKWELL 0x4
-
-/* Buttons */
 
 /* Scheduler */
 #define HD_MAX_SCHEDULER_PRIORITY 65535

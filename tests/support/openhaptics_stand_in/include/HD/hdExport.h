@@ -4,8 +4,8 @@
 #ifndef HAPTICUT_STAND_IN_HD_EXPORT_H
 #define HAPTICUT_STAND_IN_HD_EXPORT_H
 
-/* As in the real header, the macro that is tested is `linux`, which strict ISO C++ does not predefine: without it the
-   macros below stay undefined and no prototype parses. */
+/* Tests the macro `linux`, as the real header does. Strict ISO C++ does not predefine it; without it the macros below
+   stay undefined and no prototype parses. */
 #if defined(_WIN32)
 #define HDAPI __declspec(dllimport)
 #define HDAPIENTRY __stdcall
