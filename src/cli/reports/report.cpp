@@ -112,7 +112,8 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
                              rounded(report.workpiece.voxel_size / units::mm) + " mm, " +
                              bytes(report.workpiece.memory_bytes));
   table.add("steps", std::to_string(r.steps) + " at " + rounded(report.rate, 6) + " Hz, " +
-                         percent(r.steps_in_contact) + " in contact, " + percent(r.steps_cutting) + " cutting");
+                         percent(r.steps_in_contact) + " in contact, " + percent(r.steps_cutting) +
+                         " removing material");
   table.add("removed",
             rounded(r.removed_volume / units::mm3) + " mm^3, " + std::to_string(r.removed_voxels) + " voxels");
   const auto& volumes = simulation.removed_volume_by_material();
