@@ -180,7 +180,7 @@ void bind_values(py::module_& m) {
   bind_struct<Box>(m, "Box", required("min", &Box::min), required("max", &Box::max));
   bind_result<MaterialAmount>(m, "MaterialAmount", member("material", &MaterialAmount::material),
                               member("voxels", &MaterialAmount::voxels), member("volume", &MaterialAmount::volume),
-                              member("mass", &MaterialAmount::mass));
+                              member("mass", &MaterialAmount::mass), member("center", &MaterialAmount::center));
   py::class_<WorkpieceSnapshot>(m, "WorkpieceSnapshot", doc("WorkpieceSnapshot"));
   bind_enum<Quadrature>(m, "Quadrature");
   bind_enum<UnclaimedLabels>(m, "UnclaimedLabels");

@@ -2,6 +2,7 @@
 #include "hapticut/loop/simulation_model.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -9,6 +10,23 @@
 #include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
+namespace {
+
+/// Checks the gains at the device. A device that states no stiffness may have any.
+void require_renderable_gains(const CouplingGains& gains, const DeviceCapabilities& device) {
+  constexpr double kBeyond = 2;  // [1] a coupling may be stiffer than the maker guarantees, but not much
+  const auto require = [&](double given, double rendered, const std::string& name, const std::string& unit) {
+    if (!(rendered > 0) || given <= kBeyond * rendered) return;
+    throw Error("CouplingGains::" + name + " = " + format_number(given) + " " + unit + ", but the device " +
+                device.model + " renders " + format_number(rendered) + " " + unit +
+                ", so it would buzz. Give at most " + format_number(kBeyond * rendered) + " " + unit +
+                ", or what coupling_gains chooses for the device.");
+  };
+  require(gains.stiffness, device.stiffness, "stiffness", "N/m");
+  require(gains.angular_stiffness, device.rotational_stiffness, "angular_stiffness", "N m/rad");
+}
+
+}  // namespace
 
 SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options)
     : config_(simulation.config()),
@@ -30,6 +48,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
+  if (gains_) require_renderable_gains(*gains_, device.capabilities());
   if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).park(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
     simulation.reserve_undo(options.undo_blocks);  // a new reserve would drop existing marks

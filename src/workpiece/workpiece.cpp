@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
@@ -15,6 +17,13 @@ namespace {
 constexpr double kMaxReservedBlocks = 1e8;  // as the limit of SimulationConfig::reserved_blocks
 
 using openvdb::Coord;
+
+/// [voxel edges] Centroid of the filled part of a voxel, from the voxel's centre.
+Vec3 centroid_in(const BlockView& block, int voxel) {
+  if (block.centroid == nullptr) return Vec3::Zero();
+  const CentroidOffset offset = CentroidOffset::unpacked(std::uint32_t(block.centroid[voxel]));
+  return Vec3(offset.steps[0], offset.steps[1], offset.steps[2]) / CentroidOffset::kSteps;
+}
 
 /// The child of a branch node at the place of a block; null if the branch has a tile there.
 template <class BranchNode>
@@ -104,23 +113,32 @@ std::size_t Workpiece::pool_bytes() const {
 std::vector<MaterialAmount> Workpiece::amounts() const {
   const double voxel_volume = std::pow(voxel_size(), 3);
   std::vector<MaterialAmount> amounts;
-  ByMaterial<double> filled = {};  // in voxels
-  for (int id = 1; id <= materials().size(); ++id) amounts.push_back({MaterialId(id), 0, 0, 0});
+  ByMaterial<double> filled = {};  // [voxels]
+  ByMaterial<Vec3> moments;        // [voxels^2] of `filled` about the centre of voxel (0, 0, 0), along the grid's axes
+  moments.fill(Vec3::Zero());
+  const auto add = [&](const MaterialId material, const VoxelIndex& first, const Vec3& offset, double fill) {
+    filled[material] += fill;
+    moments[material] += fill * (Vec3(first[0], first[1], first[2]) + offset);
+  };
+  for (int id = 1; id <= materials().size(); ++id)
+    amounts.push_back({MaterialId(id), 0, 0, 0, Vec3::Constant(std::numeric_limits<double>::quiet_NaN())});
   for_each_block([&](const BlockView& block) {
     if (block.material == nullptr) {
       amounts[block.uniform_material - 1U].voxels += kBlockVoxels;
-      filled[block.uniform_material] += kBlockVoxels;
+      add(block.uniform_material, block.origin, Vec3::Constant((kBlockEdge - 1) / 2.0), kBlockVoxels);
       return;
     }
     for (int n = 0; n < kBlockVoxels; ++n) {
       if (!block.is_solid(n)) continue;
       amounts[block.material[n] - 1U].voxels += 1;
-      filled[block.material[n]] += double(block.fill_of(n));
+      add(block.material[n], voxel_at(block.origin, n), centroid_in(block, n), double(block.fill_of(n)));
     }
   });
   for (MaterialAmount& amount : amounts) {
     amount.volume = filled[amount.material] * voxel_volume;
     amount.mass = amount.volume * materials()[amount.material].density;
+    if (filled[amount.material] > 0)
+      amount.center = frame().X_WV * (voxel_size() / filled[amount.material] * moments[amount.material]);
   }
   return amounts;
 }

@@ -60,8 +60,9 @@ constexpr auto fields_of(Of<SimulationModelOptions>) {
 class SimulationModel final : public LoopModel {
  public:
   /// @param device  the device of the loop; the model reports changes of clutch and scale to its guard
-  /// @throws Error when the map is not valid, the coupling does not suit the simulation, the workpiece is too large for
-  ///         undo, or a contact that is stiffer than the device renders would drive the device directly
+  /// @throws Error when the map is not valid, the coupling does not suit the simulation or is more than twice as stiff
+  ///         as the device renders, the workpiece is too large for undo, or a contact that is stiffer than the device
+  ///         renders would drive the device directly
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
   /// Lets the spindle run again at its set speed, for steps without a loop.

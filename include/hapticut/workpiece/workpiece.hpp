@@ -13,12 +13,13 @@
 
 namespace hapticut {
 
-/// Volume and mass of one material of a workpiece.
+/// Volume, mass and centre of one material of a workpiece.
 struct MaterialAmount {
   MaterialId material;
   std::int64_t voxels;  ///< not yet empty
   double volume;        ///< [m^3] partly filled voxels counted by their fraction
   double mass;          ///< [kg]
+  Vec3 center;          ///< [m] centre of the volume, in W; NaN if no voxel has the material
 };
 
 struct SavedBlock;

@@ -41,7 +41,11 @@ StepTimes times_of(std::vector<float> times) {
 void add(const StepResult& step, DrillResult& result) {
   result.removed_voxels += step.removed_voxels.size();
   result.removed_volume += step.removed_volume;
-  if (step.removed_volume > 0) ++result.steps_cutting;
+  if (step.removed_volume > 0) {
+    ++result.steps_cutting;
+    const bool turns = !has_any(step.status, StepStatus::spindle_stands | StepStatus::spindle_stalled);
+    if (turns && has_any(step.status, StepStatus::engaged_layer_thick)) ++result.steps_too_soft;
+  }
   if (step.contact.voxels > 0) {
     ++result.steps_in_contact;
     const double force = step.force.norm(), torque = step.torque.norm();

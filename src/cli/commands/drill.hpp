@@ -33,7 +33,8 @@ struct StepTimes {
 struct DrillResult {
   std::size_t steps = 0;
   std::size_t steps_in_contact = 0;
-  std::size_t steps_cutting = 0;
+  std::size_t steps_cutting = 0;   ///< that removed volume
+  std::size_t steps_too_soft = 0;  ///< of these, those with a turning spindle and StepStatus::engaged_layer_thick
   std::size_t removed_voxels = 0;
   double removed_volume = 0;               ///< [m^3]
   double max_force = 0, mean_force = 0;    ///< [N]; mean over the steps in contact

@@ -32,6 +32,14 @@ bool has_materials(const WorkpieceSettings& s) {
 }
 
 #ifdef HAPTICUT_HAS_IO
+constexpr const char* kDoubt =
+    "; files without a spacing often say so: compare the size, and set --spacing_mm if it is wrong";
+
+/// Whether the file gives the spacing that is the default of most formats.
+bool is_in_doubt(const WorkpieceSettings& s, const Vec3& spacing) {
+  return !s.spacing_mm && spacing.isApproxToConstant(1 * units::mm);
+}
+
 /// The directions of the grid's axes in patient axes: left, back, head.
 std::string axes_text(const Mat3& rotation) {
   std::string text;
@@ -52,7 +60,9 @@ void inspect_volume(const InspectSettings& s) {
   }();
   const Vec3 spacing = v.spacing / units::mm;
   const double voxel = spacing.prod();
+  const Vec3 size = v.spacing.cwiseProduct(Vec3(v.dims[0], v.dims[1], v.dims[2]));
   Json report = {{"source", s.workpiece.source},
+                 {"size_mm", in_mm(size)},
                  {"dims", v.dims},
                  {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
                  {"pose", to_json(v.X_WG)},
@@ -62,8 +72,9 @@ void inspect_volume(const InspectSettings& s) {
                  {"not_a_number", v.not_a_number},
                  {"padding", v.padding}};
   Table table("hapticut inspect: " + s.workpiece.source);
+  table.add("size", size_text(size));
   table.add("samples", dims_text(v.dims));
-  table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
+  table.add("spacing", size_text(v.spacing) + (is_in_doubt(s.workpiece, v.spacing) ? kDoubt : ""));
   table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes rotated"));
   table.add("axes", axes_text(v.X_WG.rotation));
   table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6) +
@@ -99,13 +110,14 @@ void inspect_workpiece(const InspectSettings& s) {
   report["spacing_mm"] = {size, size, size};
 
   Table table("hapticut inspect: " + summary.source);
+  table.add("size", size_text(summary.size));
   table.add("voxels", dims_text(summary.dims) + " of " + rounded(size) + " mm");
   table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes rotated"));
   for (const MaterialAmount& amount : summary.amounts)
     if (amount.voxels > 0)
-      table.add(workpiece.materials()[amount.material].name, std::to_string(amount.voxels) + " voxels, " +
-                                                                 rounded(amount.volume / units::mm3, 6) + " mm^3, " +
-                                                                 rounded(1e3 * amount.mass) + " g");
+      table.add(workpiece.materials()[amount.material].name,
+                std::to_string(amount.voxels) + " voxels, " + rounded(amount.volume / units::mm3, 6) + " mm^3, " +
+                    rounded(1e3 * amount.mass) + " g, centre " + position_text(amount.center) + " mm");
   table.add("memory", bytes(summary.memory_bytes));
   std::fputs(table.text().c_str(), stdout);
   write_json(s.json, report);

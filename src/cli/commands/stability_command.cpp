@@ -130,7 +130,9 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
                                 {"buzz_N", buzz.force_peak_to_peak}});
     if (!(k_coupled >= kMinGain * k_direct))
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
-                                    " raises the stiffness less than tenfold");
+                                    " is stable up to k_v = " + rounded(k_coupled, 3) +
+                                    " N/m^4, less than ten times the " + rounded(k_direct, 3) +
+                                    " N/m^4 of the device without a coupling");
     if (bounce_coupled.restitution > 1)
       findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
                                     " pushes the hand back faster than it arrived");
@@ -197,8 +199,9 @@ void run_stability(const StabilitySettings& s) {
                       {"complaints", findings.complaints},
                       {"build", {{"version", build.version}, {"commit", build.commit}}}});
   if (findings.complaints.empty()) return;
-  throw Error(std::to_string(findings.complaints.size()) +
-              " rules are broken; the first: " + findings.complaints.front() + ". The report lists all.");
+  const std::size_t broken = findings.complaints.size();
+  throw Error((broken == 1 ? "1 rule is broken: " : std::to_string(broken) + " rules are broken; the first: ") +
+              findings.complaints.front() + ". The report of --json lists all.");
 }
 
 /// The names of the presets, each mapped to itself.

@@ -39,7 +39,7 @@ constexpr FlagWords kFlagWords[] = {
     {"WorkspaceMapOptions::scale", "--scale"},
     {"large = true", "--large"},
     {"leave RunOptions::simulated_time false", "leave --simulated-time out"},
-    {"so no coupling can be chosen for it; set CouplingGains yourself", "so choose --coupling none"},
+    {"so no coupling can be chosen for it; set CouplingGains", "so choose --coupling none"},
     {"; open a part of it with open_playback and a PlaybackRange", "; record a shorter one"},
     {"use read_recording", "use hapticut replay"},
     {"unit (unit_mm of read_mesh)", "unit (--unit-mm)"},

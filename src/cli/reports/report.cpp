@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/reports/report.hpp"
 
+#include <cmath>
+
 #include "cli/reports/table.hpp"
 #include "hapticut/core/units.hpp"
 #include "loop/hand_map.hpp"
@@ -31,8 +33,6 @@ Json status_json(const DrillResult& result) {
   return json;
 }
 
-Json in_mm(const Vec3& p) { return {p.x() / units::mm, p.y() / units::mm, p.z() / units::mm}; }
-
 }  // namespace
 
 WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece) {
@@ -41,11 +41,17 @@ WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece
   summary.source = source;
   for (std::size_t axis = 0; axis < 3; ++axis) summary.dims[axis] = box.empty() ? 0 : box.max[axis] - box.min[axis] + 1;
   summary.voxel_size = workpiece.voxel_size();
+  summary.size = summary.voxel_size * Vec3(summary.dims[0], summary.dims[1], summary.dims[2]);
   summary.X_WV = workpiece.frame().X_WV;
   summary.box = box_of_workpiece(workpiece);
   summary.memory_bytes = workpiece.memory_bytes();
   summary.amounts = workpiece.amounts();
   return summary;
+}
+
+Json in_mm(const Vec3& position) {
+  const Vec3 p = position / units::mm;
+  return {p.x(), p.y(), p.z()};
 }
 
 Json to_json(const Pose& pose) {
@@ -61,23 +67,39 @@ std::string dims_text(const std::array<int, 3>& dims) {
   return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
 }
 
-std::string box_text(const Box& box) {
-  const auto corner = [](const Vec3& p) {
-    return rounded(p.x() / units::mm) + " " + rounded(p.y() / units::mm) + " " + rounded(p.z() / units::mm);
-  };
-  return corner(box.min) + " to " + corner(box.max) + " mm";
+std::string size_text(const Vec3& size) {
+  const Vec3 mm = size / units::mm;
+  return rounded(mm.x()) + " x " + rounded(mm.y()) + " x " + rounded(mm.z()) + " mm";
 }
 
+std::string position_text(const Vec3& position) {
+  const auto text = [](double length) {
+    const double mm = length / units::mm;
+    return rounded(std::abs(mm) < 1e-9 ? 0 : mm);
+  };
+  return text(position.x()) + " " + text(position.y()) + " " + text(position.z());
+}
+
+std::string box_text(const Box& box) { return position_text(box.min) + " to " + position_text(box.max) + " mm"; }
+
 Json to_json(const WorkpieceSummary& s, const MaterialTable& materials) {
-  Json voxels = Json::object(), volumes = Json::object();
+  Json voxels = Json::object(), volumes = Json::object(), centers = Json::object();
   for (const MaterialAmount& amount : s.amounts) {
     if (amount.voxels == 0 && materials.size() > kFewMaterials) continue;
     voxels[materials[amount.material].name] = amount.voxels;
     volumes[materials[amount.material].name] = amount.volume / units::mm3;
+    if (amount.voxels > 0) centers[materials[amount.material].name] = in_mm(amount.center);
   }
-  return {{"source", s.source},      {"dims", s.dims},        {"voxel_size_mm", s.voxel_size / units::mm},
-          {"pose", to_json(s.X_WV)}, {"box", to_json(s.box)}, {"memory_bytes", s.memory_bytes},
-          {"voxels", voxels},        {"volume_mm3", volumes}};
+  return {{"source", s.source},
+          {"size_mm", in_mm(s.size)},
+          {"dims", s.dims},
+          {"voxel_size_mm", s.voxel_size / units::mm},
+          {"pose", to_json(s.X_WV)},
+          {"box", to_json(s.box)},
+          {"memory_bytes", s.memory_bytes},
+          {"voxels", voxels},
+          {"volume_mm3", volumes},
+          {"center_mm", centers}};
 }
 
 Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
@@ -108,11 +130,12 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   const MaterialTable& materials = simulation.workpiece().materials();
   const auto percent = [&](std::size_t count) { return rounded(100.0 * double(count) / double(r.steps), 3) + " %"; };
   Table table("hapticut drill: " + report.workpiece.source);
-  table.add("workpiece", dims_text(report.workpiece.dims) + " voxels of " +
+  table.add("workpiece", size_text(report.workpiece.size) + ", " + dims_text(report.workpiece.dims) + " voxels of " +
                              rounded(report.workpiece.voxel_size / units::mm) + " mm, " +
                              bytes(report.workpiece.memory_bytes));
   table.add("steps", std::to_string(r.steps) + " at " + rounded(report.rate, 6) + " Hz, " +
-                         percent(r.steps_in_contact) + " in contact, " + percent(r.steps_cutting) + " cutting");
+                         percent(r.steps_in_contact) + " in contact, " + percent(r.steps_cutting) +
+                         " removing material");
   table.add("removed",
             rounded(r.removed_volume / units::mm3) + " mm^3, " + std::to_string(r.removed_voxels) + " voxels");
   const auto& volumes = simulation.removed_volume_by_material();

@@ -15,6 +15,7 @@ struct WorkpieceSummary {
   std::string source;
   std::array<int, 3> dims = {0, 0, 0};  ///< [voxels] size of the bounding box of the solid, along the grid's axes
   double voxel_size = 0;                ///< [m]
+  Vec3 size = Vec3::Zero();             ///< [m] of the bounding box of the solid, along the grid's axes
   Pose X_WV;                            ///< pose of the grid: position of the centre of voxel (0, 0, 0)
   Box box;                              ///< [m] bounding box of the solid, in W
   std::size_t memory_bytes = 0;
@@ -23,17 +24,25 @@ struct WorkpieceSummary {
 
 [[nodiscard]] WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece);
 
-/// A pose as `position_mm` and `rotation` (rows); a box as `min_mm` and `max_mm`.
+/// A position in mm; a pose as `position_mm` and `rotation` (rows); a box as `min_mm` and `max_mm`.
+[[nodiscard]] Json in_mm(const Vec3& position);
 [[nodiscard]] Json to_json(const Pose& pose);
 [[nodiscard]] Json to_json(const Box& box);
 
 /// "1 x 2 x 3".
 [[nodiscard]] std::string dims_text(const std::array<int, 3>& dims);
 
+/// "1 x 2 x 3 mm".
+[[nodiscard]] std::string size_text(const Vec3& size);
+
+/// "1 2 3", in mm.
+[[nodiscard]] std::string position_text(const Vec3& position);
+
 /// "0 0 0 to 1 2 3 mm".
 [[nodiscard]] std::string box_text(const Box& box);
 
-/// `dims`, `voxel_size_mm`, `pose`, `box`, `memory_bytes`, and `voxels` and `volume_mm3` by material.
+/// `size_mm`, `dims`, `voxel_size_mm`, `pose`, `box`, `memory_bytes`, and `voxels`, `volume_mm3` and `center_mm` by
+/// material.
 [[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
 
 /// Warnings about the numbers, as sentences; may be empty.

@@ -17,11 +17,14 @@ std::string steps(std::size_t count) { return std::to_string(count) + (count == 
 
 std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& simulation) {
   std::vector<std::string> warnings;
-  const bool cuts = simulation.tool().spindle().speed != 0 && simulation.config().removal != RemovalLaw::none;
+  const bool cuts = simulation.config().removal != RemovalLaw::none;
+  const std::size_t stood = r.count(StepStatus::spindle_stands), stalled = r.count(StepStatus::spindle_stalled);
   if (r.steps_in_contact == 0)
     warnings.emplace_back("the path never touches the workpiece; check the positions and path.point against its box.");
-  else if (cuts && r.removed_volume == 0)
-    warnings.emplace_back("the tool touches the workpiece but cuts nothing; check the edge pressure of the materials.");
+  else if (cuts && r.removed_volume == 0 && stood == 0 && stalled == 0)
+    warnings.emplace_back(
+        "the tool touches the workpiece but cuts nothing; check the edge pressure of the materials and "
+        "simulation.reference_stiffness_N_per_m4.");
   if (r.starts_in_contact)
     warnings.emplace_back("the path starts inside the workpiece; start outside, e.g. with path.approach_mm.");
   if (const std::size_t jumps = r.count(StepStatus::jump_rejected); jumps > 0)
@@ -33,9 +36,17 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
         " some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (const std::size_t full = r.count(StepStatus::removed_list_full); full > 0)
     warnings.emplace_back("in " + steps(full) + " the list of removed voxels was full; removed_voxels is too low.");
-  const std::size_t thick = r.count(StepStatus::engaged_layer_thick);
-  if (double(thick) > kOftenThick * double(r.steps_cutting))
-    warnings.emplace_back("in " + steps(thick) + " of " + std::to_string(r.steps_cutting) +
+  if (stood > 0)
+    warnings.emplace_back("the spindle stood in " + steps(stood) +
+                          " of contact, so the head pressed, rubbed and crushed, but did not cut; set "
+                          "tool.spindle_rpm.");
+  if (stalled > 0)
+    warnings.emplace_back("the load stalled the spindle in " + steps(stalled) + " of " +
+                          std::to_string(r.steps_in_contact) +
+                          " in contact, so the head did not cut; lower the feed, or raise tool.power_limit_W or "
+                          "tool.torque_limit_Nmm.");
+  if (double(r.steps_too_soft) > kOftenThick * double(r.steps_cutting))
+    warnings.emplace_back("in " + steps(r.steps_too_soft) + " of " + std::to_string(r.steps_cutting) +
                           " that cut, the engaged layer was thicker than a tenth of the head, so forces are too low; "
                           "raise simulation.reference_stiffness_N_per_m4 or lower the feed.");
   if (std::abs(r.energy.closure()) > kMaxClosure)

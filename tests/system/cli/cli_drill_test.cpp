@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "hapticut/core/units.hpp"
@@ -177,6 +179,32 @@ TEST_F(Drill, WarnsWhenThePathStartsInside) {
   const nlohmann::json report = drill(kBlock + kBall + "--path line --from_mm 3,3,1 --to_mm 3,3,2 --feed_mm_per_s 20");
   ASSERT_GE(report["warnings"].size(), 1U);
   EXPECT_NE(report["warnings"][0].get<std::string>().find("starts inside"), std::string::npos);
+}
+
+TEST_F(Drill, WarnsOfASpindleThatStandsOrStallsInsteadOfTheStiffness) {
+  const std::string feed = kBlock + "--head sphere --radius_mm 1 " + kGroove;
+  const nlohmann::json standing = drill(feed + "--spindle_rpm 0");
+  ASSERT_EQ(standing["warnings"].size(), 1U) << standing["warnings"];
+  const std::string stands = standing["warnings"][0];
+  EXPECT_NE(stands.find("the spindle stood in " + standing["status"]["spindle_stands"].dump() + " steps"),
+            std::string::npos)
+      << stands;
+  EXPECT_NE(stands.find("tool.spindle_rpm"), std::string::npos) << stands;
+  const nlohmann::json stalling = drill(feed + "--spindle_rpm 30000 --motor electric --torque_limit_Nmm 0.001");
+  ASSERT_EQ(stalling["warnings"].size(), 1U) << stalling["warnings"];
+  EXPECT_NE(stalling["warnings"][0].get<std::string>().find("stalled the spindle"), std::string::npos);
+}
+
+TEST_F(Drill, CountsOfTheStepsWithAThickLayerThoseThatRemoveMaterial) {
+  const nlohmann::json report = drill(kBlock + kSpinningBall + "--reference_stiffness 1e12 " + kGroove);
+  ASSERT_GT(report["status"]["engaged_layer_thick"], report["steps_cutting"]) << "some steps only touch";
+  std::string counts;
+  for (const nlohmann::json& warning : report["warnings"])
+    if (warning.dump().find("the engaged layer was thicker") != std::string::npos) counts = warning;
+  std::size_t thick = 0, cutting = 0;
+  ASSERT_EQ(std::sscanf(counts.c_str(), "in %zu steps of %zu that cut", &thick, &cutting), 2) << counts;
+  EXPECT_EQ(cutting, report["steps_cutting"]);
+  EXPECT_LE(thick, cutting);
 }
 
 TEST_F(Drill, FailsWhenStepsAreRejected) {

@@ -105,6 +105,19 @@ TEST_F(Flags, MustNotAskForTheImpossible) {
   expect("drill " + kBlock + kBall + kLine + "--tool_axis 0,0,0", kFailed, "path.tool_axis");
 }
 
+// 100 m deep: the points are counted before any is made.
+TEST_F(SettingsFile, MustNotAskForAnImpossibleDepth) {
+  const std::string common = "center_mm = [1, 1, 2]\nfeed_mm_per_s = 20\npitch_mm = 0.5\ndepth_mm = 1e5\n";
+  const auto expect_of = [&](const std::string& keys, const std::string& part) {
+    write_bytes(folder / "scene.toml", "[path]\n" + common + keys);
+    expect_refused("drill --settings " + path("scene.toml") + " " + kBlock + kBall,
+                   {"the path would have", "at most 1e+07 are possible. Change path.depth_mm", part});
+  };
+  expect_of("kind = \"cavity\"\ntop_radius_mm = 0.6\nbottom_radius_mm = 0.4\nlayer_mm = 0.2\n",
+            ", path.layer_mm or path.pitch_mm.");
+  expect_of("kind = \"spiral\"\nstart_radius_mm = 0.1\nend_radius_mm = 1\n", " or path.pitch_mm.");
+}
+
 TEST_F(SettingsFile, NamesMaterialsThatExistEvenWhereNothingIsMadeOfThem) {
   const auto expect_of = [this](const std::string& table, const std::string& part) {
     write_bytes(folder / "scene.toml", table);

@@ -83,6 +83,22 @@ TEST_F(Inspect, RefusesWhatAVolumeWithoutMaterialsDoesNotUse) {
     expect_refused("inspect " + path("v.nrrd") + " " + flag,
                    {"is set; must be left out, because", "v.nrrd is a volume without materials"});
   EXPECT_EQ(inspect(path("v.nrrd") + " --spacing-mm 1,1,1 --crop-mm 0,0,0,5,5,5")["spacing_mm"][0], 1);
+  EXPECT_EQ(read_bytes(folder / "stdout").find("compare the size"), std::string::npos) << "it was given";
+}
+
+TEST_F(Inspect, DoubtsASpacingThatFilesHaveByDefault) {
+  const auto write = [this](const std::string& spacings) {
+    write_bytes(folder / "v.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 3 4\nspacings: " + spacings +
+                                       "\nencoding: raw\n\n" + std::string(24, '\x05'));
+  };
+  write("1 1 1");
+  EXPECT_EQ(inspect(path("v.nrrd"))["size_mm"], nlohmann::json({2, 3, 4}));
+  const std::string table = read_bytes(folder / "stdout");
+  EXPECT_EQ(table.find("  size "), table.find('\n') + 1) << table;
+  EXPECT_NE(table.find("set --spacing_mm if it is wrong"), std::string::npos) << table;
+  write("0.5 1 1");
+  EXPECT_NEAR(inspect(path("v.nrrd"))["size_mm"][0].get<double>(), 1, 1e-9);
+  EXPECT_EQ(read_bytes(folder / "stdout").find("set --spacing_mm"), std::string::npos);
 }
 
 TEST_F(Convert, RefusesAVolumeOfWhichNothingIsLeft) {

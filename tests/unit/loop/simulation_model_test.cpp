@@ -16,6 +16,7 @@
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
+#include "support/refusal.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scripted_loop.hpp"
 
@@ -103,6 +104,17 @@ TEST(SimulationModel, RefusesToDriveADeviceDirectlyWithAStiffnessThatItCannotRen
   EXPECT_NE(refusal(0).find("driven directly"), std::string::npos);
   EXPECT_NE(refusal(1e13).find("lower the reference stiffness to 4.4"), std::string::npos);
   EXPECT_EQ(refusal(4.4e11), "");
+}
+
+TEST(SimulationModel, RefusesACouplingThatTheDeviceCannotRender) {
+  const auto device = open_device("mock:rest");  // 700 N/m
+  Simulation simulation = block_under_the_ball(3000, ContactTime::end);
+  SimulationModelOptions options = ball_above_the_block();
+  options.coupling = test::scripted_loop::touch_gains();
+  options.coupling->stiffness = 1400;
+  EXPECT_NO_THROW((void)SimulationModel(simulation, *device, options));
+  options.coupling->stiffness = 20e3;
+  test::expect_refused([&] { (void)SimulationModel(simulation, *device, options); }, "at most 1400 N/m");
 }
 
 // Stress test: simulated seconds of cutting at full speed, with commands. A reader that polls 60 times a second keeps a

@@ -18,6 +18,7 @@ using units::mm;
 TEST(BuildBlock, FillsAPartlyCoveredLastRowByItsFraction) {
   const Workpiece workpiece = build_block({Vec3::Zero(), Vec3(1, 1, 0.96) * mm}, 0.1 * mm, named("clay"));
   EXPECT_NEAR(workpiece.amounts()[0].volume, 0.96e-9, 1e-16);
+  EXPECT_LT((workpiece.amounts()[0].center - Vec3(0.5, 0.5, 0.48) * mm).norm(), 1e-4 * mm);
   EXPECT_NEAR(workpiece.fill_at({3, 3, 9}), 0.6, 1e-6);
   EXPECT_EQ(workpiece.centroid_at({3, 3, 9}), CentroidOffset::from_offset({0, 0, -0.2}));
 }
@@ -28,12 +29,23 @@ TEST(BuildLayeredSlab, GivesEachLayerItsVolume) {
   const auto amounts = workpiece.amounts();
   EXPECT_NEAR(amounts[0].volume, 4e-9, 1e-15);
   EXPECT_NEAR(amounts[1].volume, 6e-9, 1e-15);
+  EXPECT_LT((amounts[0].center - Vec3(1, 1, 2.5) * mm).norm(), 1e-4 * mm);
+  EXPECT_LT((amounts[1].center - Vec3(1, 1, 1.25) * mm).norm(), 1e-4 * mm);
+}
+
+TEST(MaterialAmount, HasNoCentreWithoutVoxels) {
+  const Workpiece slab = build_layered_slab({Vec3::Zero(), Vec3(2, 2, 1) * mm}, 0.1 * mm,
+                                            {{named("enamel"), 1 * mm}, {named("dentin"), 1 * mm}});
+  EXPECT_TRUE(slab.amounts()[0].center.allFinite());
+  ASSERT_EQ(slab.amounts()[1].voxels, 0);
+  EXPECT_TRUE(slab.amounts()[1].center.array().isNaN().all());
 }
 
 TEST(BuildSphere, ConvergesToItsVolume) {
   for (const auto& [voxel, tolerance] : {std::pair{0.2 * mm, 1e-4}, {0.1 * mm, 3e-5}}) {
     const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 2 * mm, voxel, named("clay"));
     EXPECT_NEAR(test::solid_volume(ball) / (4 * kPi / 3 * 8e-9), 1, tolerance);
+    EXPECT_LT((ball.amounts()[0].center - Vec3(1, 2, 3) * mm).norm(), 1e-3 * mm);
   }
 }
 
