@@ -232,6 +232,10 @@ void bind_model(py::module_& m) {
       .def_property_readonly(
           "island_count", [](const M& self) { return self.islands ? self.islands->watch().count() : 0; },
           doc("IslandWatch::count"))
+      .def_property_readonly(
+          "island_fault",
+          [](const M& self) { return self.islands ? self.islands->watch().fault() : std::optional<std::string>(); },
+          doc("IslandWatch::fault"))
       .def(
           "removed_islands",
           [](const M& self) { return self.islands ? self.islands->watch().removed() : std::vector<Island>(); },

@@ -7,7 +7,9 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -99,6 +101,7 @@ struct IslandWatch::State final : StepObserver {
   std::condition_variable wake;
   bool stopping = false;
   std::vector<Island> removed;
+  std::optional<std::string> fault;  // why the present workpiece is not watched
 
   // Between the two. Finished removals and old feeds are freed in the watching thread.
   HandoverRing<Replaced> replaced{kWorkpieces};
@@ -144,13 +147,20 @@ void IslandWatch::State::watch() {
 void IslandWatch::State::begin_anew(const Replaced& next) {
   search.reset();
   to_send = {};
+  std::optional<std::string> reason;
   try {
     search.emplace(
         Search{IslandFinder(next.bounds, next.frame, options.islands), {next.workpiece, new_feed(next.bounds)}});
     to_send = search->feed;
-  } catch (const std::exception&) {  // too large a workpiece, or one without voxels: it is not watched
+  } catch (const std::bad_alloc&) {
     search.reset();
+    reason = "There is not enough memory to search the workpiece for loose pieces; crop it.";
+  } catch (const std::exception& error) {  // too large a workpiece, or one without voxels
+    search.reset();
+    reason = error.what();
   }
+  const std::lock_guard lock(mutex);
+  fault = std::move(reason);
 }
 
 void IslandWatch::State::find() {
@@ -217,6 +227,11 @@ void IslandWatch::tick() noexcept {
 }
 
 std::uint64_t IslandWatch::count() const noexcept { return state_->count; }
+
+std::optional<std::string> IslandWatch::fault() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->fault;
+}
 
 std::vector<Island> IslandWatch::removed() {
   const std::lock_guard lock(state_->mutex);

@@ -106,7 +106,7 @@ def test_a_model_lets_islands_leave_where_it_is_asked_to(simulation):
     coupled = h.Simulation(h.build_block(h.Box([0, 0, 0], [2 * mm] * 3), 0.1 * mm, h.presets.cortical_bone()),
                            simulation.tool, h.SimulationConfig(contact_time=h.ContactTime.end))
     model = h.loop.SimulationModel(coupled, device, h.loop.SimulationModelOptions(coupling=gains), watch)
-    assert model.removed_islands() == []
+    assert model.removed_islands() == [] and model.island_fault is None
     loop = h.loop.RealtimeLoop(model, h.loop.RealtimeLoopOptions(run=h.device.RunOptions(seconds=0.05, simulated_time=True)))
     loop.start()
     loop.wait()

@@ -288,7 +288,8 @@ def test_a_workpiece_tells_what_it_is(block):
     assert np.allclose(block.frame.center([0, 0, 0]), block.frame.X_WV[:3, 3])
     [amount] = block.amounts()
     assert amount.material == 1 and amount.mass == pytest.approx(amount.volume * block.materials[1].density)
-    assert amount.center == pytest.approx(block.frame.center((np.array(bounds.min) + bounds.max) // 2), abs=0.1 * mm)
+    middle = ((np.array(bounds.min) + bounds.max) // 2).tolist()
+    assert amount.center == pytest.approx(block.frame.center(middle), abs=0.1 * mm)
     block.reserve_undo(10)
     block.set_mark()
     assert block.marks == 1 and block.undo_block() is None and block.marks == 0  # nothing was cut since

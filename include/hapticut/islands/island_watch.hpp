@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "hapticut/core/description.hpp"
@@ -38,7 +40,7 @@ constexpr auto fields_of(Of<IslandWatchOptions>) {
 ///
 /// After a replacement of the workpiece (Simulation::workpiece_replacements), the watch begins anew: the bodies of the
 /// new workpiece are separate from the beginning. Its search begins when all blocks were sent once. A workpiece that
-/// spans too many blocks for IslandFinder is not watched.
+/// spans too many blocks for IslandFinder is not watched; `fault` says so.
 class IslandWatch {
  public:
   /// @param simulation  must outlive it and must not be moved
@@ -55,6 +57,10 @@ class IslandWatch {
 
   /// Number of removed pieces. From any thread.
   [[nodiscard]] std::uint64_t count() const noexcept;
+
+  /// Why the present workpiece is not watched. Empty while it is watched, or while its search is being prepared. After
+  /// a replacement of the workpiece it refers to the former one for up to IslandWatchOptions::period. From any thread.
+  [[nodiscard]] std::optional<std::string> fault() const;
 
   /// Pieces that were removed since the last call, at most the latest 64, for display as bodies. From any thread.
   [[nodiscard]] std::vector<Island> removed();

@@ -47,7 +47,7 @@ class Workpiece {
   /// Builds a workpiece block by block.
   /// @param domain  voxels that may be solid; the filler is called for every block that touches the domain, and content
   ///                outside the domain is dropped
-  /// @throws Error when the voxel size is not positive, the frame is not a pose, the domain has more than 2^40 voxels
+  /// @throws Error when the voxel size is not positive, the frame is not a pose, the domain has more than 2^34 voxels
   ///         or reaches beyond +-2^30, a material id is not in the table, or a fill is not within 0 ... 1
   [[nodiscard]] static Workpiece from_blocks(const IndexBox& domain, const GridFrame& frame, MaterialTable materials,
                                              const BlockFiller& fill_block);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <thread>
 
 #include "support/refusal.hpp"
@@ -218,6 +219,33 @@ TEST(IslandWatch, FollowsTheFrameAndTheBoundsOfAnotherWorkpiece) {
   cut_layer(simulation, watch, 40);  // 1 mm above the origin; what is above is the longer part
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
+}
+
+/// Two bodies of some voxels, so far apart that the box around them has more blocks than a search can hold: 324^3. The
+/// box begins and ends within a block, because 2^34 voxels in whole blocks, the maximum of a workpiece, would fit.
+Workpiece far_apart() {
+  constexpr int kFar = 323 * kBlockEdge;
+  const VoxelIndex first = {0, 0, 0}, last = {kFar, kFar, kFar};
+  return Workpiece::from_blocks({{7, 7, 7}, {kFar + 1, kFar + 1, kFar + 1}}, GridFrame{kVoxel, Pose{}},
+                                MaterialTable({test::plain_material()}),
+                                [&](const VoxelIndex& origin, BlockContent& /*content*/) {
+                                  return origin == first || origin == last ? BlockKind::solid(1) : BlockKind::empty();
+                                });
+}
+
+TEST(IslandWatch, SaysWhyItDoesNotWatchAWorkpieceAndWatchesTheNext) {
+  Simulation simulation = bar_and_ball();
+  IslandWatch watch(simulation, quick_watch());
+  EXPECT_EQ(watch.fault(), std::nullopt);
+  simulation.reset(far_apart());
+  while (!watch.fault()) wait(simulation, watch, 1);
+  test::expect_part(watch.fault().value_or(""), "blocks, more than 3.35544e+07 in which islands can be found");
+  simulation.reset(bar(0, 6));
+  while (watch.fault()) wait(simulation, watch, 1);
+  simulation.reserve_undo(200);
+  cut_layer(simulation, watch, 40);
+  EXPECT_EQ(watch.count(), 1U);
+  EXPECT_EQ(watch.fault(), std::nullopt);
 }
 
 TEST(IslandWatch, RemovesALoosePieceAgainThatAnUndoBringsBack) {
