@@ -141,7 +141,7 @@ TEST_F(Flags, NameAFileThatIsNotReadOrWrittenOtherwise) {
   EXPECT_EQ(test::read_bytes(folder / "scene.toml"), scene);
 }
 
-TEST_F(SettingsFile, ThatIsWrongOrNotThereIsRefused) {
+TEST_F(SettingsFile, ThatIsWrongOrMissingIsRefused) {
   for (const auto& [toml, part] :
        {std::pair("[tool]\nradius_mm = -1\n", ":2: tool.radius_mm: must be a number > 0, not -1."),
         std::pair("[tool]\nradius_mm = = 3\n", ":2: not valid TOML")}) {

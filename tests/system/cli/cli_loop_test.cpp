@@ -67,7 +67,7 @@ TEST_F(Loop, DrivesADeviceWhereTheProgramWasBuiltWithItsSdk) {
   }
 }
 
-TEST_F(Loop, CutsHardBoneBehindItsCouplingUnlessItIsToldOtherwise) {
+TEST_F(Loop, CutsHardBoneBehindItsCouplingByDefault) {
   const auto is_too_soft = [&](const std::string& more) {
     const nlohmann::json report = loop("mock:spiral,hand=nominal --seconds 5 --simulated-time" + more);
     return report["warnings"].dump().find("too soft") != std::string::npos;
@@ -127,7 +127,7 @@ TEST_F(Loop, RunsInRealTimeAtEveryRate) {
 
 // The hand presses with the same spring on a wall that is stiff compared with the device's coupling: the force is the
 // same.
-TEST_F(Loop, FeelsTheSameAtTheHandWhateverTheScale) {
+TEST_F(Loop, RendersAnEqualForceAtEveryScale) {
   // Apart from the compliance of the bone and the device's friction of 0.13 N.
   constexpr double kHand = 300, kTouch = 700, kBelow = 5e-3;  // [N/m], [N/m] that it renders, [m] of the set point
   const double expected = kBelow * kHand * kTouch / (kHand + kTouch);

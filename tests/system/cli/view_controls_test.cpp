@@ -197,7 +197,7 @@ TEST(ViewControls, KeepTheirValuesAfterAButtonFailed) {
   EXPECT_EQ(panel.control("tool/Diameter").value, 2);
 }
 
-TEST(ViewControls, StandAsTheModelDoesWhateverWasAsked) {
+TEST(ViewControls, ShowTheStateOfTheModel) {
   Panel panel;
   // Requested but not executed, as with a full queue.
   (void)panel.set("tool/Speed", 1000);

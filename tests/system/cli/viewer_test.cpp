@@ -137,7 +137,7 @@ class Listener {
   std::thread thread_;
 };
 
-TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
+TEST(Viewer, ReleasesTheHandWhenALoadBeginsAndStopsOnRequestMeanwhile) {
   double released = INFINITY, stopped = INFINITY;  // best case
   for (int n = 0; n < kTries && std::max(released, stopped) >= kSoonEnough; ++n) {
     Maker maker;
@@ -163,7 +163,7 @@ TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
   EXPECT_LT(stopped, kSoonEnough);
 }
 
-TEST(Viewer, ObeysAStopAndTheLossOfThePageWhateverElseItDoes) {
+TEST(Viewer, StopsOnRequestAndOnTheLossOfThePageInEveryState) {
   for (const bool stop : {true, false}) {
     double at_best = INFINITY;  // best of some tries, because the machine may be busy
     for (int n = 0; n < kTries && at_best >= kSoonEnough; ++n) {
@@ -198,7 +198,7 @@ TEST(Viewer, AStopOfThePointerHoldsInTheNextScene) {
   EXPECT_TRUE(soon([&] { return viewer.device().arming() == ArmingState::fault; }));
 }
 
-TEST(Viewer, EndsWellWhateverCameBefore) {
+TEST(Viewer, EndsWithoutAnErrorInEveryState) {
   // Each of these once aborted the program.
   {
     Maker maker;
@@ -237,7 +237,7 @@ TEST(Viewer, EndsWellWhateverCameBefore) {
   }
 }
 
-TEST(Viewer, ASceneThatCannotBeMadeIsSaidOnceAndTheOneBeforeGoesOn) {
+TEST(Viewer, ASceneThatCannotBeMadeIsReportedOnceAndThePreviousOneContinues) {
   Maker maker;
   const auto device = open_device("mock:rest");
   cli::Viewer viewer("first", {}, device.get(), maker.function());

@@ -182,7 +182,7 @@ Prick prick(double dt) {
 }
 
 // Friction is mu/tan(alpha) = 1.5 times the limit of the normals: the needle locks, and releases within a tick.
-TEST(CouplingFriction, LetsASlenderPointOutAtEveryRate) {
+TEST(CouplingFriction, ReleasesASlenderPointAtEveryRate) {
   for (const double rate : {500.0, 1000.0, 4000.0}) {
     const Prick seen = prick(1 / rate);
     EXPECT_GT(seen.pull, 0.1) << rate;

@@ -137,7 +137,7 @@ TEST(Coupling, NeverPullsWithMoreThanTheDeviceCanRender) {
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
 }
 
-TEST(Coupling, LeavesTheToolAndGoesOnFromWhereItIs) {
+TEST(Coupling, ParksTheToolAndContinuesFromItsPlace) {
   using Rejoin = VirtualCoupling::Rejoin;
   for (const Rejoin rejoin : {Rejoin::near, Rejoin::free}) {
     Simulation simulation(half_space(), ball(), implicit(1e13));

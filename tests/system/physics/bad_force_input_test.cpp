@@ -152,7 +152,7 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
   EXPECT_GT(calm.last_result().energy.cutting, 0);
 }
 
-TEST(BadForceInput, AMaterialTableThatRefusedAMaterialIsAsItWas) {
+TEST(BadForceInput, AMaterialTableThatRefusedAMaterialIsUnchanged) {
   MaterialTable table({plain_material()});
   Material bad = plain_material();
   bad.edge_pressure = -1;

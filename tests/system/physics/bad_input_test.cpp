@@ -73,7 +73,7 @@ TEST_F(BadInput, AnInvalidReadingIsRejectedAndTheNextStepContinues) {
   expect_works_again();
 }
 
-TEST_F(BadInput, AfterAJumpTheToolGoesOnWhereTheHandIsThereAgain) {
+TEST_F(BadInput, AfterARejectedJumpTheToolContinuesAtItsPlace) {
   expect_rejected(StepStatus::jump_rejected, Pose::from_translation(Vec3(0, 0, 500) * mm));
   expect_rejected(StepStatus::jump_rejected, Pose::from_translation(Vec3(1e300, 0, 0)));
   expect_works_again();

@@ -122,7 +122,7 @@ TEST(Simulation, KeepsItsRedoUntilSomethingIsCut) {
 }
 
 // A stroke of 30 mm in one step: 600 sub-steps, which list most blocks many times.
-TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
+TEST(ChangedBlocks, AreCompleteInALongSweepOrReportedAsIncomplete) {
   SimulationConfig config = test::on_foundation(1e14);
   config.max_sweep = 1000;
   config.reserved_blocks = 4096;
@@ -140,7 +140,7 @@ TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
   for (const VoxelIndex& origin : expected) EXPECT_TRUE(origins.contains(origin));
 }
 
-TEST(Simulation, GoesOnFromARestoredSnapshotAsItDidFromTheFreshWorkpiece) {
+TEST(Simulation, ContinuesFromARestoredSnapshotAsFromTheFreshWorkpiece) {
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   const auto forces_again = [&] {

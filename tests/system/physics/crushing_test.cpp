@@ -143,7 +143,7 @@ TEST(Crushing, APlateIsPunchedThrough) {
 
 // The pin fills its hole through a plate. A smooth side is twice as stiff, and a damped contact many times. Still a
 // column of voxels bears at most the strength, however it is divided into voxels.
-TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
+TEST(Crushing, AWallBearsItsStrengthEvenlyForAnySideAndDamping) {
   const double thickness = 1 * mm, speed = 10 * mm;  // [m], [m/s]
   const auto pin = [](EdgeKind side) {
     return ProfileHead({0, {{kRadius, 0}, {kRadius, 4 * mm, 0, side}, {0, 4 * mm, 0, EdgeKind::smooth}}});

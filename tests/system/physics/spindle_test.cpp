@@ -71,7 +71,7 @@ TEST(Spindle, WithoutASpeedIsReportedWhenItTouchesMaterialThatCouldBeCut) {
   EXPECT_FALSE(has_any(status_of(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
 }
 
-TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
+TEST(Spindle, WithACutterThatDoesNotSuitTheMaterialsIsReported) {
   using enum CutterKind;
   const auto tool = [](const Cutter& cutter, double speed = kSpin) {
     return Tool(SphereHead{0.5 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}, cutter);

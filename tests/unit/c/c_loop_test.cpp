@@ -119,7 +119,7 @@ TEST(CLoop, CutsAndIsSeen) {
   EXPECT_EQ(pages, expected);
 }
 
-TEST(CLoop, ObeysCommandsWhileItRuns) {
+TEST(CLoop, AppliesCommandsWhileItRuns) {
   ScriptedLoop scripted;
   scripted.start(0);
   ASSERT_TRUE(scripted.becomes([](const auto& state) { return state.removed_volume > 0; }));
@@ -186,7 +186,7 @@ TEST(CLoop, OwnsItsSimulationAndItsDeviceExclusively) {
       << hapticut_last_error();
 }
 
-TEST(CLoop, EndsWithItsHandleInWhateverOrderHandlesAreReleased) {
+TEST(CLoop, EndsWithItsHandleForAnyOrderOfReleases) {
   for (const int order : {0, 1, 2, 3, 4, 5}) {
     ScriptedLoop scripted;
     scripted.open_surface();

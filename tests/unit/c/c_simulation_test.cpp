@@ -105,7 +105,7 @@ TEST(CInterface, CouplesAHandAsCppDoes) {
       << "the coupling was made for the old tool";
 }
 
-TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
+TEST(CInterface, PartsToolAndHandAfterAnExchangeOrARelease) {
   const std::uint32_t waits = std::uint32_t(StepStatus::tool_waits);
   const auto expect_nothing = [&](const hapticut_step_result& result) {
     EXPECT_EQ(result.status, waits);
@@ -240,7 +240,7 @@ TEST(CInterface, TellsWhatTheSceneHas) {
   EXPECT_EQ(hapticut_material(without.get(), 2, &material), HAPTICUT_ERROR_ARGUMENT);
 }
 
-TEST(CInterface, GoesBackAndForth) {
+TEST(CInterface, UndoesAndRedoes) {
   const Owned simulation(simulation_of(kScene, 0, 4096));
   const double whole = volume_of(simulation.get());
   Owned snapshot;

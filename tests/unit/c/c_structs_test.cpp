@@ -29,7 +29,7 @@ TEST(CStructs, LieInMemoryInCAsTheyDoInCpp) {
 }
 
 // The structs of ABI version 1 may grow at their ends; their fields never move.
-TEST(CStructs, AreAsLargeAsTheyWereGivenOut) {
+TEST(CStructs, KeepTheirPublishedSizes) {
   const std::map<std::string, std::size_t> given_out = {{"hapticut_pose", 96},
                                                         {"hapticut_vertex", 12},
                                                         {"hapticut_simulation_options", 16},

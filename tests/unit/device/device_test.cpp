@@ -36,7 +36,7 @@ DeviceCommand wall(const DeviceState& state) {
   return command;
 }
 
-TEST(OpenDevice, SaysWhatWasAskedWhatThereIsAndWhatToInstall) {
+TEST(OpenDevice, RefusesAnUnknownDeviceWithItsNameTheKnownOnesAndTheCure) {
   try {
     (void)open_device("falcon:1");
     FAIL();

@@ -105,7 +105,7 @@ TEST(MouseDevice, ForgetsWhatMovedBeforeTheRunButNotWhatIsHeld) {
   EXPECT_TRUE(state.pressed(1));
 }
 
-TEST(MouseDevice, HasNoTorqueWhateverDeviceItStandsFor) {
+TEST(MouseDevice, HasNoTorqueForAnyDeviceModel) {
   MouseOptions options;
   options.device = "premium6dof";
   const DeviceCapabilities c = MouseDevice(options).capabilities();

@@ -45,7 +45,7 @@ TEST_F(OpenHapticsFaults, ReportsTheErrorOfTheDriverWhenItIsUnplugged) {
   EXPECT_EQ(hdsim_get_counters(0).zero_force_before_stop, 1);
 }
 
-TEST_F(OpenHapticsFaults, GivesUpOnADriverThatStopsCallingBack) {
+TEST_F(OpenHapticsFaults, EndsWhenTheDriverStopsItsCalls) {
   add_touch();
   OpenHapticsOptions options = options_for();
   options.silence = 0.2;
@@ -110,7 +110,7 @@ RunOptions watched() {
   return options;
 }
 
-TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenItIsOut) {
+TEST_F(OpenHapticsFaults, ReleasesTheHandWhileACallbackHangsAndEndsTheRunAfterIt) {
   for (const bool by_watchdog : {false, true}) {  // otherwise by the run, because the driver was silent
     hdsim_reset();
     const int first = add_touch("first"), second = add_touch("second");
@@ -148,7 +148,7 @@ TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenIt
   }
 }
 
-TEST_F(OpenHapticsFaults, ComesBackThroughAFreeToolAfterAHangThatTheWatchdogSaw) {
+TEST_F(OpenHapticsFaults, RendersForceAgainWithAFreeToolAfterAHangThatTheWatchdogSaw) {
   add_touch();
   hdsim_use_thread(1);
   const auto device = open_open_haptics(options_for());
@@ -165,7 +165,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughAFreeToolAfterAHangThatTheWatchdogSaw)
   EXPECT_EQ(committed(0, 550).force.x(), 1);
 }
 
-TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {
+TEST_F(OpenHapticsFaults, DetectsAPositionThatStaysAtTheOrigin) {
   add_touch();
   place(0, Pose::from_translation({0, -0.110, -0.035}));
   const auto device = open_open_haptics(options_for());
@@ -203,7 +203,7 @@ TEST_F(OpenHapticsFaults, ReducesTheForceWhileTheMotorsAreWarm) {
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::motors_warm)], 1U);
 }
 
-TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) {
+TEST_F(OpenHapticsFaults, FadesInAgainAfterTheDriverRefusedAForce) {
   for (const unsigned code : {kExceededForce, kExceededImpulse, kExceededSpeed}) {
     hdsim_reset();
     add_touch();
@@ -221,7 +221,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
   }
 }
 
-TEST_F(OpenHapticsFaults, NeverMakesTheDriverToggleItsAmplifiersHoweverGreatAForceIsAskedFor) {
+TEST_F(OpenHapticsFaults, NeverMakesTheDriverToggleItsAmplifiersForAnyRequestedForce) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   double fading_in = 0, in_the_end = 0;
@@ -259,7 +259,7 @@ TEST_F(OpenHapticsFaults, ReleasesAStrongDeviceAtOnceWithoutTheDriverSwitchingIt
   EXPECT_EQ(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 0U);
 }
 
-TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTheDriver) {
+TEST_F(OpenHapticsFaults, FadesInAgainAfterTheHandWasTooFastForTheDriver) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   std::vector<double> motors;
@@ -347,7 +347,7 @@ TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhileTheUserHoldsTheLinks) {
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
 }
 
-TEST_F(OpenHapticsFaults, ReadsNumbersWithADecimalPointWhateverTheLocale) {
+TEST_F(OpenHapticsFaults, ReadsNumbersWithADecimalPointInAnyLocale) {
   add_touch();
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   bool found = false;

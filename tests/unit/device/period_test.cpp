@@ -135,7 +135,7 @@ TEST(Period, ReadingsThatArePlayedBackKeepTheirOwnAndSaySo) {
   EXPECT_TRUE(device.run(rests, at(2000, 0)).warnings.empty());
 }
 
-TEST(AngularVelocityEstimate, KnowsTheSpeedAtEveryRateAndWhateverReadingsAreMissing) {
+TEST(AngularVelocityEstimate, IsRightAtEveryRateAndWithMissingReadings) {
   constexpr double kSpeed = 2;  // [rad/s]
   for (const double rate : kRates)
     for (const int every : {1, 3}) {  // the other readings are missing or late

@@ -222,7 +222,7 @@ void handle_crashes() {
 
 }  // namespace runtime
 
-TEST(Device, HandsACrashOnToARuntimeThatHandlesItAndComesBackAfterAReset) {
+TEST(Device, PassesACrashToARuntimeThatHandlesItAndRunsAgainAfterAReset) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
   SharedForce last;

@@ -184,7 +184,7 @@ TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
 // --- all together ----------------------------------------------------------------------------------------------------
 
 // Proves: start-up ramp.
-RC_GTEST_PROP(Output, StaysWithinItsLimitsWhateverTheModelAndTheEffectsGive, ()) {
+RC_GTEST_PROP(Output, StaysWithinItsLimitsForAnyModelAndEffects, ()) {
   Effects effects;
   effects.gravity = Gravity{0.1, Vec3(0, 0.01, 0.02)};
   effects.vibration = Vibration{};

@@ -157,7 +157,7 @@ TEST(HeatCollector, HandsItsHeatToAnotherThread) {
   EXPECT_NEAR(drilling.field.balance().brought_in, drilling.stays(), 1e-9);
 }
 
-TEST(HeatCollector, GoesOnAfterAnUndoWithMaterialThatIsBack) {
+TEST(HeatCollector, ContinuesAfterAnUndoWithRestoredMaterial) {
   Drilling drilling;
   drilling.simulation.reserve_undo(500);
   drilling.simulation.set_undo_mark();

@@ -44,7 +44,7 @@ void expect_slices(const GreyVolume& volume, const std::vector<float>& slice, st
   EXPECT_EQ(volume.padding, padding);
 }
 
-TEST(DicomPadding, OfTheHighestValueIsAirWhateverTheScale) {
+TEST(DicomPadding, OfTheHighestValueIsAirAtAnyScale) {
   expect_slices(with_padding({-1, 2, 3, -1}, false, "US", little(std::uint16_t(65535))), {kAir, -998, -997, kAir}, 4);
 }
 
@@ -53,7 +53,7 @@ TEST(DicomPadding, IsNothingWhereTheFileNamesNone) {
   expect_slices(with_padding({1, 2, 3, 4}, true, "SS", ""), {-999, -998, -997, -996}, 0);
 }
 
-TEST(DicomPadding, HasTheSignOfThePictureWhateverItsKind) {
+TEST(DicomPadding, HasTheSignOfThePictureForAnyKindOfElement) {
   const std::string bytes = little(std::int16_t(-2000));
   for (const char* kind : {"SS", "US"})
     expect_slices(with_padding({-2000, 2, -1999, 4}, true, kind, bytes), {-2999, -998, -2999, -996}, 2);

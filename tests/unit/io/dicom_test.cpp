@@ -109,7 +109,7 @@ TEST(Dicom, ASeriesOfFilesThatAreNotDicomIsRefused) {
                     "leave VolumeReadOptions::dicom_series out");
 }
 
-TEST(Dicom, AScoutOfTheSameSeriesIsToldAndLeftOutWhereTheSeriesIsNamed) {
+TEST(Dicom, AScoutOfTheSameSeriesIsReportedAndLeftOutIfTheSeriesIsNamed) {
   const TemporaryFolder folder;
   write_slices(folder);
   test::DicomElements scout = test::dicom_slice(2, 2, 0, {1, 2, 3, 4});
@@ -139,7 +139,7 @@ test::DicomElements two_frames() {
   return e.set_word(0x00280100, 8).set_word(0x00280101, 8).set_word(0x00280102, 7);
 }
 
-TEST(Dicom, AFileIsKnownByItsBeginningWhateverItsEnding) {
+TEST(Dicom, AFileIsRecognizedByItsFirstBytesWithAnyExtension) {
   const TemporaryFolder folder;
   for (const char* name : {"IM000001", "a.IMA"}) {
     write_bytes(folder / name, test::dicom_file(two_frames()));
@@ -156,7 +156,7 @@ TEST(Dicom, AFileIsKnownByItsBeginningWhateverItsEnding) {
     EXPECT_EQ(read_grey_volume(old / name).values, (std::vector<float>{-997, -996})) << name;
 }
 
-TEST(Dicom, AWrongTransferSyntaxIsSaidToBeOne) {
+TEST(Dicom, AWrongTransferSyntaxIsReported) {
   const TemporaryFolder folder;
   const std::string implicit = two_frames().bytes(true), said_explicit = test::dicom_file({});
   write_bytes(folder / "a.dcm", said_explicit + implicit);
@@ -185,7 +185,7 @@ TEST(Dicom, FloatPixelDataAreRefusedBySayingSo) {
   test::expect_part(error_of(folder / "a.dcm"), "Float Pixel Data");
 }
 
-TEST(Dicom, FragmentsOfAFrameAreJoinedAndFramesToldApartByTheirEndMarkers) {
+TEST(Dicom, FragmentsOfAFrameAreJoinedAndEndMarkersSeparateFrames) {
   const std::string end("\xff\xd9", 2);
   const auto frames_of = [&](const std::vector<std::string>& fragments) {
     const std::string bytes = test::dicom_file(two_frames().set_fragments(fragments), "1.2.840.10008.1.2.4.50");
@@ -236,7 +236,7 @@ TEST(Dicom, ADecoderThatDiesOrIsAbsentIsOneSentence) {
   ::unsetenv("HAPTICUT_DECODER");
 }
 
-TEST(Dicom, ADecoderThatWasNotBuiltIsSaidToNeedItk) {
+TEST(Dicom, TheMessageForAMissingDecoderNamesItk) {
   ChildProgram unbuilt = kDecoder;
   unbuilt.name = "no-such-program";
   unbuilt.variable = "HAPTICUT_NO_SUCH_PROGRAM";

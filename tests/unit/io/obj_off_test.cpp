@@ -14,7 +14,7 @@ constexpr char kCubeCorners[] =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";  // counted from 1
 constexpr char kCubeFaces[] = "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-TEST(ObjFormat, QuadsAreACubeHoweverItsLinesEnd) {
+TEST(ObjFormat, QuadsAreACubeWithAnyLineEnding) {
   const std::string cube = std::string(kCubeCorners) + kCubeFaces;
   for (const char* end : {"\n", "\r\n", "\r", " \n", " # comment\n", "\n\n# comment \\\n", "\t\n"})
     expect_unit_cube(only_mesh_in(parse_obj, replaced(cube, "\n", end)));
@@ -22,7 +22,7 @@ TEST(ObjFormat, QuadsAreACubeHoweverItsLinesEnd) {
   expect_unit_cube(only_mesh_in(parse_obj, cube.substr(0, cube.size() - 1)));
 }
 
-TEST(ObjFormat, ALineGoesOnBehindABackslash) {
+TEST(ObjFormat, ALineContinuesAfterABackslash) {
   std::string text = std::string(kCubeCorners) + kCubeFaces;
   text = replaced(text, "f 5 6 7 8", "f 5 6 \\\n7 8");
   text = replaced(text, "f 1 2 6 5", "f 1 2\\\r\n\\\n6 5");

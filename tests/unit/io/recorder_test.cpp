@@ -230,7 +230,7 @@ TEST(Recorder, RecordsStepsThatOtherCodeMakes) {
   EXPECT_EQ(recorder.lost(), 0U);
 }
 
-TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
+TEST(Recorder, ContinuesSteppingWhenTheDiskIsFullAndReportsThisAtTheEnd) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   {

@@ -210,7 +210,7 @@ TEST(Recording, SaysWhereAReplayLeavesIt) {
   EXPECT_NE(report.first_difference->recorded, report.first_difference->replayed);
 }
 
-TEST(Recording, OfALawOfItsOwnAsksForThatLaw) {
+TEST(Recording, OfACustomLawNeedsThatLaw) {
   const TemporaryFolder folder;
   SimulationConfig config;
   config.law = std::make_shared<ContactMechanicsLaw>(1e9);

@@ -126,7 +126,7 @@ constexpr std::array<std::array<int, 4>, 6> kSides = {
 
 class PlyFormats : public testing::TestWithParam<const char*> {};
 
-TEST_P(PlyFormats, ACubeIsReadWhateverItsTypesAndWhateverElseIsThere) {
+TEST_P(PlyFormats, ACubeIsReadWithAnyTypesAndFurtherElements) {
   PlyWriter w(GetParam());
   for (const auto& p : kCorners) {  // properties in an unusual order, with a list between them
     w.add(std::uint8_t(2)).add(std::int16_t(-1)).add(std::int16_t(7));

@@ -17,7 +17,7 @@ using test::count;
 using test::volume_of;
 using units::mm;
 
-TEST(Resample, ReproducesALinearFieldWhereverItHasSamples) {
+TEST(Resample, ReproducesALinearFieldInsideItsSamples) {
   auto volume = volume_of<float>({20, 16, 12}, Vec3(0.2, 0.25, 0.4) * mm);
   const auto field = [](const Vec3& p_W) { return 5 + 1000 * Vec3(1, -2, 3).dot(p_W) / mm / 1000; };
   for (int k = 0; k < 12; ++k)

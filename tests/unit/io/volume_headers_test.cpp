@@ -124,7 +124,7 @@ TEST(Nrrd, WithAnAxisThatIsNoneOfSpaceIsRefused) {
 }
 
 // A hand-written header for values in a separate file: 16-bit type, or one slice missing.
-TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
+TEST(VolumeHeader, WithFewerSamplesThanTheFileIsRefused) {
   const std::string detached = "dimension: 3\nspacings: 1 1 1\ndata file: v.raw\n";
   expect_refused("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
                  "its header claims 48 bytes of data, but there are 60. Check the type and the sizes");
@@ -201,7 +201,7 @@ TEST(VolumeHeader, WithALongerFourthAxisIsRefused) {
   expect_nrrd_refusal("dimension: 2\nsizes: 12 5\nspacings: 1 1\n", "a volume has three");
 }
 
-TEST(MetaImage, SkipsKeysThatItDoesNotKnowHoweverManyAndLong) {
+TEST(MetaImage, SkipsUnknownKeysOfAnyNumberAndLength) {
   std::string keys = "\nComment = " + std::string(5000, 'x') + "\nPatient = M\xc3\xbcller\nNote: none\n";
   for (int n = 0; n < 5000; ++n) keys.append("Seq_Frame").append(std::to_string(n)).append("_ImageStatus = OK\n");
   expect_ramp(read_meta(kMeta3 + "ElementSpacing = 0.1 0.2 0.7\n" + keys));

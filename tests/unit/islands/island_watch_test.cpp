@@ -282,7 +282,7 @@ TEST(IslandModel, NeedsAModelOfASimulation) {
                        {"drives no simulation", "whose simulation() is not null"});
 }
 
-TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
+TEST(IslandModel, RemovesIslandsAndSendsTheirBlocks) {
   using namespace test::scripted_loop;
   // A piece away from the hand is cut loose between two ticks, so it is the same in every run.
   Simulation simulation(block(), ball(), config());

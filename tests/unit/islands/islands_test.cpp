@@ -154,7 +154,7 @@ TEST(IslandFinder, FindsNothingWhereNothingWasCutAndLeavesBodiesThatWereApart) {
   EXPECT_EQ(sizes_of(finder.find()), Sizes{64});
 }
 
-TEST(IslandFinder, KeepsWhatIsFixedHoweverSmall) {
+TEST(IslandFinder, KeepsFixedPiecesOfAnySize) {
   Workpiece block = block_of(60, 16, 16);
   IslandOptions options;
   options.fixed = Box{Vec3::Zero(), kVoxel * Vec3(2, 16, 16)};
@@ -232,7 +232,7 @@ TEST(IslandFinder, FindsAPieceOfMaterialThatCameBackAndWasCutOutBeforeASearch) {
   EXPECT_EQ(sizes_of(finder.find()), Sizes{125});
 }
 
-TEST(IslandFinder, BeginsWithTheBlocksThatItIsToldFirst) {
+TEST(IslandFinder, BeginsWithTheBlocksThatAreListedFirst) {
   Workpiece block = block_of(40, 40, 40);
   (void)undercut(block, {{30, 30, 30}, {33, 33, 33}});  // a body that is apart from the beginning
   IslandFinder finder(block.bounds(), block.frame(), IslandOptions{});

@@ -239,7 +239,7 @@ TEST(ExchangeOfAWorkpiece, BringsWorkpieceToolAndCountsOfTheOtherAndKeepsTheSett
   EXPECT_GT(drill(simulation, 0.5e-3).norm(), 0);
 }
 
-TEST(HaltSpindle, StandsAtOnceWhateverTheRamp) {
+TEST(HaltSpindle, StopsAtOnceWithAnyRamp) {
   Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 100;
   Simulation simulation(block(), Tool(SphereHead{1e-3}, RayHandle{0}, slow), config());

@@ -69,7 +69,7 @@ TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
   }
 }
 
-TEST(LiveCommands, SetToolStandsStillUntilItMayCutWhateverItsRamp) {
+TEST(LiveCommands, SetToolHoldsTheSpindleUntilItMayCutWithAnyRamp) {
   Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 3000;  // it needs a second to stop
   ScriptedLoop scripted;
@@ -174,7 +174,7 @@ TEST(LiveCommands, SetRemovalSwitchesTheCuttingOffAndOn) {
   EXPECT_GT(scripted.snapshot.tool.removed_volume, at_on);
 }
 
-TEST(LiveCommands, HoldForceKeepsTheForceWhereverTheHandGoesAndCutsNothing) {
+TEST(LiveCommands, HoldForceKeepsTheForceAtAnyPoseOfTheHandAndCutsNothing) {
   for (const bool coupled : {false, true}) {
     ScriptedLoop scripted(3000, coupled);
     Vec3 held;

@@ -72,7 +72,7 @@ struct UndoingLoop {
   int ticks = 0, undo_ticks = 0, redo_ticks = 0;
 };
 
-TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAndForth) {
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockDuringUndoAndRedo) {
   for (const bool coupled : {false, true}) {
     UndoingLoop loop(coupled);
     loop.feed.attach();
@@ -90,7 +90,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAnd
 }
 
 /// Commands of every kind, prepared beforehand, to a RealtimeLoop whose ticks count allocations and locks.
-TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockForAnyCommand) {
   constexpr int kTicks = 9000;
   /// Wraps a SimulationModel and counts in the thread of the loop, from its first tick on.
   class WatchedModel final : public LoopModel {

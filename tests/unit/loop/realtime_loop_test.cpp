@@ -105,7 +105,7 @@ TEST(RealtimeLoop, ReportsTheMaximumForceOfUnreadTicks) {
   EXPECT_LT(loop.latest().max_applied, 2) << "the guard lets a force grow slowly";
 }
 
-TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
+TEST(RealtimeLoop, CountsCommandsForAFullQueueAndLeavesThemUnchanged) {
   const auto device = open_device("mock:rest");
   CountingModel model;
   RealtimeLoop loop(*device, model, options_for(1));
@@ -166,7 +166,7 @@ TEST(RealtimeLoop, ReturnsEveryReplacedObject) {
   EXPECT_EQ(std::get<SphereHead>(model.in_place.tool().head().shape()).radius, radius);
 }
 
-TEST(RealtimeLoop, StopsByRequestByCallAndWhenItGoesAway) {
+TEST(RealtimeLoop, StopsOnRequestOnCallAndOnDestruction) {
   const auto device = open_device("mock:circle");
   CountingModel model;
   {
@@ -251,7 +251,7 @@ std::set<VoxelIndex> received(RealtimeLoop& loop) {
   return origins;
 }
 
-TEST(RealtimeLoop, GivesAllChangedBlocksOutAfterItsEndHoweverSmallItsQueueIs) {
+TEST(RealtimeLoop, SendsAllChangedBlocksAfterItsEndWithAQueueOfAnySize) {
   Simulation simulation = block_and_ball();
   const auto device = open_device("mock:rest");
   RemovingModel model(simulation);

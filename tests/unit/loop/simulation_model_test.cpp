@@ -119,7 +119,7 @@ TEST(SimulationModel, RefusesACouplingThatTheDeviceCannotRender) {
 
 // Stress test: simulated seconds of cutting at full speed, with commands. A reader that polls 60 times a second keeps a
 // picture of the workpiece from changed blocks only. In the end the picture equals the workpiece.
-TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
+TEST(SimulationModel, KeepsThePictureOfASlowReaderComplete) {
   const auto device = test::scripted_loop::stiff_mock("spiral");
   Simulation simulation = block_under_the_ball();
   Picture picture = picture_of(simulation.workpiece());
@@ -185,7 +185,7 @@ TEST(SimulationModel, RendersTheForceOfTheSimulationOnTheDevice) {
   EXPECT_EQ(tool.removed_volume, 0);
 }
 
-TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
+TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandMovesOn) {
   // The hand goes 5 mm below the face; the material is a thousand times stiffer than the device.
   const auto device = test::scripted_loop::stiff_mock("press", 3);
   SimulationConfig config;
@@ -250,7 +250,7 @@ TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
   EXPECT_GE(loop.stop().events[std::size_t(SafetyEvent::emergency_stop)], 1U);
 }
 
-TEST(SimulationModel, ObeysClutchAndScale) {
+TEST(SimulationModel, AppliesClutchAndScale) {
   const auto device = test::scripted_loop::stiff_mock("line");
   Simulation simulation = block_under_the_ball(0);
   SimulationModelOptions options = ball_above_the_block();
@@ -284,7 +284,7 @@ TEST(SimulationModel, ObeysClutchAndScale) {
 
 // A mark, simulated seconds of cutting, and an undo while the loop runs: a slow reader of changed blocks ends up with
 // the workpiece at the mark.
-TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
+TEST(SimulationModel, UndoesACutWhileTheLoopRunsAndSendsItsBlocks) {
   for (const bool coupled : {false, true}) {
     const auto device = test::scripted_loop::stiff_mock("spiral");
     Simulation simulation = block_under_the_ball(3000, coupled ? ContactTime::end : ContactTime::middle);

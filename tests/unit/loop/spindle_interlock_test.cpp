@@ -85,7 +85,7 @@ TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
 
-TEST(SpindleInterlock, OfAModelLetsGoOfTheSpindleWithIt) {
+TEST(SpindleInterlock, OfAModelReleasesTheSpindleWhenTheModelIsDestroyed) {
   ScriptedLoop scripted;
   {
     SimulationModel model(scripted.simulation, *scripted.device);

@@ -46,7 +46,7 @@ TEST(WorkspaceMap, ScalesTranslationsAndNeitherTurnsNorTheLeverOfTheTool) {
             kRounding);
 }
 
-TEST(WorkspaceMap, AClutchMovesNothingHoweverOftenItIsUsed) {
+TEST(WorkspaceMap, AClutchUsedManyTimesMovesNothing) {
   WorkspaceMap map(tilted());
   for (int n = 0; n < 1000; ++n) {
     const Pose before = map.to_world(kStylus);
@@ -101,7 +101,7 @@ TEST(WorkspaceMap, AnotherScaleMovesNothingAndNonsenseIsRefused) {
   EXPECT_THROW(WorkspaceMap{options}, Error);
 }
 
-TEST(WorkspaceMap, PlacesTheToolWhereItIsTold) {
+TEST(WorkspaceMap, PlacesTheToolAtTheGivenPose) {
   WorkspaceMap map(tilted());
   const Pose wanted = pose({1, 0, 0}, {0.1, 0.2, 0.3});
   map.place(kStylus, wanted);

@@ -65,7 +65,7 @@ TEST(BackgroundWriter, EndsWhereItsSinkThrowsAndSaysWhy) {
   EXPECT_EQ(writer.stop(), "the disk is full");
 }
 
-TEST(BackgroundWriter, EndsAlsoWhereFlushingFailsAndWhateverIsThrown) {
+TEST(BackgroundWriter, EndsAfterAFailedFlushAndAfterAnyException) {
   BackgroundWriter<Row> flushing(
       16, Row{}, 0.01, {[](const std::vector<Row>&) {}, [] { throw std::runtime_error("no room to flush"); }});
   EXPECT_TRUE(flushing.push(row_of(1)));

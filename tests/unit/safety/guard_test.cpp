@@ -183,7 +183,7 @@ TEST(Guard, WaitsUntilFreeAfterALateTickAndFadesInShortly) {
   EXPECT_NEAR(ticks, 1505, 5);
 }
 
-TEST(Guard, WaitsUntilFreeAfterWhateverMayHavePutTheToolIntoMaterial) {
+TEST(Guard, WaitsUntilFreeAfterEventsThatCanPutTheToolIntoMaterial) {
   struct Case {
     SafetyEvent event;
     double period;  // [s] of the tick
@@ -262,7 +262,7 @@ TEST(Guard, StopsWhenTheDeviceSaysThatItCannotBeTrusted) {
   }
 }
 
-TEST(Guard, SeesAPositionThatStandsStillWhileTheStylusTurns) {
+TEST(Guard, DetectsAConstantPositionWhileTheStylusRotates) {
   GuardedLoop loop;
   loop.engage();
   loop.reading.X_BS.translation = {0, -0.04, -0.035};
@@ -326,7 +326,7 @@ TEST(SafetyLog, CountsEventsBeyondTheCapacityOfItsList) {
   EXPECT_GT(log.dropped(), 0U);
 }
 
-TEST(Guard, ArmsOnContactWhateverTheForceIs) {
+TEST(Guard, ArmsOnContactAtAnyForce) {
   const Wrench weight{Vec3(0, 0, -3), Vec3::Zero()};
   for (const bool touching : {false, true}) {
     GuardedLoop loop;

@@ -219,7 +219,7 @@ TEST(Silence, OfMoreThanFiftyTicksIsAFaultUntilItIsResetWhereTheWatchdogLatches)
 
 // --- the log ---------------------------------------------------------------------------------------------------------
 
-TEST(SafetyLog, IsInTheOrderOfItsTicksWhateverTheDeviceCallsThem) {
+TEST(SafetyLog, IsInTheOrderOfItsTicksForAnyNumbersOfTheDevice) {
   SafetyLog log;
   log.begin_tick(0.1, 100);
   log.report(SafetyEvent::engaged);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPeriod = 1e-3;
 
-TEST(ThermalBudget, LetsAPeakPassAndFallsToTheContinuousForceWhenItLasts) {
+TEST(ThermalBudget, PassesAShortPeakAndLimitsALongOneToTheContinuousForce) {
   ThermalBudget budget(3.3, 0.88, {});
   for (int n = 0; n < 4000; ++n) budget.tick(3.3, 0, kPeriod);
   EXPECT_EQ(budget.limit(), 3.3);

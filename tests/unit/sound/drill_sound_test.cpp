@@ -82,7 +82,7 @@ TEST(DrillSound, TonesAreThoseOfTheSpindleAndItsFlutes) {
   }
 }
 
-TEST(DrillSound, NoToneComesBackFromBeyondTheSampleRate) {
+TEST(DrillSound, NoToneIsAliased) {
   const double frequency = 400'000 / 60.0;  // 6.7 kHz; the flutes' 40 kHz would be heard at 8 kHz
   const Samples samples = lasting({2 * kPi * frequency, 0, 0, false});
   EXPECT_LT(strength_at(samples, kRate - 6 * frequency), 1e-4);
@@ -149,7 +149,7 @@ TEST(DrillSound, ClicksAtFirstTouchOnce) {
   EXPECT_GT(rms(heard(sound, touching, 0.1)), 0.01);
 }
 
-TEST(DrillSound, IsTheSameHoweverItIsCutIntoBuffers) {
+TEST(DrillSound, IsEqualForBuffersOfAnyLength) {
   const SoundInput input{40'000 * rpm, 3, 1e-9, true};
   DrillSound at_once, in_parts;
   const Samples whole = heard(at_once, input, 0.5);

@@ -20,7 +20,7 @@ class SpindleDirection : public testing::TestWithParam<double> {
 };
 
 // Proves: ramp.
-TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverTheStep) {
+TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitForAnyStep) {
   for (const double dt : {1e-3, 2.5e-4}) {
     SpindleMotor motor(Spindle{0, std::numeric_limits<double>::infinity(), 1e4});
     motor.set(sign * 1000);
@@ -124,7 +124,7 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
 
 // J domega/dt = M_stall (1 - omega/omega_f) - M: an exponential with the time J omega_f/M_stall.
 // Proves: inertia.
-TEST_P(SpindleDirection, RunsUpAndDownAsItsInertiaLets) {
+TEST_P(SpindleDirection, RunsUpAndDownAccordingToItsInertia) {
   const double inertia = 1e-8, tau = inertia * kFree / kStall, load = 0.3 * kStall;
   double error[2];
   for (int i = 0; i < 2; ++i) {

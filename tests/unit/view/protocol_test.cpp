@@ -111,7 +111,7 @@ TEST(ViewProtocol, SoundIsSixteenBitsAndBounded) {
   EXPECT_EQ(number_at<std::int16_t>(message, 16), 0);
 }
 
-TEST(ViewProtocol, CommandsArriveAsTheyWereMeant) {
+TEST(ViewProtocol, CommandsAreDecoded) {
   const auto speed = decode_command(Bytes(CommandKind::set_spindle_speed).add(4188.5).bytes);
   ASSERT_TRUE(speed);
   EXPECT_EQ(std::get<commands::SetSpindleSpeed>(*speed).speed, 4188.5);

@@ -18,7 +18,7 @@ TEST(Block, PlacesAndOffsetsAreInverse) {
   }
 }
 
-TEST(Block, EmptyVoxelsHoldNothingWhateverTheirArraysHold) {
+TEST(Block, EmptyVoxelsAreEmptyWithAnyContentOfTheirArrays) {
   BlockContent content, copy;
   content.material.fill(3);
   content.fill.fill(0.5F);

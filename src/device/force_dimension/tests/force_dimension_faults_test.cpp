@@ -15,7 +15,7 @@ using namespace test;
 
 class ForceDimensionFaults : public ForceDimensionTest {};
 
-TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped) {
+TEST_F(ForceDimensionFaults, FadesInAgainAfterItsWatchdogHasTripped) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   std::vector<double> forces;
@@ -55,7 +55,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
   expect_safe(0);
 }
 
-TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHandWasTooFast) {
+TEST_F(ForceDimensionFaults, FadesInAgainAfterItBrakedBecauseTheHandWasTooFast) {
   add(kOmega6);
   const auto device = open_force_dimension(options_for());
   std::vector<double> forces;

@@ -239,7 +239,7 @@ TEST_F(ForceDimension, SendsACommandInEveryTickSoThatGravityIsCompensated) {
   EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
 }
 
-TEST_F(ForceDimension, SetsTheWatchdogInItsOwnStepsAndOnlyInExpertMode) {
+TEST_F(ForceDimension, SetsTheWatchdogInUnitsOf125usAndOnlyInExpertMode) {
   add(kOmega3);
   for (const auto& [seconds, steps] : {std::pair(20e-3, 160), std::pair(31.875e-3, 255), std::pair(2e-3, 16)}) {
     ForceDimensionOptions options = options_for();
