@@ -231,6 +231,22 @@ TEST_F(Drill, FailsWhenStepsAreRejected) {
   EXPECT_GT(read_json(folder / "report.json")["status"]["jump_rejected"], 0);
 }
 
+TEST_F(Drill, SaysWhichStepWasRejectedFirst) {
+  // Above the block for 0.1 s, then a jump of 24 mm within a millisecond into the block.
+  write_bytes(folder / "poses.csv", "t_s,x_mm,y_mm,z_mm\n0,3,3,25\n0.1,3,3,24.9\n0.101,3,3,0.9\n0.2,3,3,0.8\n");
+  expect_refused(
+      "drill " + kBlock + kBall + "--path poses --poses " + path("poses.csv") + " --json " + path("report.json"),
+      {"were rejected"});
+  const nlohmann::json report = read_json(folder / "report.json");
+  ASSERT_GE(report["warnings"].size(), 1U);
+  const std::string first = report["warnings"][0];
+  EXPECT_NE(
+      first.find(report["status"]["jump_rejected"].dump() + " steps of 200 were rejected, the first is step 101;"),
+      std::string::npos)
+      << first;
+  EXPECT_EQ(report["warnings"].dump().find("never touches"), std::string::npos) << report["warnings"];
+}
+
 TEST_F(Drill, RefillsTheBlocksBetweenSteps) {
   const nlohmann::json report = drill(kBlock + kBall + kGroove + "--reserved_blocks 64");
   EXPECT_EQ(report["status"]["blocks_exhausted"], 0);
