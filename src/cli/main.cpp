@@ -2,6 +2,7 @@
 // The program: makes flags from the settings of each subcommand, applies the settings file, then the flags, and runs
 // the command.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <deque>
@@ -83,10 +84,28 @@ void require_own_files(const std::vector<Setting>& settings, const std::string& 
   }
 }
 
-void run(const Registered& entry) {
+/// The message for a key, or a table, that only other commands have; empty if no command has it.
+std::string of_other_commands(const std::deque<Registered>& entries, const Command& command, const std::string& key) {
+  bool is_table = false;
+  std::vector<std::string> others;
+  for (const Registered& entry : entries) {
+    const std::vector<Setting>& settings = entry.command.settings;
+    const bool has_in_it =
+        std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.key.starts_with(key + "."); });
+    if (has_in_it || std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; }))
+      others.push_back(entry.command.name);
+    is_table = is_table || has_in_it;
+  }
+  if (others.empty()) return "";
+  return command.name + " takes no " + (is_table ? "[" + key + "]" : key) + "; it is a " +
+         (is_table ? "table" : "setting") + " of " + joined(others, " and ") + ". Leave it out.";
+}
+
+void run(const std::deque<Registered>& entries, const Registered& entry) {
   const std::vector<Setting>& settings = entry.command.settings;
   if (!entry.settings_file.empty())
-    read_settings_file(entry.settings_file, settings, {}, " Check the name given to --settings.");
+    read_settings_file(entry.settings_file, settings, {}, " Check the name given to --settings.",
+                       [&](const std::string& key) { return of_other_commands(entries, entry.command, key); });
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
   require_own_files(settings, entry.settings_file);
@@ -148,7 +167,7 @@ int main_with(int argc, char** argv) {
 
   try {
     for (const Registered& entry : entries)
-      if (entry.app->parsed()) run(entry);
+      if (entry.app->parsed()) run(entries, entry);
   } catch (const UsageError& error) {
     return complain(error.what(), kWrongUsage);
   } catch (const std::bad_alloc&) {

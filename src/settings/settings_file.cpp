@@ -75,8 +75,10 @@ std::string cause_of(std::string_view line, std::string_view said) {
 /// Applies one TOML file to settings; its errors name file and line.
 class Reader {
  public:
-  Reader(std::string file, const std::filesystem::path& folder)
-      : file_(std::move(file)), folder_(folder.empty() ? folder : std::filesystem::absolute(folder)) {}
+  Reader(std::string file, const std::filesystem::path& folder, ExplainKey explain)
+      : file_(std::move(file)),
+        folder_(folder.empty() ? folder : std::filesystem::absolute(folder)),
+        explain_(std::move(explain)) {}
 
   /// @param prefix  prefix of the keys in messages, "" or "tool."
   void read_table(const toml::table& table, const std::string& prefix, const std::vector<Setting>& settings) const {
@@ -101,6 +103,8 @@ class Reader {
         if (!node.is_table()) fail(node.source(), prefix + key + ": must be a table, written [" + prefix + key + "].");
         read_entries(*node.as_table(), key + ".", prefix, settings);
       } else {
+        const std::string explained = explain_ ? explain_(prefix + key) : "";
+        if (!explained.empty()) fail(key_node.source(), explained);
         std::vector<std::string> known;
         known.reserve(settings.size());
         for (const Setting& s : settings) known.push_back(prefix + s.key);
@@ -188,6 +192,7 @@ class Reader {
 
   std::string file_;
   std::filesystem::path folder_;
+  ExplainKey explain_;
 };
 
 std::string text_of_file(const std::filesystem::path& path, const std::string& advice) {
@@ -205,7 +210,7 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& a
 
 std::set<std::string> read_settings(std::string_view text, const std::string& name,
                                     const std::vector<Setting>& settings, const std::set<std::string>& ignored,
-                                    const std::filesystem::path& folder) {
+                                    const std::filesystem::path& folder, const ExplainKey& explain) {
   toml::table table;
   try {
     table = toml::parse(text, name);
@@ -215,16 +220,17 @@ std::set<std::string> read_settings(std::string_view text, const std::string& na
                 ": not valid TOML: " + cause_of(line_of(text, line), problem.description()));
   }
   for (const std::string& key : ignored) table.erase(key);
-  Reader(name, folder).read_table(table, "", settings);
+  Reader(name, folder, explain).read_table(table, "", settings);
   std::set<std::string> keys;
   for (const auto& [key, node] : table) keys.emplace(key.str());
   return keys;
 }
 
 std::set<std::string> read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings,
-                                         const std::set<std::string>& ignored, const std::string& advice) {
+                                         const std::set<std::string>& ignored, const std::string& advice,
+                                         const ExplainKey& explain) {
   return read_settings(text_of_file(path, advice), path.string(), settings, ignored,
-                       std::filesystem::absolute(path).parent_path());
+                       std::filesystem::absolute(path).parent_path(), explain);
 }
 
 }  // namespace hapticut::settings

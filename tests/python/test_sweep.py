@@ -47,6 +47,16 @@ def assert_same_bits(table, out, reference):
         assert np.array_equal(sweep.load_traces(out, run)["force"], sweep.load_traces(expected_out, run)["force"])
 
 
+@pytest.mark.parametrize("package, call", [
+    ("pandas", lambda out: sweep([{"feed": 1.0}], runs.drill, out=out)),
+    ("scipy.stats", lambda out: sweep.sobol(4, {"feed": (1.0, 2.0)})),
+])
+def test_a_missing_package_is_named_with_its_extra(package, call, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(hapticut.Error, match=r"install the extra `sweep`, e\.g\. pip install '\.\[sweep\]' in"):
+        call(tmp_path)
+
+
 def test_the_table_is_tidy(reference):
     table, out = reference
     assert list(table.columns) == ["run", "feed", "speed", "material", "peak_force", "removed_volume", "draw", "error"]

@@ -91,6 +91,7 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     times[i] = float(thread_time() - start);
 
     add(step, result);
+    if (has_any(step.status, kRejected) && ++result.steps_rejected == 1) result.first_rejected = i + 1;
     if (i == 0) result.starts_in_contact = step.contact.voxels > 0;
     if (keep_rows)
       result.rows.push_back({t, X_WT, step.force, step.torque, step.removed_volume, step.contact.voxels, step.status});

@@ -46,12 +46,8 @@ void run_drill(const DrillSettings& s) {
   write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
   recorder.require_complete();
 
-  std::size_t rejected = 0;
-  for_each_bit<StepStatus>([&](StepStatus bit, const char* /*name*/) {
-    if (has_any(kRejected, bit)) rejected += result.count(bit);
-  });
-  if (rejected > 0)
-    throw Error(std::to_string(rejected) + " of " + std::to_string(result.steps) +
+  if (result.steps_rejected > 0)
+    throw Error(std::to_string(result.steps_rejected) + " of " + std::to_string(result.steps) +
                 " steps were rejected, so the path was not drilled completely; see the status bits in the report.");
 }
 

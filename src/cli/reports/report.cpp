@@ -144,8 +144,10 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   table.add("force", "max " + rounded(r.max_force) + " N, mean " + rounded(r.mean_force) + " N in contact");
   table.add("torque", "max " + rounded(r.max_torque / units::N_mm) + " Nmm, mean " +
                           rounded(r.mean_torque / units::N_mm) + " Nmm about the hand");
+  const std::string crushed = r.energy.crushed > 0 ? ", crushed " + rounded(r.energy.crushed) + " J" : "";
   table.add("energy", "hand " + rounded(r.energy.hand_work) + " J, motor " + rounded(r.energy.motor_work) +
-                          " J, cutting " + rounded(r.energy.cutting) + " J, unexplained fraction of the work " +
+                          " J, cutting " + rounded(r.energy.cutting) + " J, rubbing " + rounded(r.energy.rubbing) +
+                          " J" + crushed + ", unexplained fraction of the work " +
                           rounded(std::abs(r.energy.closure()), 2) + ", entered " + rounded(r.energy.entered, 2) +
                           " J");
   table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +

@@ -19,17 +19,21 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   std::vector<std::string> warnings;
   const bool cuts = simulation.config().removal != RemovalLaw::none;
   const std::size_t stood = r.count(StepStatus::spindle_stands), stalled = r.count(StepStatus::spindle_stalled);
-  if (r.steps_in_contact == 0)
+  if (r.steps_in_contact == 0 && r.steps_rejected == 0)
     warnings.emplace_back("the path never touches the workpiece; check the positions and path.point against its box.");
-  else if (cuts && r.removed_volume == 0 && stood == 0 && stalled == 0)
+  else if (cuts && r.steps_in_contact > 0 && r.removed_volume == 0 && stood == 0 && stalled == 0)
     warnings.emplace_back(
         "the tool touches the workpiece but cuts nothing; check the edge pressure of the materials and "
         "simulation.reference_stiffness_N_per_m4.");
   if (r.starts_in_contact)
     warnings.emplace_back("the path starts inside the workpiece; start outside, e.g. with path.approach_mm.");
-  if (const std::size_t jumps = r.count(StepStatus::jump_rejected); jumps > 0)
-    warnings.push_back(steps(jumps) +
-                       " moved too far for one step and were rejected; lower the feed or raise the rate.");
+  if (r.steps_rejected > 0)
+    warnings.push_back(steps(r.steps_rejected) + " of " + std::to_string(r.steps) +
+                       " were rejected, the first is step " + std::to_string(r.first_rejected) +
+                       (r.count(StepStatus::jump_rejected) > 0
+                            ? "; the tool moved too far for one step, so lower the feed, raise the rate, or check the "
+                              "poses there."
+                            : "; see the status bits."));
   if (const std::size_t exhausted = r.count(StepStatus::blocks_exhausted); exhausted > 0)
     warnings.emplace_back(
         "in " + steps(exhausted) +

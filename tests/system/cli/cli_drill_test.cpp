@@ -55,6 +55,23 @@ TEST_F(Drill, ReportsEveryField) {
   EXPECT_LE(time["p999"], time["max"]);
 }
 
+TEST_F(Drill, PrintsTheLossesBesideTheWork) {
+  const auto energy = [this](const std::string& head) {
+    const nlohmann::json losses = drill(kBlock + head + kGroove)["energy_J"];
+    const std::string out = read_bytes(folder / "stdout");
+    const std::size_t line = out.find("  energy ");
+    EXPECT_NE(line, std::string::npos) << out;
+    return std::pair(losses, out.substr(line, out.find('\n', line) - line));
+  };
+  const auto [turning, of_turning] = energy(kStiffBall);
+  EXPECT_GT(turning["rubbing"], 0.1 * turning["cutting"].get<double>());
+  EXPECT_NE(of_turning.find(" J, rubbing "), std::string::npos) << of_turning;
+  EXPECT_EQ(of_turning.find("crushed") != std::string::npos, turning["crushed"].get<double>() > 0) << of_turning;
+  const auto [standing, of_standing] = energy("--head sphere --radius_mm 1 --spindle_rpm 0 ");
+  EXPECT_GT(standing["crushed"], 0);
+  EXPECT_NE(of_standing.find(" J, crushed "), std::string::npos) << of_standing;
+}
+
 TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
   // The tip passes 0.5 mm below the face: a circular segment of that height, 6 mm long. The engaged layer remains
   // behind the ball: 1 % here.
@@ -212,6 +229,22 @@ TEST_F(Drill, FailsWhenStepsAreRejected) {
                      "--json " + path("report.json"),
                  {"rejected"});
   EXPECT_GT(read_json(folder / "report.json")["status"]["jump_rejected"], 0);
+}
+
+TEST_F(Drill, SaysWhichStepWasRejectedFirst) {
+  // Above the block for 0.1 s, then a jump of 24 mm within a millisecond into the block.
+  write_bytes(folder / "poses.csv", "t_s,x_mm,y_mm,z_mm\n0,3,3,25\n0.1,3,3,24.9\n0.101,3,3,0.9\n0.2,3,3,0.8\n");
+  expect_refused(
+      "drill " + kBlock + kBall + "--path poses --poses " + path("poses.csv") + " --json " + path("report.json"),
+      {"were rejected"});
+  const nlohmann::json report = read_json(folder / "report.json");
+  ASSERT_GE(report["warnings"].size(), 1U);
+  const std::string first = report["warnings"][0];
+  EXPECT_NE(
+      first.find(report["status"]["jump_rejected"].dump() + " steps of 200 were rejected, the first is step 101;"),
+      std::string::npos)
+      << first;
+  EXPECT_EQ(report["warnings"].dump().find("never touches"), std::string::npos) << report["warnings"];
 }
 
 TEST_F(Drill, RefillsTheBlocksBetweenSteps) {

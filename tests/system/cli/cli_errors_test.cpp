@@ -141,6 +141,19 @@ TEST_F(Flags, NameAFileThatIsNotReadOrWrittenOtherwise) {
   EXPECT_EQ(test::read_bytes(folder / "scene.toml"), scene);
 }
 
+TEST_F(SettingsFile, NamesTheCommandOfAnotherCommandsKey) {
+  const auto expect_of = [this](const std::string& command, const std::string& toml, const std::string& message) {
+    write_bytes(folder / "s.toml", toml);
+    expect(command + " --settings " + path("s.toml"), kFailed, "hapticut: " + path("s.toml") + message);
+  };
+  const std::string picture = "[output]\njson = \"a.json\"\npicture = \"a.png\"\n";
+  expect_of("loop mock:rest", picture, ":3: loop takes no output.picture; it is a setting of drill. Leave it out.");
+  expect_of("loop mock:rest", "[path]\nkind = \"line\"\n",
+            ":1: loop takes no [path]; it is a table of drill. Leave it out.");
+  expect_of("drill", "[output]\npictur = \"a.png\"\n",
+            ":2: output.pictur: there is no such setting. Did you mean output.picture?");
+}
+
 TEST_F(SettingsFile, ThatIsWrongOrMissingIsRefused) {
   for (const auto& [toml, part] :
        {std::pair("[tool]\nradius_mm = -1\n", ":2: tool.radius_mm: must be a number > 0, not -1."),

@@ -27,6 +27,17 @@ TEST_F(Validate, ReportsEveryFieldOfEveryCaseAndThatAllPass) {
   EXPECT_NE(test::read_bytes(path("v.md")).find("| effects | C18 | growth limit: "), std::string::npos);
 }
 
+TEST_F(Validate, PrintsAnErrorAsAFractionOfItsBound) {
+  const std::string bounds = run("validate --only 'defect D2'").out;
+  EXPECT_NE(bounds.find(", at most 1: 0."), std::string::npos) << bounds;
+  EXPECT_NE(bounds.find(" of its bound, 1 %, cut voxels"), std::string::npos) << bounds;
+  EXPECT_EQ(bounds.find("expected 0,"), std::string::npos) << bounds;
+  EXPECT_NE(bounds.find("expected 656, computed 656, off by "), std::string::npos) << "a value that is not 0\n"
+                                                                                   << bounds;
+  const std::string units = run("validate --only effects").out;
+  EXPECT_NE(units.find("N^2, at most 5e-09 N^2: "), std::string::npos) << units;
+}
+
 TEST_F(Validate, FailsWithCodeOneAndNamesTheCasesThatAreOff) {
   const Outcome outcome = run("validate --only 'defect D1' --tolerance-factor 0 --json " + path("v.json"));
   EXPECT_EQ(outcome.code, 1);
