@@ -132,7 +132,7 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
               << names_of(Of<CutterKind>{})[std::size_t(pair.grains)].name << ", " << load << " N, " << radius << " m";
 }
 
-// docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
+// docs/model.md, "Crushing and deep contact": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
 TEST(MaterialPresets, AreCrushedFromTheDepthOfThePage) {
   const double k_v = stiffness_for_head(SphereHead{1 * units::mm});
   const auto depth = [&](const Material& m) {
