@@ -35,12 +35,17 @@ std::string text_of(const LatencyHistogram& h) {
 std::vector<std::string> warnings_of(const LoopReport& r) {
   const ToolSnapshot& tool = r.seen.last.tool;
   const auto saw = [&](StepStatus bit) { return has_any(tool.status_seen, bit); };
+  const auto happened = [&](SafetyEvent event) { return r.run.events[std::size_t(event)] > 0; };
+  const bool stays_inside = happened(SafetyEvent::start_inside) && !happened(SafetyEvent::fading_in);
   std::vector<std::string> warnings;
   for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
-  if (has_any(tool.status, StepStatus::tool_waits))
+  if (stays_inside)
+    warnings.emplace_back(
+        "the tool was in the material from the start, so the guard gave no force; move loop.origin_mm above it.");
+  else if (has_any(tool.status, StepStatus::tool_waits))
     warnings.emplace_back(
         "at the end the hand was inside material that the tool had not cut, so there was no force; move the hand out "
         "of the material.");

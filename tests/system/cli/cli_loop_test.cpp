@@ -96,6 +96,15 @@ TEST_F(Loop, ReportsTheStatusOfItsStepsAndTheLastArming) {
   expect_of("--motor electric --torque_limit_Nmm 0.001", "spindle_stalled", "the load stalled the spindle");
 }
 
+TEST_F(Loop, SaysThatTheToolWasInTheMaterialFromTheStart) {
+  const auto was_inside = [&](const std::string& more) {
+    const nlohmann::json report = loop("mock:rest --seconds 1 --simulated-time " + kCoarse + more);
+    return report["warnings"].dump().find("in the material from the start") != std::string::npos;
+  };
+  EXPECT_TRUE(was_inside(""));
+  EXPECT_FALSE(was_inside("--origin_mm 0,0,100"));
+}
+
 TEST(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
   using units::mm;
   const std::unique_ptr<Device> device = open_device("mock:rest");
