@@ -36,8 +36,10 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   const ToolSnapshot& tool = r.seen.last.tool;
   const auto saw = [&](StepStatus bit) { return has_any(tool.status_seen, bit); };
   const auto happened = [&](SafetyEvent event) { return r.run.events[std::size_t(event)] > 0; };
+  const bool cuts = r.simulation.config().removal != RemovalLaw::none;
   const bool stays_inside = happened(SafetyEvent::start_inside) && !happened(SafetyEvent::fading_in);
   std::vector<std::string> warnings;
+  if (!cuts && r.simulation.last_result().energy.turnover > 0) warnings.emplace_back(kRemovalIsOff);
   for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
   if (r.device.name() == "mouse")
     warnings.emplace_back(
@@ -57,7 +59,7 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
         "the feed.");
-  if (saw(StepStatus::spindle_stalled))
+  if (cuts && saw(StepStatus::spindle_stalled))
     warnings.emplace_back(
         "the load stalled the spindle, and the head did not cut until it ran again; press less, or raise "
         "tool.power_limit_W or tool.torque_limit_Nmm.");

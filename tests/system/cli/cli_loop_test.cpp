@@ -105,6 +105,16 @@ TEST_F(Loop, SaysThatTheToolWasInTheMaterialFromTheStart) {
   EXPECT_FALSE(was_inside("--origin_mm 0,0,100"));
 }
 
+TEST_F(Loop, SaysThatRemovalIsOffInsteadOfACureForAStall) {
+  const nlohmann::json report = loop(
+      "mock:press,hand=nominal --seconds 3 --simulated-time --removal none "
+      "--motor electric --torque_limit_Nmm 0.001 " +
+      kCoarse);
+  EXPECT_NE(report["status_seen"].dump().find("spindle_stalled"), std::string::npos) << report["status_seen"];
+  ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
+  EXPECT_EQ(report["warnings"][0], "removal is off (simulation.removal is none), so nothing was removed.");
+}
+
 TEST(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
   using units::mm;
   const std::unique_ptr<Device> device = open_device("mock:rest");
