@@ -33,16 +33,37 @@ std::string text_of(const LatencyHistogram& h) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const LoopReport& r) {
+  const ToolSnapshot& tool = r.seen.last.tool;
+  const auto saw = [&](StepStatus bit) { return has_any(tool.status_seen, bit); };
+  const auto happened = [&](SafetyEvent event) { return r.run.events[std::size_t(event)] > 0; };
+  const bool cuts = r.simulation.config().removal != RemovalLaw::none;
+  const bool stays_inside = happened(SafetyEvent::start_inside) && !happened(SafetyEvent::fading_in);
   std::vector<std::string> warnings;
+  if (!cuts && r.simulation.last_result().energy.turnover > 0) warnings.emplace_back(kRemovalIsOff);
   for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
-  if (has_any(r.seen.last.tool.status_seen, StepStatus::engaged_layer_thick))
+  if (stays_inside)
+    warnings.emplace_back(
+        "the tool was in the material from the start, so the guard gave no force; move loop.origin_mm above it.");
+  else if (has_any(tool.status, StepStatus::tool_waits))
+    warnings.emplace_back(
+        "at the end the hand was inside material that the tool had not cut, so there was no force; move the hand out "
+        "of the material.");
+  if (saw(StepStatus::spindle_stands))
+    warnings.emplace_back(
+        "the spindle stood in contact, so the head pressed, rubbed and crushed, but did not cut; set "
+        "tool.spindle_rpm.");
+  else if (saw(StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
         "the feed.");
-  if (has_any(r.seen.last.tool.status_seen, StepStatus::blocks_exhausted))
+  if (cuts && saw(StepStatus::spindle_stalled))
+    warnings.emplace_back(
+        "the load stalled the spindle, and the head did not cut until it ran again; press less, or raise "
+        "tool.power_limit_W or tool.torque_limit_Nmm.");
+  if (saw(StepStatus::blocks_exhausted))
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
@@ -52,7 +73,10 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
 }
 
 Json to_json(const LoopReport& r) {
-  Json events = Json::object(), log = Json::array();
+  Json events = Json::object(), log = Json::array(), status = Json::array();
+  for_each_bit<StepStatus>([&](StepStatus bit, const char* name) {
+    if (has_any(r.seen.last.tool.status_seen, bit)) status.push_back(name);
+  });
   for (std::size_t n = 0; n < kSafetyEvents; ++n)
     if (r.run.events[n] > 0) events[std::string(name_of(SafetyEvent(n)))] = r.run.events[n];
   for (const SafetyLogEntry& entry : r.run.log)
@@ -76,6 +100,7 @@ Json to_json(const LoopReport& r) {
       {"safety_events", events},
       {"safety_log", log},
       {"steps", r.seen.last.tool.steps},
+      {"status_seen", status},
       {"max_per_tick",
        {{"parts", r.seen.last.tool.max_effort.parts},
         {"newton_steps", r.seen.last.tool.max_effort.newton_steps},
@@ -121,6 +146,10 @@ std::string to_table(const LoopReport& r) {
                          rounded(r.seen.last.max_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +
                             " changed blocks, at most " + std::to_string(r.seen.max_blocks_waiting) + " waiting");
+  for_each_bit<StepStatus>([&](StepStatus bit, const std::string& name) {
+    if (has_any(r.seen.last.tool.status_seen, bit)) table.add("status", name + " in one or more steps");
+  });
+  table.add("arming", std::string(name_of(r.run.arming)) + " at the end");
   for (std::size_t n = 0; n < kSafetyEvents; ++n)
     if (r.run.events[n] > 0)
       table.add("safety", std::string(name_of(SafetyEvent(n))) + " in " + std::to_string(r.run.events[n]) + " ticks");

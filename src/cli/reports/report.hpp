@@ -45,6 +45,9 @@ struct WorkpieceSummary {
 /// material.
 [[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
 
+/// The warning of a run with RemovalLaw::none.
+inline constexpr const char* kRemovalIsOff = "removal is off (simulation.removal is none), so nothing was removed.";
+
 /// Warnings about the numbers, as sentences; may be empty.
 [[nodiscard]] std::vector<std::string> warnings_of(const DrillResult& result, const Simulation& simulation);
 

@@ -19,6 +19,7 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   std::vector<std::string> warnings;
   const bool cuts = simulation.config().removal != RemovalLaw::none;
   const std::size_t stood = r.count(StepStatus::spindle_stands), stalled = r.count(StepStatus::spindle_stalled);
+  if (!cuts && r.steps_in_contact > 0) warnings.emplace_back(kRemovalIsOff);
   if (r.steps_in_contact == 0 && r.steps_rejected == 0)
     warnings.emplace_back("the path never touches the workpiece; check the positions and path.point against its box.");
   else if (cuts && r.steps_in_contact > 0 && r.removed_volume == 0 && stood == 0 && stalled == 0)
@@ -44,7 +45,7 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warnings.emplace_back("the spindle stood in " + steps(stood) +
                           " of contact, so the head pressed, rubbed and crushed, but did not cut; set "
                           "tool.spindle_rpm.");
-  if (stalled > 0)
+  if (cuts && stalled > 0)
     warnings.emplace_back("the load stalled the spindle in " + steps(stalled) + " of " +
                           std::to_string(r.steps_in_contact) +
                           " in contact, so the head did not cut; lower the feed, or raise tool.power_limit_W or "

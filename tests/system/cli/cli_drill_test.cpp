@@ -212,6 +212,14 @@ TEST_F(Drill, WarnsOfASpindleThatStandsOrStallsInsteadOfTheStiffness) {
   EXPECT_NE(stalling["warnings"][0].get<std::string>().find("stalled the spindle"), std::string::npos);
 }
 
+TEST_F(Drill, SaysThatRemovalIsOffInsteadOfACureForAStall) {
+  const nlohmann::json report =
+      drill(kBlock + "--head sphere --radius_mm 1 --spindle_rpm 30000 --removal none " + kGroove);
+  EXPECT_GT(report["status"]["spindle_stalled"], 0);
+  ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
+  EXPECT_EQ(report["warnings"][0], "removal is off (simulation.removal is none), so nothing was removed.");
+}
+
 TEST_F(Drill, CountsOfTheStepsWithAThickLayerThoseThatRemoveMaterial) {
   const nlohmann::json report = drill(kBlock + kSpinningBall + "--reference_stiffness 1e12 " + kGroove);
   ASSERT_GT(report["status"]["engaged_layer_thick"], report["steps_cutting"]) << "some steps only touch";

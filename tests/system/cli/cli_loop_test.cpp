@@ -2,6 +2,11 @@
 // hapticut loop, run like a user does.
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "cli/reports/loop_report.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/program.hpp"
 
@@ -26,7 +31,8 @@ TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
   for (const char* pointer :
        {"/device/model", "/rate_Hz", "/missed_ticks", "/end", "/wake_up_us/p99", "/compute_us/p999",
         "/compute_us/buckets", "/deadline_misses", "/safety_events/engaged", "/safety_log/0/event", "/graphics/frames",
-        "/force_N/max_applied", "/max_per_tick/newton_steps", "/workpiece/dims/2", "/build/version", "/warnings"})
+        "/force_N/max_applied", "/max_per_tick/newton_steps", "/status_seen", "/workpiece/dims/2", "/build/version",
+        "/warnings"})
     EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
   EXPECT_EQ(report["ticks"], 4001);
   EXPECT_EQ(report["steps"], 4001);
@@ -74,6 +80,54 @@ TEST_F(Loop, CutsHardBoneBehindItsCouplingByDefault) {
   };
   EXPECT_FALSE(is_too_soft(""));
   EXPECT_TRUE(is_too_soft(" --reference-stiffness 1e13"));
+}
+
+TEST_F(Loop, ReportsTheStatusOfItsStepsAndTheLastArming) {
+  const std::string press = "mock:press,hand=nominal --seconds 3 --simulated-time " + kCoarse;
+  const auto expect_of = [&](const std::string& more, const std::string& bit, const std::string& warning) {
+    const nlohmann::json report = loop(press + more);
+    EXPECT_NE(report["status_seen"].dump().find('"' + bit + '"'), std::string::npos) << report["status_seen"];
+    EXPECT_NE(report["warnings"].dump().find(warning), std::string::npos) << report["warnings"];
+    const std::string out = read_bytes(folder / "stdout");
+    EXPECT_NE(out.find(bit + " in one or more steps\n"), std::string::npos) << out;
+    EXPECT_NE(out.find("  " + report["arming"].get<std::string>() + " at the end\n"), std::string::npos) << out;
+  };
+  expect_of("--spindle_rpm 0", "spindle_stands", "set tool.spindle_rpm.");
+  expect_of("--motor electric --torque_limit_Nmm 0.001", "spindle_stalled", "the load stalled the spindle");
+}
+
+TEST_F(Loop, SaysThatTheToolWasInTheMaterialFromTheStart) {
+  const auto was_inside = [&](const std::string& more) {
+    const nlohmann::json report = loop("mock:rest --seconds 1 --simulated-time " + kCoarse + more);
+    return report["warnings"].dump().find("in the material from the start") != std::string::npos;
+  };
+  EXPECT_TRUE(was_inside(""));
+  EXPECT_FALSE(was_inside("--origin_mm 0,0,100"));
+}
+
+TEST_F(Loop, SaysThatRemovalIsOffInsteadOfACureForAStall) {
+  const nlohmann::json report = loop(
+      "mock:press,hand=nominal --seconds 3 --simulated-time --removal none "
+      "--motor electric --torque_limit_Nmm 0.001 " +
+      kCoarse);
+  EXPECT_NE(report["status_seen"].dump().find("spindle_stalled"), std::string::npos) << report["status_seen"];
+  ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
+  EXPECT_EQ(report["warnings"][0], "removal is off (simulation.removal is none), so nothing was removed.");
+}
+
+TEST(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
+  using units::mm;
+  const std::unique_ptr<Device> device = open_device("mock:rest");
+  const Simulation simulation(
+      build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.2 * mm, presets::cortical_bone()),
+      Tool(SphereHead{1 * mm}, RayHandle{20 * mm}, Spindle{3000 * units::rad_per_s}));
+  cli::LoopReport report{cli::summarize("block", simulation.workpiece()), *device, simulation, true, {}, {}, 0};
+  EXPECT_TRUE(cli::warnings_of(report).empty());
+  report.seen.last.tool.status_seen = StepStatus::tool_waits;
+  EXPECT_TRUE(cli::warnings_of(report).empty()) << "the hand is free again";
+  report.seen.last.tool.status = StepStatus::tool_waits;
+  ASSERT_EQ(cli::warnings_of(report).size(), 1U);
+  EXPECT_NE(cli::warnings_of(report).front().find("at the end the hand was inside material"), std::string::npos);
 }
 
 #ifdef HAPTICUT_HAS_IO
