@@ -41,8 +41,8 @@ RC_GTEST_PROP(LimitSurface, NeverLeavesTheConeAndNeverDissipatesLessThanNothing,
     const Vec3 normal = *rc::gen::inRange(0, 20) == 0 ? Vec3(0, 0, 0) : *arbitrary_vector(5);
     const Vec3 move = *arbitrary_vector(0.5 * mm);
     const double fraction = *number_between(0, 1);
-    const auto outcome = move_point(contact, normal, move, friction, share);
-    RC_ASSERT(outcome.force.norm() <= friction.static_friction * share * normal.norm() * (1 + 1e-9));
+    const auto outcome = move_point(contact, normal, move, friction, fraction);
+    RC_ASSERT(outcome.force.norm() <= friction.static_friction * fraction * normal.norm() * (1 + 1e-9));
     RC_ASSERT(std::abs(outcome.force.dot(normal)) <= 1e-9 * (1 + normal.squaredNorm()));
     RC_ASSERT(outcome.dissipated >= 0);
     work -= outcome.force.dot(move);
