@@ -75,7 +75,8 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     try:
         import pandas  # noqa: F401
     except ImportError:
-        raise Error("sweeps need pandas: install the extra `sweep`, e.g. pip install '.[sweep]' in the source folder.") from None
+        raise Error("sweeps need pandas: install the extra `sweep`, e.g. pip install '.[sweep]' in the source "
+                    "folder.") from None
     if not callable(run):
         raise Error(f"run is {run!r}; it must be a function of a dict of parameters and a generator.")
     if executor is not None and not isinstance(executor, Executor):

@@ -103,7 +103,8 @@ def _design_of(engine: str, n: int, bounds: Bounds, seed: int) -> Space:
     try:
         from scipy.stats import qmc
     except ImportError:
-        raise Error("designs need scipy: install the extra `sweep`, e.g. pip install '.[sweep]' in the source folder.") from None
+        raise Error("designs need scipy: install the extra `sweep`, e.g. pip install '.[sweep]' in the source "
+                    "folder.") from None
     dimensions = len(bounds) if isinstance(bounds, Mapping) and bounds else 1  # `design` refuses invalid bounds
     return design(getattr(qmc, engine)(d=dimensions, seed=whole(seed, "seed", 0)), n, bounds)
 
