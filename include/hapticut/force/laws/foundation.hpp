@@ -21,7 +21,7 @@ namespace hapticut {
 /// springs give a thicker layer and, while it is thin against the head, the same cutting force.
 ///
 /// Material at depth w pushes back along the normal n with the pressure gradient k_v w. Hunt-Crossley damping
-/// multiplies it by g_d(chi w_dot), with g_d(x) = 1 + x while the contact closes and 1/(1 - x) while it opens. Where
+/// multiplies it by g_d(chi w_dot), with g_d(e) = 1 + e while the contact closes and 1/(1 - e) while it opens. Where
 /// the head turns, the material also drags along the slip v_t, tangential to the cutting surface:
 ///
 ///     force = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
