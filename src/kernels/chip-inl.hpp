@@ -48,7 +48,7 @@ HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float to
   const Vec at_top = root_of_speed(top);
   const Vec outside = hn::Min(broadcast(1.0F), broadcast(-2.0F) * bottom / (top - bottom));
   const Vec other = hn::IfThenElse(bottom > zero, root_of_speed(bottom), outside * hn::Sqrt(hn::Max(zero, speed)));
-  const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, min_roots);  // 1/sigma
+  const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, min_roots);  // 1/sigma_c
   ChordVectors chord = {material.energy * dearer, CutDepthVectors(top, zero)};
   chord.cut.excess = hn::IfThenElseZero(rate > zero, at_top * at_top * dearer / rate);
   chord.cut.threshold = hn::Sqrt(hn::Max(zero, hn::MulSub(top, top, chord.cut.excess)));
