@@ -8,6 +8,8 @@
 #define HAPTICUT_KERNELS_PLACES_INL_HPP
 #endif
 
+#include <cstring>
+
 #include "kernels/gather-inl.hpp"
 #include "kernels/materials-inl.hpp"
 
@@ -38,27 +40,21 @@ class Places {
     return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
   }
 
-  /// Whether some of the first `count` values differ.
-  [[nodiscard]] HWY_INLINE static bool differ(const float* a, const float* b, int count) {
-    const Floats d;
-    bool any = false;
-    for (int n = 0; n < count; n += int(kWidth)) {
-      const Mask listed = hn::FirstN(d, std::size_t(std::min(count - n, int(kWidth))));
-      any = any || !hn::AllFalse(d, hn::And(listed, hn::Ne(hn::LoadU(d, a + n), hn::LoadU(d, b + n))));
-    }
-    return any;
-  }
-
-  /// Writes the new fills of the listed voxels back to their blocks.
+  /// Writes the new fills of the listed voxels back to their blocks, and marks the blocks where one differs.
   HWY_INLINE void write_fills() const {
     const float *before = voxels_.fill, *after = voxels_.fill_after;
-    for (int n = 0; n < voxels_.runs; ++n) {
-      const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
-      const int count = std::popcount(lanes);
-      PressTask& task = tasks_[first / kBlockVoxels];
-      if (!task.change.any_changed) task.change.any_changed = differ(before, after, count);
-      spread(after, lanes, task.fill_after + first % kBlockVoxels);
-      after += count;
+    for (int n = 0; n < voxels_.runs;) {
+      const unsigned block = unsigned(voxels_.run_first[n]) / kBlockVoxels;
+      PressTask& task = tasks_[block];
+      const float* const first_after = after;
+      for (; n < voxels_.runs && unsigned(voxels_.run_first[n]) / kBlockVoxels == block; ++n) {
+        const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
+        spread(after, lanes, task.fill_after + first % kBlockVoxels);
+        after += std::popcount(lanes);
+      }
+      const std::size_t count = std::size_t(after - first_after);
+      bool& changed = task.change.any_changed;
+      changed = changed || std::memcmp(before, first_after, sizeof(float) * count) != 0;
       before += count;
     }
   }

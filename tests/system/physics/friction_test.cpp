@@ -141,7 +141,7 @@ TEST(Friction, OfTheConfigurationReplacesThatOfTheMaterials) {
 }
 
 // Proves: hand-over to the spin.
-TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
+TEST(Friction, D10HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   SimulationConfig config;
   config.removal = RemovalLaw::none;  // so that only the friction changes
   const double full = kFullSpinSpeed / kRadius;

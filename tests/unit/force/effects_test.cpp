@@ -87,7 +87,7 @@ TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
 }
 
 // Proves: vibration.
-TEST(Vibration, OfTheThesisIsRefusedAt1kHzWithTheReason) {
+TEST(Vibration, D9OfTheThesisIsRefusedAt1kHzWithTheReason) {
   Vibration vibration;
   vibration.frequency = 500;
   test::expect_refused([&] { validate(vibration, 1000.0); },

@@ -49,7 +49,7 @@ Resultant exact_sum(const ContactBlock& b) {
 // 64 additions per lane of numbers up to 1: single precision leaves less than 1e-4 of a sum of up to 512.
 constexpr double kRounding = 1e-4;
 
-TEST(SumResultant, AddsForcesAndTheirTorquesAboutTheOrigin) {
+TEST(SumResultant, D3AddsForcesAndTheirTorquesAboutTheOrigin) {
   test::RandomPoses random(1);
   for (const int rows : {1, 7, kBlockRows}) {
     const auto block = random_block(rows, random);
