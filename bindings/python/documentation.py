@@ -26,6 +26,10 @@ SHAPES = {"Vec3": "(3,)", "VoxelIndex": "(3,)", "Mat3": "(3, 3)", "Pose": "(4, 4
           "ScriptedPath": "function from time [s] to (4, 4);",
           "std::function<double(const Vec3& p_WQ)>": "function from (3,) to a number;",
           "std::function<MaterialId(const Vec3& p_WQ)>": "function from (3,) to a whole number;"}
+# Parameters of C++ that the functions of Python lack.
+NOT_IN_PYTHON = {"Simulation::step": ["coupling"], "SafetyGuard::SafetyGuard": ["requests"],
+                 "HeatField::update": ["origin", "material"], "IslandFinder::update": ["origin", "fill"],
+                 "SurfaceStream::update": ["origin", "material"]}  # of "material, fill" the first
 # Remarks about references. Python has none: its results own their data.
 LIFETIME = re.compile(r"a reference that stays valid; its contents are those of the last call"
                       r"|[;,] valid until the next (?:call|one|step)|valid until the next call\. ")
@@ -64,8 +68,10 @@ def after_the_unit(text: str, shape: str) -> str:
     return " ".join(filter(None, [unit, shape, text[len(unit) :].lstrip(", ")]))
 
 
-def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str]) -> str:
-    """The lines of one Doxygen comment as the text of a docstring, with the shapes of parameters and result."""
+def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str], absent: list[str]) -> str:
+    """The lines of one Doxygen comment as the text of a docstring, with the shapes of parameters and result, without
+    the absent parameters."""
+    shapes = {name: shape for name, shape in shapes.items() if name not in absent}
     comment = [LIFETIME.sub("", line) for line in comment]
     text: list[str] = []
     sections: dict[str, list[list[str]]] = {}
@@ -86,7 +92,9 @@ def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str
             sections.setdefault(SECTIONS[command[1]], []).append(entry)
             target = entry
     lines = "\n".join(text).strip("\n").split("\n") if any(text) else []
-    parameters = sections.setdefault("Parameters", [])
+    parameters = [entry for entry in sections.get("Parameters", [])
+                  if re.match(r"\w*", entry[0])[0] not in absent]
+    sections["Parameters"] = parameters
     described = " ".join(entry[0] for entry in parameters)
     parameters += [[name] for name in shapes if not re.search(rf"\b{name}\b", described)]
     if result is not None and not parameters and "Returns" not in sections and lines and lines[0].startswith("["):
@@ -151,11 +159,11 @@ class Header:
                 while f"{key}#{number}" in self.entries:
                     number += 1
                 key = f"{key}#{number}"
-            self.entries[key] = self.docstring(comment)
+            self.entries[key] = self.docstring(comment, key)
             self.last.append(key)
 
-    def docstring(self, comment: list[str]) -> str:
-        return numpy_style(comment, self.shapes, self.result)
+    def docstring(self, comment: list[str], key: str) -> str:
+        return numpy_style(comment, self.shapes, self.result, NOT_IN_PYTHON.get(key, []))
 
     def read(self, path: Path) -> None:
         lines = path.read_text(encoding="utf-8").splitlines()
@@ -169,7 +177,7 @@ class Header:
             if self.last:
                 self.trailing.append(stripped[4:].strip())
                 for key in self.last:
-                    self.entries[key] = self.docstring(self.trailing)
+                    self.entries[key] = self.docstring(self.trailing, key)
             return
         if stripped.startswith("///"):
             self.pending.append(re.sub(r"^///\s?", "", stripped) if stripped != "///" else "")

@@ -52,6 +52,7 @@ struct IslandWatch::State final : StepObserver {
   struct Tagged {
     IslandRemoval removal;
     std::uint64_t workpiece;
+    bool is_marked = false;  // its blocks are to be sent again, because it stays
   };
   using Removal = std::unique_ptr<Tagged>;
 
@@ -97,6 +98,7 @@ struct IslandWatch::State final : StepObserver {
   std::optional<Search> search;  // empty: the workpiece cannot be watched
   Feed to_send;                  // while its ring is full
   std::vector<Removal> waiting;  // found, while the ring is full
+  std::size_t under_way = 0;     // islands that were found and are not over
   std::mutex mutex;              // of the members below; the loop never locks it
   std::condition_variable wake;
   bool stopping = false;
@@ -170,21 +172,27 @@ void IslandWatch::State::find() {
   if (to_send.blocks && feeds.push(Feed(to_send))) to_send = {};
   for (Feed old; old_feeds.pop(old);) {
   }
-  if (search) {
-    for (ChangedBlock block; search->feed.blocks->receive(block);)
-      search->finder.update(block.origin, block.fill.data());
-    for (Island& island : search->finder.find())
-      waiting.push_back(std::make_unique<Tagged>(Tagged{IslandRemoval{std::move(island)}, search->feed.workpiece}));
-  }
-  std::size_t sent = 0;
-  while (sent < waiting.size() && to_remove.push(std::move(waiting[sent]))) ++sent;
-  waiting.erase(waiting.begin(), waiting.begin() + std::ptrdiff_t(sent));
   for (Removal done; over.pop(done);) {
+    --under_way;
     if (done->removal.joined) continue;
     const std::lock_guard lock(mutex);
     if (removed.size() == kMaxRemoved) removed.erase(removed.begin());
     removed.push_back(std::move(done->removal.island));
   }
+  if (search) {
+    for (ChangedBlock block; search->feed.blocks->receive(block);)
+      search->finder.update(block.origin, block.fill.data());
+    // The finder treats an island as removed. If it stays, its neighbours would be found as islands and stay, too, and
+    // so on in turn: the next search begins when it is known which islands stay.
+    if (under_way == 0)
+      for (Island& island : search->finder.find()) {
+        waiting.push_back(std::make_unique<Tagged>(Tagged{IslandRemoval{std::move(island)}, search->feed.workpiece}));
+        ++under_way;
+      }
+  }
+  std::size_t sent = 0;
+  while (sent < waiting.size() && to_remove.push(std::move(waiting[sent]))) ++sent;
+  waiting.erase(waiting.begin(), waiting.begin() + std::ptrdiff_t(sent));
 }
 
 /// After a replacement of the workpiece, asks for another search and takes its feed.
@@ -219,10 +227,13 @@ void IslandWatch::tick() noexcept {
     removal.joined = true;
   else if (!remove_island(s.simulation, removal, s.options.blocks_per_tick))
     return;
-  if (!removal.joined)
+  if (!removal.joined) {
     ++s.count;
-  else if (is_of_workpiece && is_watched)  // it stays, so the search must know its blocks again
-    for (const BlockVoxels& block : removal.island.blocks) s.feed.blocks->mark(block.origin);
+  } else if (is_of_workpiece && is_watched) {  // it stays, so the search must know its blocks again
+    if (!std::exchange(s.current->is_marked, true))
+      for (const BlockVoxels& block : removal.island.blocks) s.feed.blocks->mark(block.origin);
+    if (s.feed.blocks->waiting() > 0) return;
+  }
   s.over.push(std::move(s.current));
 }
 

@@ -94,7 +94,8 @@ class Compiler:
         subprocess.run([*self.command, "-x", "c++-header", str(self.base), "-o", f"{self.base}.gch"], check=True)
 
     def complaint(self, number, name, base):
-        """What the compiler says of a header, or nothing. `base`: the future of read_base, for who includes it."""
+        """The errors of the compiler in a header, empty without errors. `base`: the future of read_base, or None for a
+        header that does not include BASE."""
         first = []
         if base is not None:
             base.result()

@@ -86,6 +86,20 @@ def test_every_docstring_of_what_takes_or_gives_arrays_says_their_shape():
     assert "valid until" not in str([thing.__doc__ for thing in vars(core.Simulation).values()])
 
 
+def test_docstrings_describe_only_parameters_that_the_function_has():
+    wrong, found = [], 0
+    for name, thing in members():
+        text = inspect.getdoc(thing.__init__ if isinstance(thing, type) else thing) or ""
+        signature = "\n".join(re.findall(r"^(?:\d+\. )?\w+\(.*\) ->.*$", text, re.M))
+        for section in re.findall(r"^Parameters\n-+\n((?:.+\n?)*)", text, re.M) if signature else []:
+            described = re.findall(r"^(\w+(?:, \w+)*)(?: :.*)?$", section, re.M)
+            for parameter in ", ".join(described).split(", "):
+                found += 1
+                if not re.search(rf"\b{parameter}\b[:=]", signature):
+                    wrong.append(f"{name}: {parameter}")
+    assert found > 150 and not wrong
+
+
 CALL_ALL_WITH_NONE = """
 import hapticut._hapticut as core
 

@@ -92,7 +92,7 @@ TEST(Spindle, WithACutterThatDoesNotSuitTheMaterialsIsReported) {
   for (const Case& c : {Case{"the usual bur", presets::dentin(), tool({}), false},
                         Case{"standing it cuts nothing", presets::dentin(), tool(Cutter{coarse_diamond}, 0), false},
                         Case{"its own material", presets::dentin(coarse_diamond), tool(Cutter{coarse_diamond}), false},
-                        Case{"constants of one's own", plain_material(), tool(Cutter{twist_drill}), false},
+                        Case{"custom constants", plain_material(), tool(Cutter{twist_drill}), false},
                         Case{"as every cutter meets it", presets::clay(), tool(Cutter{twist_drill}), false},
                         Case{"another cutter", presets::dentin(), tool(Cutter{coarse_diamond}), true}}) {
     simulation = Simulation(block(c.material), c.with);

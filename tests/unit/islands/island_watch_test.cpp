@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -261,6 +262,33 @@ TEST(IslandWatch, RemovesALoosePieceAgainThatAnUndoBringsBack) {
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 59 * kInLayer);
   while (watch.count() == 1) wait(simulation, watch, 1);
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
+}
+
+// The blocks arrive one by one, so the search first sees parts of the piece, which stay because they touch the rest.
+TEST(IslandWatch, RemovesAPieceWhosePartsItSawAtDifferentTimes) {
+  IslandWatchOptions options;
+  options.period = 1e-4;
+  options.blocks.blocks_per_step = 1;
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(200);
+  IslandWatch watch(simulation, options);
+  const auto wait_slowly = [&](int ticks) {
+    for (int n = 0; n < ticks; ++n) {
+      wait(simulation, watch, 1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  };
+  wait_slowly(20);
+  simulation.set_undo_mark();
+  ASSERT_TRUE(simulation.remove_voxels(layer(30)));
+  wait_slowly(100);
+  ASSERT_EQ(watch.count(), 1U);
+  while (!simulation.undo(64)) {
+  }
+  ASSERT_TRUE(simulation.remove_voxels(layer(30)));
+  wait_slowly(300);
+  EXPECT_EQ(watch.count(), 2U);
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 30 * kInLayer);
 }
 
 TEST(IslandWatch, AcceptsAWorkpieceThatIsEmptied) {
