@@ -7,8 +7,8 @@
 closed_forms  each closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md; "C1 ... C9" ends with
               the last one; each row of a closed form names its functions of closed_forms; and each row of a
               measurement (B1a, DC4) has a source in docs/validation.md
-files         each file that a comment or a page names by its path from the top of the repository exists, each page that a
-              page links to exists, and the README names no engine without a folder in bindings
+files         each file that a comment or a page names by its path from the top of the repository exists, each page and
+              heading that a page links to exists, and the README names no engine without a folder in bindings
 """
 import argparse
 import re
@@ -26,7 +26,8 @@ FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
 PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
                   r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
-LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)\s]*)?\)")
+LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
+HEADING = re.compile(r"^#+ (.*)$", re.M)
 ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")
 A_LANGUAGE = "C99"  # no closed form
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
@@ -79,6 +80,13 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
     return wrong, cited
 
 
+def anchors_of(page: Path) -> set[str]:
+    """The anchors of the headings of a page, as GitHub writes them."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+    titles = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title) for title in HEADING.findall(text)]
+    return {re.sub(r"[^\w\- ]", "", title.strip().lower()).replace(" ", "-") for title in titles}
+
+
 def check_files(root: Path) -> tuple[list[str], int]:
     readme, cited = (root / "README.md").read_text(encoding="utf-8"), 0
     wrong = [f"README.md names {engine}, and there is no bindings/{engine.lower()}" for engine in ENGINES
@@ -92,8 +100,9 @@ def check_files(root: Path) -> tuple[list[str], int]:
             if name not in WRITTEN_BY_THE_BUILD and not any(place.exists() for place in places):
                 wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which does not exist")
         for found in LINK.finditer(text) if path.suffix == ".md" else ():
-            if not (root / path.parent / found[1]).exists():
-                wrong.append(f"{path}:{line_of(text, found.start())} links to {found[1]}, which does not exist")
+            page = root / path.parent / found[1] if found[1] else root / path
+            if not page.exists() or (found[2] and page.suffix == ".md" and found[2] not in anchors_of(page)):
+                wrong.append(f"{path}:{line_of(text, found.start())} links to {found[0][2:-1]}, which does not exist")
     return wrong, cited
 
 
