@@ -22,6 +22,7 @@ PREAMBLE = re.compile(r"^\s*(?:template|requires)\b[^{;]*$")
 NO_DECLARATION = re.compile(r"^\s*(?:public|private|protected|using|friend)\b")
 SHAPES = {"Vec3": "(3,)", "VoxelIndex": "(3,)", "Mat3": "(3, 3)", "Pose": "(4, 4)", "Twist": "(6,)",
           "Stiffness": "(6, 6)", "std::vector<Vec3>": "(n, 3)", "std::span<const Vec3>": "(n, 3)",
+          "std::span<const VoxelIndex>": "(n, 3)",
           "std::optional<Vec3>": "(3,) or None;",
           "ScriptedPath": "function from time [s] to (4, 4);",
           "std::function<double(const Vec3& p_WQ)>": "function from (3,) to a number;",
