@@ -31,7 +31,7 @@ endif()
 file(READ ${COUNTS} counts)
 string(JSON expected GET "${counts}" ${KERNELS} ${WORKLOAD})
 math(EXPR difference "(${count} - ${expected}) * 1000 / ${expected}")  # per mille
-message("${KERNELS} ${WORKLOAD}: ${count} instructions, kept: ${expected}, difference ${difference} per mille")
+message("${KERNELS} ${WORKLOAD}: ${count} instructions, expected: ${expected}, difference ${difference} per mille")
 math(EXPR limit "${tolerance} * 10")
 if(difference GREATER limit)
   message(FATAL_ERROR "the step needs more instructions than before. If that is intended, give the reason in the commit and put "

@@ -120,7 +120,7 @@ void print_targets(const Results& r) {
   print_row("load 256 M voxels in layers [ms]", 5000, r.value("load/layers", "real_time"));
   print_row("load 256 M voxels, mixed [ms]", 5000, r.value("load/mixed", "real_time"));
   print_row("64 dirty blocks to pages [ms]", 4, r.value("surface/dirty64", "ms_of_64_blocks"));
-  print_row("a block of them [us]", 37, r.value("surface/dirty64", "us_per_block"));
+  print_row("one dirty block to pages [us]", 37, r.value("surface/dirty64", "us_per_block"));
   print_row("from a cut to its pages, p99 [ms]", 33, r.value("surface/latency", "age_p99_ms"));
   print_row("64 nearest pages of 256 M voxels [ms]", 1000, r.value("surface/first", "nearest_64_pages_ms"));
   print_row("bytes per voxel, mixed", 1.5, r.value("load/mixed", "bytes_per_voxel"));

@@ -195,7 +195,8 @@ void run_minute(benchmark::State& state, double voxel_size, double radius) {
   }
 }
 
-/// As many ticks of arithmetic in registers, without memory, locks and system calls. Late ticks are due to the machine.
+/// The same number of ticks of arithmetic in registers, without memory accesses, locks and system calls. The machine
+/// causes the late ticks.
 void run_arithmetic(benchmark::State& state) {
   constexpr int kTicks = 60000, kOperations = 50000;
   for (auto _ : state) {

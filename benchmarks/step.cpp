@@ -13,8 +13,8 @@
 namespace hapticut::bench {
 namespace {
 
-/// hapticut as a contestant: the full model with its defaults, or, with the spindle at rest, on the voxels of the
-/// others.
+/// hapticut as a contestant. `cutting`: the full model. Otherwise only the springs act, the spindle is at rest and no
+/// voxel is removed.
 class Hapticut final : public Contestant {
  public:
   Hapticut(const Workload& w, bool cutting) : simulation_(make(w, cutting)) {}

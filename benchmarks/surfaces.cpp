@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cost of a picture of the workpiece for the thread beside the loop. surface/dirty64: meshing of the blocks that a ball
-// of 2 mm changes in a groove; surface/latency: time from a cut to its pages; surface/first: pages of a large
-// workpiece; surface/extract: a workpiece as one mesh.
+// Costs of the drawn surface of the workpiece, in a second thread while the loop runs. surface/dirty64: meshing of the
+// blocks that a ball of 2 mm changes in a groove; surface/latency: time from a cut to its pages; surface/first: pages
+// of a large workpiece; surface/extract: a workpiece as one mesh.
 #include "surfaces.hpp"
 
 #include <benchmark/benchmark.h>

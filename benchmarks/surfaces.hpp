@@ -3,7 +3,7 @@
 
 namespace hapticut::bench {
 
-/// Registers the benchmarks of the surface beside the loop: surface/...
+/// Registers the benchmarks of the drawn surface: surface/...
 void add_surfaces();
 
 }  // namespace hapticut::bench

@@ -8,7 +8,7 @@ include(CMakePackageConfigHelpers)
 
 set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 
-# Builds missing targets first: e.g. the demo builds only what it needs.
+# Builds missing targets first, e.g. after scripts/demo.sh, which builds only the targets that it needs.
 set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
 list(TRANSFORM HAPTICUT_COMPONENTS_WITH_CORE PREPEND hapticut_ OUTPUT_VARIABLE _with_core)
 string(TOLOWER "${HAPTICUT_VENDORS}" _vendors)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# Instruction sets of the kernels; each costs a minute of processor time. Sets HAPTICUT_KERNEL_TARGETS, the names of
-# files in src/kernels/targets/, and HAPTICUT_KERNELS_LEAVE_OUT, Highway's names of the others.
+# Instruction sets of the kernels; each takes a minute of processor time to compile. Sets HAPTICUT_KERNEL_TARGETS, the
+# names of files in src/kernels/targets/, and HAPTICUT_KERNELS_LEAVE_OUT, Highway's names of the sets that are left out.
 set(HAPTICUT_KERNELS ALL CACHE STRING "ALL instruction sets, or NATIVE: only the best one of this machine")
 set_property(CACHE HAPTICUT_KERNELS PROPERTY STRINGS ALL NATIVE)
 
 set(HAPTICUT_KERNEL_TARGETS baseline avx2 avx3)
 if(HAPTICUT_KERNELS STREQUAL "NATIVE")
-  # Highway reports the best one, as it does at run time. On ARM, or when cross-compiling, there is no choice.
+  # Highway reports the best set with the same detection as at run time. ARM has only the baseline. When
+  # cross-compiling, all sets are compiled.
   if(NOT hapticut_best_kernels AND NOT CMAKE_CROSSCOMPILING)
     try_run(hapticut_best_ran hapticut_best_compiled "${CMAKE_BINARY_DIR}/best_kernels"
       "${CMAKE_CURRENT_LIST_DIR}/best_kernels.cpp" LINK_LIBRARIES hwy::hwy RUN_OUTPUT_VARIABLE best)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The version of project() and the git commit, for C++: hapticut/version.hpp is installed, the commit stays inside.
+# The version of project() and the git commit, for C++. hapticut/version.hpp is installed, the header with
+# the commit is not.
 
 configure_file("${CMAKE_CURRENT_LIST_DIR}/version.hpp.in" "${PROJECT_BINARY_DIR}/include/hapticut/version.hpp" @ONLY)
 
@@ -9,7 +10,7 @@ add_custom_target(hapticut_commit BYPRODUCTS "${_commit_header}"
           -P "${CMAKE_CURRENT_LIST_DIR}/HapticutCommit.cmake"
   COMMENT "Looking up the commit" VERBATIM)
 
-# hapticut_use_version(target): gives a target of the project the commit; the version comes with hapticut::physics.
+# hapticut_use_version(target): lets a target of the project include the commit. hapticut::physics provides the version.
 function(hapticut_use_version target)
   add_dependencies(${target} hapticut_commit)
   target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/generated")

@@ -54,7 +54,7 @@ mkdir -p "$plugins"
 cp -L "$library" "$plugins/libhapticut_c.so"
 cp LICENSE "$out/LICENSE.md"
 
-# Libraries of every system are not included: the process must use its own C and C++ runtimes.
+# Libraries that every system has are not included: the process must use its own C and C++ runtimes.
 system='linux-vdso|ld-linux|libc\.so|libm\.so|libdl\.so|libpthread\.so|librt\.so|libresolv\.so|libstdc\+\+\.so|libgcc_s\.so'
 notices=$out/ThirdPartyNotices.md
 echo '# Third-party libraries in this package' >"$notices"

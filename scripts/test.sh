@@ -159,7 +159,7 @@ build_all() {
   cmake -DHAPTICUT_WITH_PYTHON=OFF build/release >/dev/null # the other tests continue
 }
 
-# A tenth of the random inputs to properties: they differ in numbers, not in memory accesses.
+# Property tests run with a tenth of their random inputs, which differ in numbers, not in memory accesses.
 address() {
   check "configure: address" configure address "-DHAPTICUT_PROPERTY_PARAMETERS=seed=1 max_success=10" &&
     check "build: address" build address &&
@@ -203,7 +203,7 @@ python() {
   run_tests python release -L python -L slow
 }
 
-# fuzz_format FORMAT: runs its fuzzer, from the seeds of this project. The report gives the number of inputs.
+# fuzz_format FORMAT: runs the fuzzer of a format, from the seeds of this project. Its log has the number of inputs.
 fuzz_format() {
   mkdir -p "$logs/corpus/$1"
   ASAN_OPTIONS=allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time=20 -timeout=20 \
@@ -218,7 +218,7 @@ fuzz_all() {
     [ -x "$fuzzer" ] && printf '%s\n' "${fuzzer##*/fuzz_}"
   done | xargs -P "$jobs" -I FORMAT bash -c 'fuzz_format FORMAT'
 }
-# Different mutants in each run; the report ends with the seed that repeats them.
+# Makes different mutants in each run. The log ends with the command that repeats them.
 mutants() {
   local seed=$RANDOM status
   build/release/tests/fuzz/hapticut_mutants 20000 "$seed" "$findings/mutants"

@@ -33,7 +33,7 @@ class StiffeningLaw final : public ForceLaw {
       block.force_z[n] = float(-force) * block.normal_z[n];
       block.fill_after[n] = block.fill[n];
 
-      // For the energy ledger: the elastic energy at the begin and at the end of the step.
+      // Elastic energy at the beginning and at the end of the step, for the energy ledger.
       const Eigen::Vector3f at(block.x[n], block.y[n], block.z[n]);
       const Eigen::Vector3f normal(block.normal_x[n], block.normal_y[n], block.normal_z[n]);
       const double advance =

@@ -26,16 +26,17 @@ class CuttingLaw final : public ForceLaw {
       const double kappa = motion.spin != 0 ? double(material.cutting_ratio) : 0;
       const double fill = double(block.fill[n]), w = double(block.depth[n]);
 
-      // How the surface of the head moves here: towards the material, and along it.
+      // Motion of the head's surface at this sample: `advance` towards the material, `slip` along it.
       const Vec3 r(block.x[n], block.y[n], block.z[n]), normal(block.normal_x[n], block.normal_y[n], block.normal_z[n]);
       const Vec3 path = motion.velocity.cast<double>() + motion.angular_velocity.cast<double>().cross(r);
       const Vec3 surface = path + double(motion.spin) * Vec3::UnitZ().cross(r);
       const double advance = path.dot(normal) * dt;
       const Vec3 slip = surface - surface.dot(normal) * normal;
       const double slip_squared = slip.squaredNorm(), slip_speed = std::sqrt(slip_squared + kSmallSlip * kSmallSlip);
-      const double rubbed = kappa * slip_squared / slip_speed * dt;  // [m] times the normal force: the work of the drag
+      const double rubbed = kappa * slip_squared / slip_speed * dt;  // [m]; times the normal force: work of the drag
 
-      // The drag of a full voxel does the work of removing x of it. The fill decays, and its mean gives the force.
+      // On a full voxel the work of the drag pays for removing the fraction x. The fill decays exponentially; its mean
+      // over the step gives the force.
       const double x = motion.cuts() && w > double(material.cutting_depth) ? k * w * rubbed / u : 0;
       const double left = fill * std::exp(-x), mean = x > 1e-9 ? (fill - left) / x : fill;
       const double pressing = k * volume * mean * w;
@@ -45,7 +46,7 @@ class CuttingLaw final : public ForceLaw {
       block.force_z[n] = float(force.z());
       block.fill_after[n] = float(left);
 
-      // The energy ledger: what is stored before and after, what cutting or rubbing took, and what left with the chips.
+      // Energy ledger: stored energy before and after, energy of cutting or rubbing, and energy lost with the chips.
       const double before = stored(k * volume * fill, w - advance / 2),
                    after = stored(k * volume * left, w + advance / 2);
       LawEnergies& energies = totals.energies;
@@ -58,21 +59,21 @@ class CuttingLaw final : public ForceLaw {
   }
 
  private:
-  static constexpr double kSmallSlip = 1e-3;  // [m/s] keeps the direction of the drag finite where nothing slips
+  static constexpr double kSmallSlip = 1e-3;  // [m/s] avoids a division by zero where nothing slips
 
   [[nodiscard]] static double stored(double k, double w) { return w > 0 ? k * w * w / 2 : 0; }
 };
 
 int main() {
   constexpr double kRadius = 1 * mm, kDepth = 0.5 * mm, kFeed = 1 * mm_per_s, kVoxel = kRadius / 20;
-  const Cutter cutter{CutterKind::coarse_diamond};  // this law knows no chips; use ChipChord for blades
+  const Cutter cutter{CutterKind::coarse_diamond};  // this law has no chip thickness; use ChipChord for blades
   const Tool tool(SphereHead{kRadius}, RayHandle{0}, Spindle{40000 * rpm}, cutter);
   const Material bone = find_preset("cortical_bone", cutter.kind);
   const double omega = tool.spindle().speed, layer = kRadius / 20;
 
   SimulationConfig config;
   config.law = std::make_shared<CuttingLaw>();
-  config.reference_stiffness =  // C34: the layer in which the head cuts is a twentieth of its radius, and a voxel thick
+  config.reference_stiffness =  // C34: gives a cutting layer of a twentieth of the radius, which is one voxel
       2 * bone.specific_cutting_energy * kFeed / (bone.cutting_ratio * omega * kRadius * layer * layer);
   Simulation simulation(build_block({Vec3(-3, -2, -2) * mm, Vec3(3, 2, 0) * mm}, kVoxel, bone), tool, config);
 

@@ -26,7 +26,7 @@ options = io.RecorderOptions(wait_when_full=True)
 with io.Recorder(file, simulation, options, driven_by=device):
     def tick(state):
         """Computes the force of one millisecond from a reading."""
-        interlock.update(simulation, device.arming)  # the spindle stands while the guard holds the force
+        interlock.update(simulation, device.arming)  # stops the spindle while the guard withholds the force
         result = simulation.step(state.X_BS, state.velocity, 1e-3)
         return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 

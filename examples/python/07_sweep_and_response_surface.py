@@ -55,8 +55,8 @@ def main():
     table = hapticut.sweep(space, drill, executor_of(*sys.argv[3:]), folder / "sweep", seed=1,
                            units={"feed": "m/s", "speed": "rad/s", "thrust": "N", "torque": "N·m"})
 
-    # ln F = a + b ln(feed) + c ln(speed) for each material. Chips as thin as a bur's cost by their size effect: there
-    # theory (C35) says b = 1/2 and c = -1/2; at a constant energy (C20) it would be 1 and -1.
+    # ln F = a + b ln(feed) + c ln(speed) for each material. The chips of a bur are so thin that their size effect
+    # dominates the energy: theory (C35) then gives b = 1/2 and c = -1/2. A constant energy (C20) gives 1 and -1.
     figure, axes = plt.subplots(1, len(MATERIALS), figsize=(14, 3.6), layout="constrained", sharey=True)
     for ax, (material, rows) in zip(axes, table.groupby("material", sort=False)):
         A = np.column_stack([np.ones(len(rows)), np.log(rows["feed"]), np.log(rows["speed"])])

@@ -13,7 +13,7 @@ from hapticut.units import N_mm, mm, ms, rpm
 RADIUS, SPEED = 1.25 * mm, 1000 * rpm
 FEED = 0.1 * mm * SPEED / (2 * np.pi)  # [m/s]
 test = DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
-found = calibrate([test], ChipTerm.edge_pressure)  # one test cannot tell the edge pressure: it is 0
+found = calibrate([test], ChipTerm.edge_pressure)  # one test cannot determine the edge pressure: it becomes 0
 print(f"u = {found.specific_cutting_energy / 1e9:.3f} GJ/m^3, kappa = {found.cutting_ratio:.2f} "
       "(the flutes of a drill rub: a burr has a smaller kappa)")
 bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_pressure=found.edge_pressure,

@@ -23,7 +23,7 @@ def symbols(library, header):
     if len(declared) < 40:
         sys.exit(f"only {len(declared)} functions were found in {header}")
     if shown != declared:
-        sys.exit(f"shown, not declared: {sorted(shown - declared)}; declared, not shown: {sorted(declared - shown)}")
+        sys.exit(f"exported only: {sorted(shown - declared)}; declared only: {sorted(declared - shown)}")
     print(f"{len(shown)} symbols")
 
 

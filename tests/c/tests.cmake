@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Tests of header and library of the C interface.
+# Tests of the header and the library of the C interface.
 if(NOT HAPTICUT_C OR CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   return()
 endif()
@@ -14,7 +14,7 @@ add_test(NAME CLibrary.ShowsTheFunctionsOfItsHeaderAndNothingElse COMMAND "${HAP
   "${CMAKE_CURRENT_LIST_DIR}/library.py" symbols "$<TARGET_FILE:hapticut_c>"
   "${PROJECT_SOURCE_DIR}/include/hapticut/c/hapticut.h")
 set_tests_properties(CLibrary.ShowsTheFunctionsOfItsHeaderAndNothingElse PROPERTIES LABELS system TIMEOUT 60)
-# With shared libraries it also needs the other libraries of hapticut.
+# In a build with shared libraries, hapticut_c also needs the other libraries of hapticut.
 if(NOT BUILD_SHARED_LIBS)
   add_test(NAME CLibrary.NeedsNoLibraryThatItsPageDoesNotName COMMAND "${HAPTICUT_PYTHON3}"
     "${CMAKE_CURRENT_LIST_DIR}/library.py" needs "$<TARGET_FILE:hapticut_c>")

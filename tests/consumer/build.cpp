@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The six components of the core, each linked by its name: a molar, its surface, its temperature, its loose pieces, the
-// sound of a drill and a hand that presses a ball.
+// Uses the six components of the core, each linked by its name: a molar, its surface, its temperature, its loose
+// pieces, the sound of a drill, and a ball pressed by a hand.
 #include <array>
 #include <hapticut/analysis/pressed_ball.hpp>
 #include <hapticut/build/molar.hpp>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A program in C that has the header and the library, and nothing else of hapticut. */
+/* A C program that needs only the header and the library of the C interface. */
 #include <hapticut/c/hapticut.h>
 #include <stdio.h>
 

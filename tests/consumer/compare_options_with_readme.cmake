@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The tables of options in README.md have every option of the project, no other, and say of each part what the project
-# says: default, purpose and Debian packages.
+# Checks that the tables in README.md list exactly the options of the project, and the same default, purpose and Debian
+# packages of each part.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS "${SOURCE}/README.md" rows REGEX "^\\| `HAPTICUT_[A-Z_]+` \\|")
 set(documented "")
@@ -23,7 +23,7 @@ foreach(file IN LISTS files ITEMS "${SOURCE}/CMakeLists.txt")
       list(APPEND existing "HAPTICUT_WITH_${part}")
       string(FIND "${row_of_HAPTICUT_WITH_${part}}" "| ${purpose}" at)
       if(at LESS 0)
-        message(FATAL_ERROR "README.md does not say of HAPTICUT_WITH_${part} that it is '${purpose}'.")
+        message(FATAL_ERROR "The row of HAPTICUT_WITH_${part} in README.md does not have the purpose '${purpose}'.")
       endif()
     elseif(line MATCHES "(HAPTICUT_[A-Z_]+)")
       list(APPEND existing "${CMAKE_MATCH_1}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every Debian package that cmake/HapticutOptions.cmake would tell a user to install is in scripts/install-deps.sh.
+# Checks that scripts/install-deps.sh installs every Debian package that cmake/HapticutOptions.cmake names.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS "${OPTIONS}" needs REGEX "^ *(set\\(HAPTICUT_NEEDS_|\")")
 execute_process(COMMAND "${SCRIPT}" --for test --list OUTPUT_VARIABLE installed COMMAND_ERROR_IS_FATAL ANY)

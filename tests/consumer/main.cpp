@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program: presses a standing sphere into a block and prints the force in hexadecimal, without rounding.
+// An outside program: presses a sphere that does not rotate into a block, and prints the force in hexadecimal, without
+// rounding.
 #include <cmath>
 #include <cstdio>
 #include <hapticut/hapticut.hpp>

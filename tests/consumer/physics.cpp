@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program with custom voxels, in one file without libraries: presses a standing and a spinning sphere into
-// its block, and calls every non-trivial part of the headers of hapticut::physics.
+// An outside program with custom voxels, in one file without libraries: presses a sphere into its block, with and
+// without rotation, and calls every non-trivial part of the headers of hapticut::physics.
 #include <bitset>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ using namespace hapticut::units;
 
 constexpr double kRadius = 1 * mm, kDepth = 0.5 * mm, kVoxel = 0.05 * mm;  // [m]
 constexpr double kStiffness = 1e12;                                        // [N/m^4]
-// The voxel is a tenth of the depth, and the sums are those of the midpoint rule.
+// Error of the voxels: their edge is a tenth of the depth, and the sums use the midpoint rule.
 constexpr double kTolerance = 0.01;  // [1]
 
 void require(bool holds, const char* what) {
@@ -34,8 +34,8 @@ Material bone() {
   return material;
 }
 
-/// A wall of blocks below z = 0, full of one material: the centre of voxel (i, j, k) is at half an edge and (i, j, k)
-/// edges, so the wall ends at a face of voxels.
+/// A wall of blocks below z = 0, full of one material. The centre of voxel (i, j, k) is at (i + 1/2, j + 1/2, k + 1/2)
+/// edges, so the surface of the wall is a face of voxels.
 struct Wall {
   static constexpr int kBlocks = 3;  // on each side of the axis, and three downwards
   Pose X_WV = Pose::from_translation(Vec3::Constant(kVoxel / 2));
@@ -92,13 +92,13 @@ Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, doubl
   return contact;
 }
 
-/// C1: the ball of a standing head pressed into a half space.
+/// C1: a ball that does not rotate is pressed into a half space.
 double standing_force(const Tool& tool) {
   const Contact contact = press(tool.head(), FoundationLaw(), Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), 0);
   const double force = contact.resultant.wrench_T.force.z();
   require(contact.samples > 500, "there are too few samples");
   require(is_near(force, closed_forms::cap_force(kStiffness, kRadius, kDepth), kTolerance), "C1 does not hold");
-  require(contact.removed == 0, "a standing head cut");
+  require(contact.removed == 0, "a head that does not rotate removed voxels");
   require(is_near(contact.energies.elastic, closed_forms::cap_energy(kStiffness, kRadius, kDepth), kTolerance),
           "C3 does not hold");
   return force;
@@ -109,10 +109,10 @@ void require_cut_pays(const Tool& tool) {
   const Contact contact =
       press(tool.head(), FoundationLaw(), Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), tool.spindle().speed);
   const double cost = bone().specific_cutting_energy * contact.removed * kVoxel * kVoxel * kVoxel;
-  require(contact.removed > 0 && is_near(contact.energies.cutting, cost, 1e-4), "the cut was not paid for");
+  require(contact.removed > 0 && is_near(contact.energies.cutting, cost, 1e-4), "wrong cutting energy");
 }
 
-/// Dragged beyond the limit of the anchor, the contact slides with the dynamic friction.
+/// A contact that is dragged beyond the limit of its anchor slides with the dynamic friction.
 void require_friction(double normal) {
   const DryFriction friction{bone().static_friction, bone().dynamic_friction, 1000};
   validate(friction);
@@ -124,13 +124,13 @@ void require_friction(double normal) {
   require(anchor.sliding() && is_near(-force.x(), friction.dynamic_friction * normal, 1e-9), "friction is not mu_d N");
 }
 
-/// Heads, handles, spindle and effects work from their headers.
+/// Heads, handles, spindle and effects work with the headers alone.
 void require_words(const Tool& tool) {
   for (const ToolHead& head : {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{30 * deg, 2 * mm}),
                                ToolHead(FlatHead{kRadius, 2 * mm, FlatRule::both})}) {
     require(head.volume() > 0 && head.reach() >= head.max_radius() && !head.profile().edges.empty() &&
                 !head.description().empty() && head.spring_at(Vec3(0, 0, 0.1 * mm)).depth > 0,
-            "a head has no measures");
+            "a head lacks its volume, profile, description or springs");
   }
   require(is_near(tool.X_HT().translation.z(), -20 * mm, 1e-12), "the head is not at the end of its handle");
   require(thesis_handle_torque(LHandle{0.1, 0.02}, Vec3::UnitZ(), 1, 1).allFinite(), "no torque at the handle");
@@ -140,9 +140,10 @@ void require_words(const Tool& tool) {
           "C2 does not hold");
   SpindleMotor motor(tool.spindle());
   motor.advance(1e-3, 1e-3);
-  require(motor.speed() > 0, "the spindle stands");
+  require(motor.speed() > 0, "the spindle does not start");
   DeepContact deep;
-  require(deep.move(Vec3::Zero(), -Vec3::UnitZ() * mm, 0.1, Vec3::UnitZ(), kRadius).force.isZero(), "it was held");
+  require(deep.move(Vec3::Zero(), -Vec3::UnitZ() * mm, 0.1, Vec3::UnitZ(), kRadius).force.isZero(),
+          "a free ball was held");
   Gravity gravity;
   gravity.mass = 0.1;
   validate(gravity);

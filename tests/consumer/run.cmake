@@ -13,7 +13,7 @@ macro(must)
     message(FATAL_ERROR "failed with ${code}: ${ARGN}\n${output}")
   endif()
 endmacro()
-# build_consumer(folder options...): its printed force is in `output` afterwards.
+# build_consumer(folder options...): builds and runs the outside project, and sets `output` to the force that it prints.
 macro(build_consumer folder)
   must(${configure} -B "${WORK}/${folder}" -DCMAKE_BUILD_TYPE=Release ${ARGN})
   must("${CMAKE_COMMAND}" --build "${WORK}/${folder}")
@@ -32,14 +32,15 @@ if(CASE STREQUAL "installed")
   if(EXISTS "${WORK}/prefix/bin/hapticut")
     must("${WORK}/prefix/bin/hapticut" --version)
   endif()
-  # A program that links the core alone has nothing else in it: the core does not define what the components do.
+  # The core must not define the functions of the components, so that a program that links only the core stays without
+  # them.
   file(GLOB_RECURSE core "${WORK}/prefix/libhapticut.a" "${WORK}/prefix/libhapticut.so")
   must(nm -C --defined-only ${core})
   if(NOT output MATCHES "hapticut::Simulation::step")
-    message(FATAL_ERROR "nm does not show what the core defines: ${core}")
+    message(FATAL_ERROR "nm does not show Simulation::step in the core: ${core}")
   endif()
   if(output MATCHES "hapticut::(ClosedLoop|HeatField|DrillSound|SurfaceStream|extract_surface|build_molar|build_from_mesh|IslandFinder|remove_island)")
-    message(FATAL_ERROR "the core has what belongs to a component: ${CMAKE_MATCH_0}")
+    message(FATAL_ERROR "the core defines a name of a component: ${CMAKE_MATCH_0}")
   endif()
 elseif(CASE STREQUAL "with_core")
   build_consumer(with_core "-DCOMPONENT=build,surface,heat,islands,sound,analysis")
@@ -61,7 +62,7 @@ elseif(CASE STREQUAL "examples")
          "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
     must("${CMAKE_COMMAND}" --build "${WORK}/c")
   endif()
-  # Pages and pictures refer to each other as they do in the source.
+  # Pages and pictures must have the same layout as in the source, so that their links work.
   file(GLOB pages RELATIVE "${SOURCE}/docs" "${SOURCE}/docs/*.md" "${SOURCE}/docs/images/*")
   foreach(page IN LISTS pages)
     if(NOT EXISTS "${examples}/../docs/${page}")
@@ -69,10 +70,10 @@ elseif(CASE STREQUAL "examples")
     endif()
   endforeach()
 elseif(CASE STREQUAL "physics")
-  # Nothing to link is left, and OpenVDB is not to be found.
+  # The libraries are removed, and CMake cannot find OpenVDB.
   file(GLOB_RECURSE libraries "${WORK}/prefix/libhapticut*")
   if(NOT libraries)
-    message(FATAL_ERROR "the libraries of the package have other names now; this test cannot take them away")
+    message(FATAL_ERROR "the package has no libhapticut*, which this test must remove; were the libraries renamed?")
   endif()
   file(REMOVE ${libraries})
   set(without_openvdb "-DCMAKE_IGNORE_PATH=/usr/include\;/include" -DCOMPONENT=physics)
@@ -80,9 +81,9 @@ elseif(CASE STREQUAL "physics")
   set(installed "${output}")
   build_consumer(subdirectory ${without_openvdb} "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_PHYSICS_ONLY=ON)
   if(NOT output STREQUAL installed)
-    message(FATAL_ERROR "the headers give ${installed} where they are installed and ${output} where they are added")
+    message(FATAL_ERROR "the installed headers give ${installed}, but the headers of the subdirectory give ${output}")
   endif()
-  # Who installs the headers alone has no library to ask for.
+  # If only the headers are installed, a project that needs the library must get an error with the reason.
   must("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/headers" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
        "-DCMAKE_C_COMPILER=${CC}" -DHAPTICUT_PHYSICS_ONLY=ON "-DCMAKE_IGNORE_PATH=/usr/include\;/include")
   must("${CMAKE_COMMAND}" --install "${WORK}/headers" --prefix "${WORK}/headers_prefix")
@@ -91,7 +92,7 @@ elseif(CASE STREQUAL "physics")
     message(FATAL_ERROR "a package of headers must say that it has no library:\n${output}")
   endif()
 elseif(CASE STREQUAL "c")
-  # Headers of C++ and archives are removed: this program must not need them.
+  # C++ headers and static libraries are removed: this program must not need them.
   file(GLOB_RECURSE others "${WORK}/prefix/*.hpp" "${WORK}/prefix/*.a")
   file(REMOVE ${others})
   build_consumer(c "-DCMAKE_IGNORE_PATH=/usr/include\;/include" -DCOMPONENT=c)
@@ -107,7 +108,7 @@ elseif(CASE STREQUAL "c")
     get_filename_component(folder "${library}" DIRECTORY)
     must("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${folder}:$ENV{LD_LIBRARY_PATH}" "${WORK}/by_pkg_config")
     if(NOT output STREQUAL by_cmake)
-      message(FATAL_ERROR "by CMake it says ${by_cmake}, by pkg-config ${output}")
+      message(FATAL_ERROR "the program built by CMake prints ${by_cmake}, the program built with pkg-config ${output}")
     endif()
   endif()
 elseif(CASE MATCHES "^(openvdb|io|settings)$")
@@ -121,7 +122,7 @@ elseif(CASE STREQUAL "no_io")
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
     message(FATAL_ERROR "a missing component must stop the configuration and say how to build it:\n${output}")
   endif()
-  # A part of io is missing where the package does not name it.
+  # A package with an empty list of parts of io stands for a build without ITK.
   file(GLOB_RECURSE config "${WORK}/prefix/hapticut-config.cmake")
   file(READ "${config}" text)
   string(REGEX REPLACE "set\\(parts_of_io [^)]*\\)" "set(parts_of_io )" text "${text}")
@@ -134,10 +135,10 @@ elseif(CASE STREQUAL "no_io")
   if(code EQUAL 0 OR NOT output MATCHES "There is no component no_such;")
     message(FATAL_ERROR "an unknown component must stop the configuration and be named:\n${output}")
   endif()
-  # Who can do without them is told that they are not there.
+  # Missing optional components are no error; their hapticut_<component>_FOUND is false.
   must(${configure} -B "${WORK}/optional" -DCOMPONENT=openvdb -DABSENT=io,itk,no_such)
 elseif(CASE STREQUAL "abi")
-  # flags of a program|what its linker says of it, where it must not link
+  # flags of a program|part of the linker's message if the program must not link; empty if it must link
   set(programs "-DNDEBUG|" "-D_GLIBCXX_ASSERTIONS|" "-fvisibility=hidden|" "-D_GLIBCXX_DEBUG|glibcxx_debug.1"
       "-D_GLIBCXX_USE_CXX11_ABI=0|glibcxx_use_cxx11_abi.0" "-DEIGEN_DONT_ALIGN|eigen_align.8" "-DEIGEN_MAX_ALIGN_BYTES=0|eigen_align.8"
       "-DEIGEN_DEFAULT_TO_ROW_MAJOR|eigen_row_major.1" "-DEIGEN_DEFAULT_DENSE_INDEX_TYPE=int|eigen_index_bytes.4" "-fshort-enums|struct_bytes")
@@ -150,10 +151,10 @@ elseif(CASE STREQUAL "abi")
     run("${CMAKE_COMMAND}" --build "${WORK}/abi" -t flags_${count})
     if(expected)
       if(code EQUAL 0 OR NOT output MATCHES "undefined[^\n]*library_was_compiled_with<[^\n]*${expected}")
-        message(FATAL_ERROR "${program}: such a program must not link, and be told why:\n${output}")
+        message(FATAL_ERROR "${program}: the program must not link, and the linker must name the reason:\n${output}")
       endif()
     elseif(code)
-      message(FATAL_ERROR "${program}: such a program must link:\n${output}")
+      message(FATAL_ERROR "${program}: the program must link:\n${output}")
     endif()
     math(EXPR count "${count} + 1")
   endforeach()
@@ -165,16 +166,16 @@ elseif(CASE STREQUAL "abi")
       must(${configure} -B "${WORK}/libcxx" "-DCMAKE_CXX_COMPILER=${clang}" "-DFLAGS=-stdlib=libc++")
       run("${CMAKE_COMMAND}" --build "${WORK}/libcxx" -t flags_0)
       if(code EQUAL 0 OR NOT output MATCHES "undefined[^\n]*library_was_compiled_with<[^\n]*libcxx_abi.1")
-        message(FATAL_ERROR "a program with libc++ must not link, and be told why:\n${output}")
+        message(FATAL_ERROR "a program with libc++ must not link, and the linker must name the reason:\n${output}")
       endif()
     endif()
   endif()
 elseif(CASE STREQUAL "subdirectory")
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
-  # Compiling the whole library once more is long: not optimised it takes a third of the time, and a ccache that is
-  # in use serves this project as well.
-  # Its io, where the packages for it are there, is without ITK and Assimp: recordings, pictures, grids and the common
-  # formats of meshes need neither.
+  # This test compiles the whole library again. Without optimisation that takes a third of the time. If the build uses
+  # ccache, this project uses it too.
+  # With the packages of io installed, io is built without ITK and Assimp: recordings, pictures, grids and the common
+  # mesh formats need neither.
   set(component "")
   if(WITH_IO)
     set(component io)
@@ -203,14 +204,14 @@ elseif(CASE STREQUAL "program_without_io")
       run("${program}" convert molar "${folder}/${file}" --voxel_mm 0.3)
     endif()
     if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
-      message(FATAL_ERROR "the program does not say what it lacks for ${file}: ${code}\n${output}")
+      message(FATAL_ERROR "the program does not name the part that it lacks for ${file}: ${code}\n${output}")
     endif()
   endforeach()
-  # What was not built for the program is built before it is installed.
+  # `cmake --install` first builds the targets that are not built yet.
   must("${CMAKE_COMMAND}" --install "${folder}" --prefix "${WORK}/prefix")
   file(GLOB_RECURSE library "${WORK}/prefix/libhapticut_c.so")
   if(NOT library OR NOT output MATCHES "Not built yet, built before installation: [^\n]*hapticut_c")
-    message(FATAL_ERROR "a part that was not built must be built when it is installed, with a word:\n${output}")
+    message(FATAL_ERROR "`cmake --install` must build a missing target and report it:\n${output}")
   endif()
 elseif(CASE STREQUAL "avx")
   set(cpu "")

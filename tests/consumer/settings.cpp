@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene from a text makes one step; a mistake in the text is named with its line, its key and what is allowed.
+// Makes one step of a scene from a text. The error message of a wrong text must name the line, the key and the allowed
+// values.
 #include <hapticut/settings/scene.hpp>
 #include <hapticut/simulation/simulation.hpp>
 #include <string>

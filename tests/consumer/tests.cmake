@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The package as its users meet it. Not part of sanitizer builds, whose flags an outside project would have to share.
+# Tests of the package in projects outside hapticut. Not part of sanitizer builds, because the outside projects would
+# need the same flags.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT HAPTICUT_INSTALL)
   return()
 endif()

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that what the repository cites exists.
+"""Checks that the rows, files and headings that the repository cites exist.
 
     cited.py closed_forms|files [--root FOLDER]
 
-closed_forms  each closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md; "C1 ... C9" ends with
-              the last one; each row of a closed form names its functions of closed_forms; and each row of a
-              measurement (B1a, DC4) has a source in docs/validation.md
-files         each file that a comment or a page names by its path from the top of the repository exists, each page and
-              heading that a page links to exists, and the README names no engine without a folder in bindings
+closed_forms  each cited closed form (C1) and defect (D1) has a row in docs/model.md; a range "C1 ... C9" ends with the
+              last closed form; each row of a closed form names its functions of include/hapticut/closed_forms; each
+              cited measurement (B1a, DC4) has a source in docs/validation.md
+files         each file exists that a comment or a page names by its path in the repository; each page and heading
+              exists that a page links to; README.md names no engine without a folder in bindings
 """
 import argparse
 import re
@@ -19,7 +19,7 @@ FOLDERS = ("include", "src", "tests", "docs", "bindings", "examples", "benchmark
 ENDINGS = {".hpp", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
 
 ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)
-# As a word, or in the name of a test: `C20`, `BallDepth.C1ForceIsThatOfTheCap`.
+# Either a word or a part of the name of a test: `C20`, `BallDepth.C1ForceIsThatOfTheCap`.
 CITED = re.compile(r"(?:(?<![\w\\])|(?<=[CD]\d)|(?<=[CD]\d\d))([CD]\d{1,2})(?=[A-Z]\w*[a-z]|(?![\w.]\w))")
 WHOLE_RANGE = re.compile(r"C1[`]? \.\.\. [`]?(C\d+)")
 FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?:inline )?(?:constexpr )?[\w:]+ (\w+)\b")
@@ -29,7 +29,7 @@ PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bi
 LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.M)
 ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")
-A_LANGUAGE = "C99"  # no closed form
+A_LANGUAGE = "C99"  # not a closed form
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
 
 
@@ -71,7 +71,7 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
                 wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which has no row in docs/model.md")
         for found in WHOLE_RANGE.finditer(text):
             if found[1] != last and (path.suffix == ".md" or path.name == "closed_forms.hpp"):
-                wrong.append(f"{path}:{line_of(text, found.start())} ends with {found[1]}, and the last is {last}")
+                wrong.append(f"{path}:{line_of(text, found.start())} ends with {found[1]}, but the last form is {last}")
         for found in MEASURED.finditer(text):
             cited += 1
             if not re.search(rf"\| (?:\w+ \.\.\. )?{found[1]}\b", sources) and not found[1].startswith("B1"):
@@ -89,7 +89,7 @@ def anchors_of(page: Path) -> set[str]:
 
 def check_files(root: Path) -> tuple[list[str], int]:
     readme, cited = (root / "README.md").read_text(encoding="utf-8"), 0
-    wrong = [f"README.md names {engine}, and there is no bindings/{engine.lower()}" for engine in ENGINES
+    wrong = [f"README.md names {engine}, but there is no bindings/{engine.lower()}" for engine in ENGINES
              if engine in readme and not (root / "bindings" / engine.lower()).is_dir()]
     for path, text in texts(root):
         for found in PATH.finditer(text):

@@ -7,13 +7,13 @@
 The compiler runs once for each header, without other includes before it. Two measures keep the 200 runs short. Neither
 can hide a missing include:
 
-* If a header includes core/spatial.hpp, directly or not, that file and Eigen are read first, precompiled. The header
-  includes it anyway, and the headers that it includes before have their own runs.
-* A static assertion after the header stops each run, and no other error may stop it. The header is parsed by then. The
-  templates at the end of a file, half of the time, are not instantiated.
+* If a header includes core/spatial.hpp, directly or indirectly, the compiler first reads that file and Eigen, both
+  precompiled. The header includes that file anyway, and the headers that it includes earlier have separate runs.
+* A static assertion after the header stops each run. Any other error is a mistake of the header. At the assertion the
+  header is parsed, but the compiler has not instantiated the templates at the end of the file (half of the time).
 
-The flags are those of the build, with every include folder of its compile_commands.json. Public headers include only each
-other with quotes.
+The flags are those of the build, with every include folder of its compile_commands.json. Public headers may include
+only public headers with quotes.
 """
 import argparse
 import json
@@ -28,21 +28,21 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
-BASE = "hapticut/core/spatial.hpp"  # what reads Eigen
+BASE = "hapticut/core/spatial.hpp"  # the header that includes Eigen
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
-DEFINITIONS = ("-DITK_USE_SYSTEM_EIGEN", "-DLINUX", "-Dlinux=1")  # without which headers of others do not compile
+DEFINITIONS = ("-DITK_USE_SYSTEM_EIGEN", "-DLINUX", "-Dlinux=1")  # third-party headers need these to compile
 END = "the header was read to its end"
 
 
 class Headers:
-    """What includes what, by the names that stand in includes."""
+    """The headers of this project, by the names that #include lines use."""
 
     def __init__(self):
         self.path = {}
         for folder in ("include", "src"):
             for path in sorted((ROOT / folder).rglob("*.hpp")):
                 if "tests" in path.relative_to(ROOT).parts:
-                    continue  # of a device, beside its adapter
+                    continue  # tests of a device, next to its adapter
                 self.path[str(path.relative_to(ROOT / folder))] = path
         self.names = [name for name in self.path if not name.endswith("-inl.hpp")]
         self.closures = {}
@@ -51,16 +51,16 @@ class Headers:
         return INCLUDE.findall(self.path[name].read_text("utf-8"))
 
     def closure(self, name):
-        """All of ours that a header includes, directly or not."""
+        """The headers of this project that a header includes, directly or indirectly."""
         if name not in self.closures:
-            self.closures[name] = set()  # ends a circle
+            self.closures[name] = set()  # stops the recursion in a cycle of includes
             for other in self.includes(name):
                 if other in self.path:
                     self.closures[name] |= {other} | self.closure(other)
         return self.closures[name]
 
     def mistakes(self):
-        """Public headers that include what is not installed."""
+        """Mistakes of public headers: they include a header that is not installed or does not exist."""
         for name in self.names:
             if self.path[name].is_relative_to(ROOT / "include"):
                 for other in self.includes(name):
@@ -71,7 +71,7 @@ class Headers:
 
 
 def flags_of(build):
-    """The standard, the include folders and what headers of others need, of all that the build compiles."""
+    """The C++ standard, the include folders and the DEFINITIONS of all compile commands of the build."""
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text("utf-8")):
         words = shlex.split(entry["command"])
@@ -113,7 +113,7 @@ def main():
     parser.add_argument("compiler")
     parser.add_argument("build", type=Path)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--only", default="", help="headers with this in their names")
+    parser.add_argument("--only", default="", help="check only headers whose names contain this")
     arguments = parser.parse_args()
     start = time.monotonic()
 
@@ -126,7 +126,7 @@ def main():
         compiler = Compiler(arguments.compiler, arguments.build, Path(folder))
         with ThreadPoolExecutor(arguments.jobs) as pool:
             base = pool.submit(compiler.read_base)
-            # Those that do not wait for it come first.
+            # Headers that do not need the precompiled base come first.
             names.sort(key=lambda name: BASE in headers.closure(name))
             done = [pool.submit(compiler.complaint, number, name, base if BASE in headers.closure(name) else None)
                     for number, name in enumerate(names)]

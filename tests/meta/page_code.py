@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The C++ code of pages is the code of compiled examples.
+"""Checks that the C++ code of pages is code of compiled examples.
 
     page_code.py [--root FOLDER]
 
-A page of PAGES names an example of examples/cpp and then shows lines of it. Each block of C++ must be in the
-example that was named last, word for word but for its indentation.
+A page of PAGES names an example of examples/cpp and then shows lines of it. The example that the page named last must
+contain each block of C++ word for word, except for indentation.
 """
 import argparse
 import re
@@ -13,7 +13,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-PAGES = {"docs/tutorial.md": 8, "docs/your-own-loop.md": 6}  # and how many blocks each has at least
+PAGES = {"docs/tutorial.md": 8, "docs/your-own-loop.md": 6}  # page: minimum number of blocks
 EXAMPLE = re.compile(r"examples/cpp/\w+\.cpp")
 
 

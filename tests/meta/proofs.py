@@ -6,8 +6,9 @@
 
 The terms are the words in bold of docs/forces.md. A test that proves terms names them in a comment above it:
 ``// Proves: normal force; damping.`` An experiment of `hapticut validate` names them in its list in tests/experiments.
-The closed forms (C) and the cures of defects (D) are rows of docs/model.md. A test of one has the number in its name, as
-`BallDepth.C1ForceIsThatOfTheCap`; an experiment has it in the id of a check. --list prints the tests of each term and each number.
+The closed forms (C) and the cures of defects (D) are rows of docs/model.md. The name of their test contains the number:
+`BallDepth.C1ForceIsThatOfTheCap`. An experiment has the number in the id of a check. --list prints the tests of each
+term and each number.
 """
 import argparse
 import re
@@ -29,7 +30,7 @@ def tests_of(root: Path) -> list[tuple[str, str]]:
 
 
 def numbers_in(name: str) -> list[str]:
-    """C1 and D8 in the name of a test."""
+    """Numbers such as C1 and D8 in the name of a test."""
     return re.findall(r"(?<=[.a-z0-9])[CD]\d{1,2}(?=[A-Z]|$)", name)
 
 

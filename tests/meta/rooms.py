@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The rooms of the library: includes go one way only, and no file is longer than 400 lines.
+"""Checks the rooms (folders) of the library: includes go one way only, and no file is longer than 400 lines.
 
-    rooms.py arrows    what each room includes stands before it in the order below, which CONTRIBUTING.md tells
-    rooms.py lengths   of the files in include, src, bindings, tests and examples
-    rooms.py physics   what physics.hpp names includes nothing but words, tools, forces and what it names itself
-    rooms.py laws      physics.hpp and hapticut.hpp name every header of force/laws
-    rooms.py kernels   the reading order in kernels.hpp names every file of src/kernels
-    rooms.py abi       what else is declared in a header and compiled in src asks the linker for core/abi.hpp
+    rooms.py arrows    each room includes only rooms before it in the order ROOMS, which CONTRIBUTING.md lists too
+    rooms.py lengths   no source in include, src, bindings, tests, examples and benchmarks has more than 400 lines
+    rooms.py physics   the headers of physics.hpp include only each other, headers of core, tool and force, and Eigen
+    rooms.py laws      physics.hpp and hapticut.hpp include every header of force/laws
+    rooms.py kernels   the reading order in kernels.hpp names exactly the files of src/kernels
+    rooms.py abi       each header outside hapticut::physics with a source in src includes core/abi.hpp
 """
 import re
 import sys
@@ -38,9 +38,9 @@ def arrows():
     for path in sources("include", "src"):
         room = room_of(path)
         if "tests" in path.relative_to(ROOT).parts:
-            continue  # of a device, beside its adapter
+            continue  # tests of a device, next to its adapter
         if room is None:
-            continue  # hapticut.hpp, analysis.hpp: the indices
+            continue  # an index header: hapticut.hpp, analysis.hpp
         if room not in ROOMS:
             mistakes.append(f"{path.relative_to(ROOT)}: the room {room} has no place in the order of rooms")
             continue
@@ -48,9 +48,9 @@ def arrows():
             if (room, target) in OF_THE_TESTS:
                 continue
             if target not in ROOMS:
-                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which is no room")
+                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which is not a room")
             elif ROOMS.index(target) > ROOMS.index(room):
-                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which stands after {room}/")
+                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which comes after {room}/")
             seen.add((room, target))
     page = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     if re.findall(r"^\| `(\w+)` \|", page, re.M) != ROOMS:
@@ -66,7 +66,7 @@ def lengths():
         lines = len(path.read_text(encoding="utf-8").splitlines())
         count += 1
         if lines > LONGEST:
-            mistakes.append(f"{path.relative_to(ROOT)} has {lines} lines; more than {LONGEST} are two ideas: part them")
+            mistakes.append(f"{path.relative_to(ROOT)} has {lines} lines; the limit is {LONGEST}: split the file")
     if count < 300:
         mistakes.append(f"only {count} files were found")
     return mistakes
@@ -113,7 +113,7 @@ def kernels():
     named = re.findall(r"^///     ([\w-]+\.[ch]pp) ", (folder / "kernels.hpp").read_text("utf-8"), re.M)
     files = [path.name for path in sorted(folder.glob("*.?pp"))]
     return ([f"the reading order in kernels.hpp does not name {name}" for name in files if name not in named] +
-            [f"the reading order in kernels.hpp names {name}, which is not there" for name in named
+            [f"the reading order in kernels.hpp names {name}, which does not exist" for name in named
              if name not in files])
 
 
@@ -133,7 +133,7 @@ def abi():
     mistakes = [f"{name} is outside hapticut::physics and does not include {asks}"
                 for name in compiled if name not in links_nothing and asks not in all_of(name, set())]
     if asks in links_nothing:
-        mistakes.append(f"hapticut::physics includes {asks}, which asks for the library")
+        mistakes.append(f"hapticut::physics includes {asks}, which needs the library")
     if len(compiled) < 50:
         mistakes.append(f"only {len(compiled)} headers with a source were found")
     return mistakes

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# What is asked of the repository itself. Any Python 3 will do, for its standard library is all that the scripts use.
+# Tests of the repository itself. The scripts need only Python 3 and its standard library.
 find_program(HAPTICUT_PYTHON3 python3)
 mark_as_advanced(HAPTICUT_PYTHON3)
 if(NOT HAPTICUT_PYTHON3)
-  message(STATUS "  tests of the repository: off (what it cites, to turn them on: sudo apt-get install python3)")
+  message(STATUS "  tests of the repository: off (to turn them on: sudo apt-get install python3)")
   return()
 endif()
 function(hapticut_meta_test name script)
@@ -21,7 +21,7 @@ hapticut_meta_test(NoFileIsTooLong rooms.py lengths)
 hapticut_meta_test(ThePageOfTheStepFollowsTheCode step_page.py)
 hapticut_meta_test(TheCodeOfPagesIsThatOfTheExamples page_code.py)
 hapticut_meta_test(ATestProvesEachTermAndEachClosedForm proofs.py)
-# With the compiler that releases are built with, and where all that headers may include is installed.
+# Only with the compiler of releases, and only if all libraries that the headers include are installed.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND HAPTICUT_ITK AND HAPTICUT_CLI
    AND CMAKE_EXPORT_COMPILE_COMMANDS)
   hapticut_meta_test(EveryHeaderCompilesAlone headers.py "${CMAKE_CXX_COMPILER}" "${PROJECT_BINARY_DIR}")

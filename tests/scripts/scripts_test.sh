@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What the scripts do with their options, on a machine that the test makes up: copies of them in a folder of their own,
-# with programs of our own in the place of apt-get, dpkg-query, cmake and hapticut. Nothing is installed or built.
+# Tests the scripts and their options on a simulated machine: copies of the scripts in a temporary folder, with
+# stand-ins for apt-get, dpkg-query, cmake and hapticut. Nothing is installed or built.
 #
 #   scripts_test.sh SOURCE CASE
 set -uo pipefail
@@ -26,14 +26,15 @@ for tool in bash sh sed mktemp rm grep tail env dirname mkdir nproc cat id git s
   ln -s "$(command -v "$tool")" "$work/bin/$tool"
 done
 
-# stand_in NAME BODY: a program of the made-up machine; what it is called with is written down.
+# stand_in NAME BODY: makes a program of the simulated machine. It appends its arguments to the file of calls, then runs
+# BODY.
 stand_in() {
   rm -f "$work/bin/$1"
   printf '#!/bin/sh\necho "%s $*" >>"%s"\n%s\n' "$1" "$calls" "$2" >"$work/bin/$1"
   chmod +x "$work/bin/$1"
 }
 
-# run SCRIPT ARGUMENTS...: its exit code in $code, what it prints in $out and $errors.
+# run SCRIPT ARGUMENTS...: runs a script and sets $code to its exit code, $out to its stdout and $errors to its stderr.
 run() {
   out=$(cd "$project" && PATH=$work/bin "scripts/$1" "${@:2}" 2>"$work/errors" </dev/null)
   code=$?
@@ -41,7 +42,7 @@ run() {
 }
 
 expect_code() { [ "$code" -eq "$1" ] || fail "exit code $code instead of $1; $out $errors"; }
-expect_quiet() { [ -z "$out$errors" ] || fail "it says: $out $errors"; }
+expect_quiet() { [ -z "$out$errors" ] || fail "unexpected output: $out $errors"; }
 expect_out() { case $out in *"$1"*) ;; *) fail "stdout is '$out'; no '$1' in it" ;; esac; }
 expect_one_line_error() {
   case $errors in *"$1"*) ;; *) fail "stderr is '$errors'; no '$1' in it" ;; esac
@@ -56,12 +57,12 @@ none_installed='exit 1'
 case $case_name in
   help)
     for script in install-deps.sh demo.sh test.sh bench.sh; do
-      # From another folder too, whose path is a relative one.
+      # --help also works through a relative path from another folder.
       (cd "$project/scripts" && PATH=$work/bin "./$script" --help) >/dev/null 2>"$work/errors" || fail "$script: $(cat "$work/errors")"
       run "$script" --help
       expect_code 0
       expect_out "scripts/$script"
-      # Every option that the script's code knows is in its help, and so is what it is for.
+      # The help names every option that the script accepts.
       for option in $(grep -oE -- '^ +(-h \| )?--[a-z-]+( \| --[a-z-]+)*\)' "$project/scripts/$script" | grep -oE -- '--[a-z-]+'); do
         [ "$option" = --help ] || expect_out "$option"
       done
@@ -71,7 +72,7 @@ case $case_name in
     for script in install-deps.sh demo.sh test.sh bench.sh; do
       for option in --nonsense extra; do
         run "$script" "$option"
-        [ "$code" -ne 0 ] || fail "$script takes $option"
+        [ "$code" -ne 0 ] || fail "$script accepts $option"
         expect_one_line_error "unknown option $option; see scripts/$script --help."
       done
     done
@@ -134,7 +135,7 @@ case $case_name in
     expect_code 0
     expect_call "apt-get install -y -q --no-install-recommends libeigen3-dev"
     expect_no_call "apt-get update"
-    # Lists that are stale are refreshed once.
+    # If an installation fails, the package lists are updated and the installation is tried again.
     : >"$calls"
     stand_in apt-get 'case $* in update*) : >"'"$work"'/fresh" ;; *) [ -e "'"$work"'/fresh" ] ;; esac'
     run install-deps.sh
@@ -177,7 +178,7 @@ cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
     expect_no_call install-deps.sh
     stand_in hapticut 'exit 1'
     run demo.sh --no-install
-    [ "$code" -ne 0 ] || fail "a failed run goes unnoticed"
+    [ "$code" -ne 0 ] || fail "demo.sh does not report a failed run"
     stand_in cmake 'echo "error: no such thing"; exit 1'
     run demo.sh --no-install
     expect_code 1
@@ -236,7 +237,7 @@ passed|Scripts.Run|
 failed|Package.Links|
 failed|Example.Heat: Unable to find executable|
 skipped|Example.Old|switched off in its source'
-    [ "$said" = "$expected" ] || fail "the tests are counted as: $said"
+    [ "$said" = "$expected" ] || fail "wrong counts of the tests: $said"
     ;;
   *) fail "no case $case_name" ;;
 esac

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The scripts that a user types.
+# Tests of the scripts that users run.
 find_program(HAPTICUT_BASH bash)
 mark_as_advanced(HAPTICUT_BASH)
 function(hapticut_script_test name case)

@@ -6,7 +6,7 @@ endif()
 find_program(HAPTICUT_CHROMIUM NAMES chromium chromium-browser)
 mark_as_advanced(HAPTICUT_CHROMIUM)
 
-# hapticut_page_test(name what...): skips when the page was not built or there is no browser, and says what is missing.
+# hapticut_page_test(name arguments of run.sh...): a test that skips with a message if the page or a browser is missing.
 function(hapticut_page_test name)
   add_test(NAME Page.${name} COMMAND "${CMAKE_COMMAND}" -E env "HAPTICUT_PROGRAM=$<TARGET_FILE:hapticut_cli>"
     "HAPTICUT_WEB=${PROJECT_SOURCE_DIR}/web" "HAPTICUT_PAGE=${PROJECT_BINARY_DIR}/web/page"

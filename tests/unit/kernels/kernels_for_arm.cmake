@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# The kernels compile for ARM with the options that src/CMakeLists.txt gives them there.
+# Tests that the kernels compile for ARM with the options of src/CMakeLists.txt.
 find_program(HAPTICUT_ARM_COMPILER aarch64-linux-gnu-g++)
 find_path(HAPTICUT_HWY_FOLDER hwy/highway.h)
 mark_as_advanced(HAPTICUT_ARM_COMPILER HAPTICUT_HWY_FOLDER)
 if(HAPTICUT_ARM_COMPILER AND HAPTICUT_HWY_FOLDER)
-  # A separate folder, because beside Highway are the system's headers, which do not suit the cross compiler.
+  # A folder with Highway alone: Highway's own folder has the system's headers too, which the cross compiler cannot use.
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/arm")
   file(MAKE_DIRECTORY "${folder}")
   file(CREATE_LINK "${HAPTICUT_HWY_FOLDER}/hwy" "${folder}/hwy" SYMBOLIC)
