@@ -206,7 +206,7 @@ namespace Hapticut {
     public void CatchUp() { Native.Check(Native.hapticut_surface_catch_up(this)); }
   }
 
-  /// <summary>The sound of a drill. The thread that needs samples uses it.</summary>
+  /// <summary>The sound of a drill. Use it in the thread that needs the samples.</summary>
   public sealed class Sound : LibraryObject {
     Sound(IntPtr made) : base(made) {}
 

@@ -65,7 +65,8 @@ bool read_numbers(py::handle given, const char* what, std::initializer_list<py::
 /// @throws Error when its last row is not 0 0 0 1
 [[nodiscard]] Pose pose_from(const double* matrix, const char* what);
 
-/// [16] in rows.
+/// Writes a pose as a homogeneous matrix.
+/// @param matrix  [16] in rows
 void write_pose(const Pose& pose, double* matrix);
 
 /// A read-only view of memory that `owner` keeps alive.

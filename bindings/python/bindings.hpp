@@ -5,8 +5,8 @@
 
 namespace hapticut::python {
 
-/// Each function binds one folder of the library, in the order of the folders, because defaults refer to earlier
-/// bindings.
+/// Each function binds a part of the library. The module calls them in this order, because default arguments need the
+/// types of earlier bindings.
 void bind_core(pybind11::module_& m);
 void bind_tool(pybind11::module_& m);
 void bind_materials(pybind11::module_& m);

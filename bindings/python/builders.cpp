@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/workpiece: builders of workpieces
+// include/hapticut/build, include/hapticut/workpiece/builders.hpp: builders of workpieces
 #include "hapticut/workpiece/builders.hpp"
 
 #include "bindings.hpp"

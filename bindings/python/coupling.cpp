@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/device: the virtual coupling between hand and tool
+// include/hapticut/simulation/coupling.hpp: the virtual coupling between hand and tool
 #include "hapticut/simulation/coupling.hpp"
 
 #include <memory>

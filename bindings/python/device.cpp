@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/device: devices, mock and mouse, and the map from hand to world
+// include/hapticut/device: real and simulated devices; include/hapticut/loop/workspace_map.hpp
 #include "hapticut/device/device.hpp"
 
 #include <limits>

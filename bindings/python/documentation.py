@@ -30,7 +30,7 @@ SHAPES = {"Vec3": "(3,)", "VoxelIndex": "(3,)", "Mat3": "(3, 3)", "Pose": "(4, 4
 # Parameters of C++ that the functions of Python lack.
 NOT_IN_PYTHON = {"Simulation::step": ["coupling"], "SafetyGuard::SafetyGuard": ["requests"],
                  "HeatField::update": ["origin", "material"], "IslandFinder::update": ["origin", "fill"],
-                 "SurfaceStream::update": ["origin", "material"]}  # of "material, fill" the first
+                 "SurfaceStream::update": ["origin", "material"]}  # the first name of "@param material, fill"
 # Remarks about references. Python has none: its results own their data.
 LIFETIME = re.compile(r"a reference that stays valid; its contents are those of the last call"
                       r"|[;,] valid until the next (?:call|one|step)|valid until the next call\. ")
@@ -138,7 +138,7 @@ class Header:
 
     def __init__(self, entries: dict[str, str]):
         self.entries = entries
-        self.scopes: list[tuple[str, int, bool]] = []  # name, depth of its inside, is an enumeration
+        self.scopes: list[tuple[str, int, bool]] = []  # name, depth inside, whether an enumeration
         self.depth = 0
         self.pending: list[str] = []
         self.last: list[str] = []  # keys that a following ///< line continues

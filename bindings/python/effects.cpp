@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/force/effects
+// include/hapticut/force/effects, include/hapticut/simulation/output.hpp
 #include "bindings.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "structs.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/device: the safety pipeline and its settings
+// include/hapticut/safety, include/hapticut/realtime: the guard, its options and its log; the measurement of latency
 #include "hapticut/safety/guard.hpp"
 
 #include "bindings.hpp"

@@ -118,7 +118,8 @@ void bind_heat(py::module_& m) {
       .def_property_readonly("dims", &F::dims, "Number of cells along each axis.")
       .def_property_readonly("cell_size", &F::cell_size, "[m] edge of a cell.")
       .def("center", &F::center, py::arg("cell"), "[m] (3,) centre of a cell, in W.")
-      .def("temperature", of_cell(&F::temperature), py::arg("cell"), "[deg C] of a cell; NaN when it has no material.")
+      .def("temperature", of_cell(&F::temperature), py::arg("cell"),
+           "[deg C] temperature of a cell; NaN without material.")
       .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] maximum so far of a cell.")
       .def("dose", of_cell(&F::dose), py::arg("cell"), "[min] CEM43 of a cell.")
       .def("temperatures", of_cells(&F::temperature),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/device: a simulation driven by a device in a separate thread
+// include/hapticut/loop: a device drives a simulation in a separate thread
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,7 +97,8 @@ class PythonLoop {
 
 namespace {
 
-/// A Python command in the loop's form: copied, or moved if it carries data, so it can be sent only once.
+/// A Python command, converted for the loop. A command that owns data is moved, so it can be sent only once. Other
+/// commands are copied.
 struct GivenCommand {
   py::object object;
   LoopCommand command;

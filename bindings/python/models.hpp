@@ -18,14 +18,14 @@ struct PythonModelFactory {
   ModelFactory make;
 };
 
-/// A factory of the library, or a function of Python
+/// A factory of the library, or a Python function
 HAPTICUT_NAMED_ARGUMENT(
     AnyFactory, "ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]]");
 
-/// A force model of Python
+/// A Python function that is a force model
 HAPTICUT_NAMED_ARGUMENT(AnyModel, "collections.abc.Callable[[DeviceState], Wrench]");
 
-/// A model that calls an object of Python with the interpreter lock.
+/// A model that calls a Python object with the interpreter lock.
 /// @throws Error when the object is not callable; the model throws one when the object returns no Wrench
 [[nodiscard]] ForceModel calling(py::object function);
 

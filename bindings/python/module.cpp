@@ -98,7 +98,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_sound(m);
 
   for_each_record(m, &refuse_none_as_self);
-  // Called by the package, because the stub is written from the full names.
+  // The package calls it after the import of this module, because the stub needs the full names.
   m.def("_shorten_signatures", [] { for_each_record(py::module_::import("hapticut._hapticut"), &shorten_signature); });
 
   py::list names;

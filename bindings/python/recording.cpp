@@ -147,7 +147,7 @@ void bind_recording(py::module_& m) {
             return out;
           },
           py::arg("first") = 0, py::arg("count") = py::none(),
-          "`count` steps from `first` on, without a count all: a dict of poses (n, 4, 4), velocities (n, 6) and\n"
+          "`count` steps from `first` on, or all if `count` is None: a dict of poses (n, 4, 4), velocities (n, 6) and\n"
           "dt (n,), the arguments of Simulation.run, and trace, its result.")
       .def_property_readonly("tool", &Recording::tool, py::return_value_policy::copy, "The tool that made the steps.")
       .def_property_readonly("config", &Recording::config, py::return_value_policy::copy, doc("Recording::config"))

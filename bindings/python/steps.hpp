@@ -30,7 +30,7 @@ struct RunInput {
 /// @throws Error that names the argument, the given and the required value
 [[nodiscard]] StepInput step_input(const FewNumbers& pose, const FewNumbers& velocity, double dt);
 
-/// Counts the accepted steps of a run.
+/// Counts the steps that a run has made.
 class TakenSteps {
  public:
   void note(StepStatus status) {
@@ -38,7 +38,7 @@ class TakenSteps {
     ++all_;
     taken_ += has_any(status, kRejected | StepStatus::tool_waits) ? 0 : 1;
   }
-  /// Warns when all steps of a run were rejected.
+  /// Warns when the run has made no step.
   void tell() const;
 
  private:
@@ -46,7 +46,7 @@ class TakenSteps {
   std::size_t all_ = 0, taken_ = 0;
 };
 
-/// A row of numbers for every step, without the interpreter lock.
+/// Makes a step and a row of numbers for every input, without the interpreter lock.
 /// @param step  makes a step from an input and returns its result
 /// @param write  `write(result, time, row)`
 /// @throws Error while another thread uses the simulation

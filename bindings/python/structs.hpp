@@ -182,7 +182,7 @@ auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
   }
 }
 
-/// Number of positional arguments: all fields if there are few, else the required ones, at least the first.
+/// Number of positional arguments: all fields of a small struct; of a larger one the required fields, at least one.
 template <class... Fields>
 constexpr std::size_t positional_fields() {
   constexpr std::size_t kFew = 4;

@@ -88,7 +88,7 @@ void put(std::byte*& at, const T& value) noexcept {
 
 }  // namespace detail
 
-/// The type of a row, padded when its last number has half the width of the others.
+/// The type of a row. NumPy pads the row if its last number has half the width of the others.
 inline py::dtype row_type(const py::list& fields) {
   return py::dtype::from_args(py::module_::import("numpy").attr("dtype")(fields, py::arg("align") = true));
 }

@@ -16,11 +16,12 @@ namespace hapticut::python {
 class Occupancy {
  public:
   void require_readable(const char* what) const {
-    if (writing_) throw Error(std::string(what) + " is in use by another thread; wait until that has ended.");
+    if (writing_) throw Error(std::string(what) + " is in use by another thread; wait until that thread has finished.");
   }
   void require_writable(const char* what) const {
     require_readable(what);
-    if (readers_ > 0) throw Error(std::string(what) + " is being read by another thread; wait until that has ended.");
+    if (readers_ > 0)
+      throw Error(std::string(what) + " is being read by another thread; wait until that thread has finished.");
   }
 
  private:

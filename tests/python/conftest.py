@@ -34,7 +34,7 @@ def simulation(block: hapticut.Workpiece, tool: hapticut.Tool) -> hapticut.Simul
 
 @pytest.fixture
 def plunge() -> tuple[np.ndarray, np.ndarray]:
-    """Poses and velocities of 600 ms downwards into the block at 2 mm/s."""
+    """Poses and velocities of a plunge into the block: 600 ms downwards at 2 mm/s."""
     ticks = np.arange(1, 601)
     hand = np.zeros((len(ticks), 3))
     hand[:, 2] = (1.5 + 20) * mm - 0.002 * mm * (ticks - 50)  # first in free air

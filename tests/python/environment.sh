@@ -18,7 +18,7 @@ absent() {
   echo "$1" >&2
   exit 77
 }
-"$python" -c 'import venv, ensurepip, tomllib' || absent "they need Python 3.11 with venv: sudo apt-get install python3-venv"
+"$python" -c 'import venv, ensurepip, tomllib' || absent "tests need Python 3.11 with venv: sudo apt-get install python3-venv"
 [ -f "$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')/Python.h" ] ||
   absent "$python has no headers: sudo apt-get install python3-dev"
 required=$("$python" "$source/tests/python/requirements.py")

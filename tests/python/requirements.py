@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the requirements of the Python tests and of a build by CMake from pyproject.toml, without hapticut itself: one
-per line, for Python 3.11 and newer."""
+"""Prints the requirements of the Python tests and of a build by CMake, one per line, without hapticut itself. It reads
+them from pyproject.toml, and needs Python 3.11."""
 import re
 import tomllib
 from pathlib import Path

@@ -38,7 +38,7 @@ def takes_no_step(parameters, rng):
 
 
 def squares(parameters, rng):
-    """Raises for 3."""
+    """Squares x; raises for x = 3."""
     if parameters["x"] == 3:
         raise ValueError("three is\ntoo much")
     return {"square": parameters["x"] ** 2}
@@ -60,7 +60,7 @@ def returns_traces_of_odd_names(parameters, rng):
 
 
 def kills_its_process_once(parameters, rng):
-    """Fails in the middle of a sweep, the first time only."""
+    """Kills its process at x = 25, the first time only."""
     mark = Path(parameters["folder"], "killed")
     if parameters["x"] == 25 and not mark.exists():
         mark.touch()
@@ -70,7 +70,7 @@ def kills_its_process_once(parameters, rng):
 
 
 def kills_its_process(parameters, rng):
-    """Every time at 2."""
+    """Kills its process at x = 2, every time."""
     if parameters["x"] == 2:
         os.kill(os.getpid(), signal.SIGKILL)
     return {"draw": rng.random()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Between a device and a simulation: probe, virtual coupling, the stages of the guard."""
+"""The links between a device and a simulation: probe, virtual coupling, stages of the guard."""
 from __future__ import annotations
 
 
@@ -12,7 +12,7 @@ from hapticut.units import mm
 
 @pytest.fixture
 def coupled(block, tool) -> h.Simulation:
-    """A stiff simulation, as needed by an implicit coupling, of bone without a size effect of thin chips."""
+    """A stiff simulation, which the implicit coupling needs. Its material has no size effect of thin chips."""
     block.set_materials(h.MaterialTable([h.Material("plain")]))
     return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e16, contact_time=h.ContactTime.end))
 
@@ -37,7 +37,7 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     contact = there.contact
     assert np.allclose(contact.normal_W, [0, 0, 1], atol=0.02)
     assert np.allclose(contact.point_W[:2], place[:2], atol=0.05 * mm)
-    assert contact.pressure == pytest.approx(there.wrench.force[2] / contact.area, rel=0.3)  # the normals spread
+    assert contact.pressure == pytest.approx(there.wrench.force[2] / contact.area, rel=0.3)  # the normals differ
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs
@@ -92,7 +92,7 @@ def test_a_run_that_only_waits_says_so(coupled):
 
 
 def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plunge):
-    poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # then stays
+    poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # the hand then stays
     velocities = np.concatenate([plunge[1], np.zeros((1500, 6))])
     gains = h.coupling_gains(h.device.capabilities(h.device.device_model("touch")))
     h.validate(gains)
@@ -103,7 +103,7 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert trace["hand"]["force"][-1, 2] > 0 and not (trace["status"] & h.kRejected).any()
     # The hand leads the tool by the deflection of the coupling's spring.
     behind = trace["X_WH"][-1, 2, 3] - poses[-1, 2, 3]
-    assert 0 < behind * gains.stiffness == pytest.approx(trace["coupling"]["force"][-1, 2], rel=0.1)  # and the damper
+    assert 0 < behind * gains.stiffness == pytest.approx(trace["coupling"]["force"][-1, 2], rel=0.1)  # 10 %: the damper
     assert trace["removed_voxels"].sum() == len(coupled.removed_in_run) > 0
 
     other = h.VirtualCoupling(h.Simulation(block, tool, coupled.config), gains)
@@ -118,13 +118,14 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert result.level_of_detail == 1 and result.newton_steps + result.parts <= coupling.worst_case().contacts
     assert not result.status & h.kRejected and result.removed_volume > 0 and result.V_WH.shape == (6,)
     energy = coupling.last_result.energy
-    assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # remainder of the Newton iteration
+    # 1e-3: the remainder of the Newton iteration.
+    assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3
     assert energy.turnover >= energy.hand_work
     parts = energy.tool_work + energy.spring + energy.damper + energy.kinetic + energy.implicit
     assert energy.imbalance() == pytest.approx(energy.hand_work - parts, abs=1e-12)
     assert result.coupling.force.shape == (3,)
     other.reset()
-    assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # starts anew
+    assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # starts again
     with pytest.raises(h.Error, match="contact_time"):
         h.VirtualCoupling(h.Simulation(block, tool), gains)
     with pytest.raises(h.Error, match="mass"):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python has the names in the lists of bindings/python/hapticut. Each name is in one module, exported by it and with it as
-``__module__``. New names of the library are bound if Python needs them."""
+"""Python has the names in the lists of bindings/python/hapticut. Exactly one module exports each name, and the
+``__module__`` of the name is that module. New names of the library are bound if Python needs them."""
 from __future__ import annotations
 
 import importlib
@@ -22,7 +22,7 @@ MODULES = [hapticut, *(module for name, module in vars(hapticut).items()
                        if inspect.ismodule(module) and name in hapticut.__all__)]  # all but sweep
 COMPILED = {name for name in dir(core) if not name.startswith("_")}
 NAMES = [name for name in dir(hapticut) if name in COMPILED or name == "Pose"]
-ROOMS = ("analysis", "device", "io", "loop", "safety")  # folders of C++ that are modules of Python
+ROOMS = ("analysis", "device", "io", "loop", "safety")  # C++ folders that are also Python modules
 # Names whose Python module differs from their C++ folder.
 MOVED = {"LabelInterpolation"}
 
@@ -30,7 +30,7 @@ MOVED = {"LabelInterpolation"}
 def test_every_compiled_name_is_in_one_module():
     places = Counter(name for module in MODULES for name in module.__all__)
     assert not {name for name, count in places.items() if count > 1}
-    assert not COMPILED - set(places), "import these in hapticut/__init__.py, or in the module beside it where they belong"
+    assert not COMPILED - set(places), "import these in hapticut/__init__.py or in the submodule where they belong"
 
 
 def test_the_modules_hold_what_they_offer_and_show_nothing_else():
@@ -46,7 +46,7 @@ def test_the_modules_hold_what_they_offer_and_show_nothing_else():
 
 def test_the_first_module_can_be_looked_over():
     assert {"Box", "Simulation", "SimulationConfig", "SphereHead", "Tool", "Workpiece", "build_block"} < set(NAMES)
-    assert 100 <= len(NAMES) <= 130, "what only some need goes to a module of its own"
+    assert 100 <= len(NAMES) <= 130, "names that few programs need belong in a submodule"
 
 
 @pytest.mark.parametrize("room", ROOMS)

@@ -76,7 +76,8 @@ def test_vdb_files_of_others_need_to_say_what_they_are(block, tmp_path):
     with pytest.raises(h.Error, match="hapticut wrote it"):
         h.io.load_vdb(tmp_path / "a.vdb", h.io.VdbImport(h.presets.clay(), grid="density"))
     bytes_ = (tmp_path / "a.vdb").read_bytes()
-    (tmp_path / "a.vdb").write_bytes(bytes_.replace(b"hapticut_format", b"Hapticut_format"))  # as of another program
+    # The file then looks like one of another program.
+    (tmp_path / "a.vdb").write_bytes(bytes_.replace(b"hapticut_format", b"Hapticut_format"))
     how = h.io.VdbImport(h.presets.clay(), grid="density", kind=h.io.VdbImport.Kind.fog_volume)
     assert h.io.load_vdb(tmp_path / "a.vdb", how).solid_voxels() == block.solid_voxels()
     assert (how.material.name, how.grid, how.unit_mm, how.kind.name) == ("clay", "density", 1.0, "fog_volume")

@@ -14,7 +14,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
     config = h.heat.HeatConfig(by_material=[h.heat.ThermalProperties(0.58, 2.6e6)], cutting_share=0.3)
     field = h.heat.HeatField(simulation.workpiece, config)
     assert field.config.by_material[0].conductivity == 0.58 and field.config.irrigation == 0
-    for part in (slice(0, 300), slice(300, 600)):  # the second part removes what the first has warmed
+    for part in (slice(0, 300), slice(300, 600)):  # the second part removes material that the first has heated
         simulation.run(plunge[0][part], plunge[1][part], 1e-3)
         assert field.drain(collector) == pytest.approx(0.3)
         field.advance(0.3)
@@ -38,7 +38,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
 def test_heat_is_given_taken_by_water_and_counted(block):
     field = h.heat.HeatField(block)
     field.add_heat([0, 0, -2 * mm], 0.1)
-    field.add_cutting_heat(0.05)  # waits: nothing was removed
+    field.add_cutting_heat(0.05)  # the heat waits, because no voxel was removed
     field.set_irrigation(3000.0)
     field.update(block, np.zeros((1, 3), dtype=np.int32))
     field.advance(1.0)

@@ -12,17 +12,17 @@ import hapticut as h
 from hapticut.units import mm
 
 needs_io = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
-FACING = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]  # the device's y is up, the world's z
+FACING = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]  # the device's y axis points up, along z of the world
 
 
 @pytest.fixture
 def coupled(block, tool) -> h.Simulation:
-    """A stiff simulation, as needed by an implicit coupling."""
+    """A stiff simulation, which the implicit coupling needs."""
     return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e16, contact_time=h.ContactTime.end))
 
 
 def driven(simulation, device, **undo):
-    """The device above the block, its y axis up."""
+    """A model whose device is above the block, with the device's y axis up."""
     X_WB, X_SH = np.eye(4), np.eye(4)
     X_WB[:3, :3] = FACING
     X_WB[2, 3] = (1.5 + 20) * mm + 8 * mm
@@ -48,7 +48,7 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     loop.start()
     refused, blocks, clutched = 0, {}, False
     while loop.is_running:
-        if not clutched and loop.latest().tick > 0:  # releases the clutch and engages it again, far above
+        if not clutched and loop.latest().tick > 0:  # opens and closes the clutch, far above the block
             clutched = loop.send(h.loop.commands.OpenClutch()) and loop.send(h.loop.commands.CloseClutch())
         try:
             coupled.step(np.eye(4), np.zeros(6), 1e-3)
@@ -77,7 +77,7 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert snapshot.output.applied.force.any() and snapshot.blocks_waiting >= 0
     assert 0 < np.linalg.norm(snapshot.output.applied.force) <= snapshot.max_applied
     assert 0 < snapshot.max_applied <= snapshot.max_commanded
-    assert coupled.last_input.dt > 0  # free again
+    assert coupled.last_input.dt > 0  # the loop has released the simulation
     assert blocks
     for block in blocks.values():
         assert block.version > 0 and block.material.shape == block.fill.shape == (8, 8, 8) and block.workpiece == 0
@@ -153,7 +153,7 @@ def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
                 c.HoldForce(), c.HoldForce(hold=False), c.ExchangeWorkpiece(other, ball, config),
                 model.prepare_workpiece(other, ball)]
     assert str(commands[-2].bounds) == str(commands[-1].bounds) and repr(c.Undo()) == "commands.Undo()"
-    for command in commands:  # one by one: an exchange gives no force in its tick
+    for command in commands:  # one at a time: the tick of an exchange has no force
         assert loop.send(command)
         after = loop.latest().tick + 2
         while loop.latest().tick < after:
@@ -197,7 +197,7 @@ def test_requests_are_a_mailbox():
     requests.stop(), requests.reset_fault(), requests.emergency_stop()
     assert requests.stop_wanted and requests.emergency and not requests.reset_wanted
     requests.reset_fault()
-    assert requests.reset_wanted and requests.emergency  # until the guard reads it
+    assert requests.reset_wanted and requests.emergency  # the emergency stop stays until the guard reads the reset
 
 
 def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
@@ -214,10 +214,10 @@ def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
     report = loop.stop()
     assert report.events.get("emergency_stop", 0) > 0 and report.wake_up.count > 0 and report.missed >= 0
     assert report.arming in (h.safety.ArmingState.fault, h.safety.ArmingState.off)
-    coupled.step(np.eye(4), np.zeros(6), 1e-3)  # free again
+    coupled.step(np.eye(4), np.zeros(6), 1e-3)  # the loop has released the simulation
     forgotten = h.loop.RealtimeLoop(driven(coupled, device))
     forgotten.start()
-    del forgotten  # stops and releases
+    del forgotten  # stops the loop and releases the simulation
     coupled.step(np.eye(4), np.zeros(6), 1e-3)
 
 

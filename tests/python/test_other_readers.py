@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Valid files are read as by pydicom, nibabel, SimpleITK and trimesh. Comparisons with missing input files are skipped."""
+"""hapticut reads valid files with the same result as pydicom, nibabel, SimpleITK and trimesh. A comparison is skipped
+if its file is missing."""
 from __future__ import annotations
 
 import os
@@ -21,15 +22,15 @@ pytestmark = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built wit
 
 
 def existing(*names: str) -> list[object]:
-    """Data files; a missing file is skipped with its name."""
+    """Parameters of a test: one data file each. The test of a missing file is skipped, and names the file."""
     absent = pytest.mark.skip(reason="needs real input files, which are not on this machine")
     return [pytest.param(DATA / n, id=n, marks=[] if (DATA / n).exists() else [absent]) for n in names]
 
 
 def compare(volume: h.volume.GreyVolume, value_at: Callable[[np.ndarray], float], tolerance: float) -> None:
-    """Samples at random places have the value that another reader finds there.
+    """Checks that samples at random places have the value that another reader finds there.
 
-    value_at: of a place (3,) [mm] in LPS
+    value_at: the value of the other reader at a place (3,) [mm] in LPS
     """
     random = np.random.default_rng(1)
     for _ in range(200):
@@ -46,7 +47,7 @@ def compare(volume: h.volume.GreyVolume, value_at: Callable[[np.ndarray], float]
 def test_nifti_is_what_nibabel_reads(path: Path) -> None:
     image = nibabel.load(path)
     if not (image.header["sform_code"] > 0 or image.header["qform_code"] > 0):
-        pytest.skip("the file does not say where it lies: nibabel puts its middle at the origin, hapticut its first sample")
+        pytest.skip("the file has no position: nibabel puts its centre at the origin, hapticut its first sample")
     data, to_index = image.get_fdata(), np.linalg.inv(image.affine)
 
     def value_at(p: np.ndarray) -> float:
@@ -56,8 +57,8 @@ def test_nifti_is_what_nibabel_reads(path: Path) -> None:
     compare(h.io.read_grey_volume(path), value_at, 1e-6)
 
 
-# Not compared: files that ITK reads differently, for reasons in docs/files.md (`left-anterior-superior`, a slope of 0, the quaternion
-# before the affine map, MONOCHROME1).
+# Not compared: files that ITK reads differently, for reasons in docs/files.md (`left-anterior-superior`, a slope of 0,
+# the quaternion before the affine map, MONOCHROME1).
 @pytest.mark.parametrize("path", existing(
     "formats/BallBinary30x30x30.nrrd", "formats/BallBinary30x30x30_gz.nrrd", "formats/BallBinary30x30x30.nhdr",
     "formats/tooth_closed.mhd", "formats/frogtissue.mhd", "formats/example_ct_sm.nii.gz", "teeth/tooth.mhd"))
@@ -85,7 +86,7 @@ def test_dicom_is_what_pydicom_reads(path: Path) -> None:
 @pytest.mark.parametrize("path", existing(
     "meshes/box.STL", "meshes/burr.stl", "meshes/molar_chai3d.obj", "meshes/handpiece_chai3d.obj", "teeth/URI1_tooth_mesh1.ply"))
 def test_meshes_are_what_trimesh_reads(path: Path) -> None:
-    def area_and_volume(corners: np.ndarray) -> np.ndarray:  # of open meshes the volume from the origin
+    def area_and_volume(corners: np.ndarray) -> np.ndarray:  # of an open mesh: the volume closed at the origin
         a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
         return np.array([0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum(),
                          np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6])

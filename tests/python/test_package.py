@@ -36,7 +36,7 @@ def test_types_are_marked_and_there():
         pytest.skip("built with CMake where pybind11-stubgen is not installed")
     assert all(there)
     stub = (PACKAGE / "_hapticut.pyi").read_text(encoding="utf-8")
-    # With the texts that an editor shows.
+    # The stub contains the docstrings that an editor shows.
     assert "class Spindle:" in stub and stub.count('"""') > 2000
 
 
@@ -134,7 +134,7 @@ def test_importing_is_quick_and_leaves_the_large_libraries_alone():
             "print([m for m in ('matplotlib', 'pandas', 'scipy', 'dask', 'tqdm') if m in sys.modules])")
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     output = done.stdout.splitlines()
-    assert float(output[0]) < 0.3  # [s] of processor time beside numpy's own
+    assert float(output[0]) < 0.3  # [s] of processor time, without the import of numpy
     assert output[1] == "[]"
 
 
@@ -146,7 +146,7 @@ def test_the_modules_of_python_are_found_when_they_are_used():
 
 def test_where_the_types_cannot_be_written_there_are_none_and_a_sentence_says_why(tmp_path):
     for name in ("_hapticut.pyi", "py.typed"):
-        (tmp_path / name).touch()  # from an earlier build
+        (tmp_path / name).touch()  # files of an earlier build
     (tmp_path / "pybind11_stubgen.py").write_text("raise ImportError('as if it were not installed')", encoding="utf-8")
     script = REPOSITORY / "bindings" / "python" / "write_stubs.py"
     done = subprocess.run([sys.executable, str(script), hapticut._hapticut.__file__, str(tmp_path)], check=True,
@@ -162,8 +162,8 @@ def test_mypy_finds_nothing(tmp_path):
     assert result.returncode == 0, result.stdout + result.stderr
 
 
-# Properties of pybind11's classes that stubs cannot express: their metaclass, and object's constructor in classes that
-# only the library makes.
+# Properties of pybind11's classes that stubs cannot express: the metaclass, and the constructor of `object` in classes
+# whose objects only the library makes.
 ARTEFACTS = re.compile(r"is inconsistent, metaclass differs$"
                        r'|__init__ is inconsistent, stub does not have \*args parameter "args"$')
 
@@ -181,10 +181,10 @@ OTHER = Path("/usr/bin/python3")
 
 
 def test_the_python_of_the_system_gives_the_first_force_too(tmp_path):
-    """With its own NumPy, which is an older one than pip's."""
+    """The system's Python uses its own NumPy, which is older than the one from pip."""
     ask = "import sysconfig, sys; print(sysconfig.get_config_var('SOABI'), sys.executable); import numpy"
     if not OTHER.exists() or OTHER.resolve() == Path(sys.executable).resolve():
-        pytest.skip(f"there is no {OTHER} beside {sys.executable}")
+        pytest.skip(f"there is no second Python: {OTHER} is missing, or is {sys.executable}")
     other = subprocess.run([OTHER, "-s", "-c", ask], capture_output=True, text=True, cwd=tmp_path)
     if other.returncode != 0:
         pytest.skip(f"{OTHER} has no NumPy; sudo apt-get install python3-numpy")
@@ -213,6 +213,6 @@ def test_cmake_installs_the_same_tree(tmp_path):
 
     by_cmake, by_pip = tree(tmp_path / "hapticut"), tree(PACKAGE)
     assert sorted(by_cmake) == sorted(by_pip)
-    # pip's module and programs have no symbols for a debugger; all else is the same.
+    # pip strips debugger symbols from the module and the programs. All other files are identical.
     assert all(content == by_pip[name] for name, content in by_cmake.items()
                if not name.endswith((".so", "hapticut-decoder", "hapticut-recording-reader")))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pictures of the examples show the numbers that they are given."""
+"""The plots of the examples show the numbers that they receive."""
 from __future__ import annotations
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The step and the run: the same forces as in C++, safely."""
+"""Steps and runs give the same forces as in C++. Concurrent calls and invalid arguments are refused."""
 from __future__ import annotations
 
 import threading
@@ -193,7 +193,7 @@ def test_a_run_releases_the_interpreter_lock_and_no_other_thread_can_step_meanwh
     thread.start()
     counted, refused = 0, 0
     while not ended.is_set():
-        counted += 1  # impossible while the lock is held
+        counted += 1  # possible only while the run has released the interpreter lock
         try:
             simulation.step(poses[0], velocities[0], 1e-3)
         except hapticut.Error as error:

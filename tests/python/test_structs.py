@@ -28,7 +28,7 @@ def classes(owner=core):
             yield from classes(cls)
 
 
-# Arguments without defaults.
+# Objects whose constructors have required arguments.
 GIVEN = [h.calibration.DrillingTest(1.25 * mm, 100.0, 1e-3, thrust=20.0, torque=0.04),
          h.GreyRange(1.0, 2.0, h.presets.clay()), h.Layer(h.presets.clay(), 1 * mm),
          h.Grade(1.0, 2.0, h.presets.clay(), h.presets.pulp(), steps=3),

@@ -83,7 +83,7 @@ def test_an_executor_that_was_given_stays_open(reference, tmp_path):
 
 @contextlib.contextmanager
 def found_by_workers():
-    """The module of the functions."""
+    """Lets worker processes import the module of the functions."""
     before = os.environ.get("PYTHONPATH")
     os.environ["PYTHONPATH"] = os.pathsep.join([str(HERE), *filter(None, [before])])
     try:
@@ -94,7 +94,7 @@ def found_by_workers():
             os.environ["PYTHONPATH"] = before
 
 
-@pytest.mark.filterwarnings("ignore")  # of dask's own
+@pytest.mark.filterwarnings("ignore")  # dask warns about itself
 def test_a_cluster_of_dask_gives_the_same_bits(reference, tmp_path):
     distributed = pytest.importorskip("distributed", reason="dask.distributed is not installed")
     with found_by_workers(), distributed.LocalCluster(
@@ -120,7 +120,7 @@ def test_a_pool_of_mpi_gives_the_same_bits(reference, serial, tmp_path):
     if mpiexec is None:
         pytest.skip("there is no mpiexec; e.g. sudo apt-get install openmpi-bin")
     (tmp_path / "study.py").write_text(MPI_STUDY)
-    # Open MPI's: more processes than processors, all of them on this machine, also for root (in a container).
+    # For Open MPI: allow more processes than processors, keep all on this machine, allow root (in a container).
     variables = {"OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl": "self,vader", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     out = tmp_path / "out"
@@ -140,7 +140,7 @@ def test_a_sweep_whose_process_was_killed_goes_on_where_it_was(serial, tmp_path)
     finished = (tmp_path / "out" / "runs.jsonl").read_bytes()
     assert finished.count(b"\n") > 10
     with open(tmp_path / "out" / "runs.jsonl", "ab") as file:
-        file.write(b'{"run": 49, "summ')  # as a killed process may leave it
+        file.write(b'{"run": 49, "summ')  # the incomplete line of a killed process
     table = hapticut.sweep(space, runs.kills_its_process_once, serial, tmp_path / "out")
     assert (tmp_path / "out" / "runs.jsonl").read_bytes().startswith(finished)
     expected = hapticut.sweep(space, runs.kills_its_process_once, serial, tmp_path / "at_once")

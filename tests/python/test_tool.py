@@ -32,7 +32,7 @@ def test_every_head_of_the_catalogue_is_bound_and_tested():
     page = (REPOSITORY / "docs" / "command-line.md").read_text(encoding="utf-8")
     [row] = re.findall(r"^\| `head` \| .* \| (.*) \|$", page, re.M)
     names = row.split(", ")
-    of_shapes = {"sphere", "cone", "flat", "profile"}  # which have constructors
+    of_shapes = {"sphere", "cone", "flat", "profile"}  # heads with their own class
     assert of_shapes < set(names)
     assert [f"{name}_head" for name in names if name not in of_shapes] == list(HEADS)
 

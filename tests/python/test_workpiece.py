@@ -60,7 +60,7 @@ def test_grey_values_become_a_workpiece():
     ranges = [hapticut.GreyRange(0.0, np.inf, DENTIN)]
     for dtype in (np.float32, np.float64):
         workpiece = hapticut.Workpiece.from_intensity(ball.astype(dtype), [0.1 * mm] * 3, ranges)
-        # 1 %: a ball of 8 samples, its surface interpolated
+        # 1 %: the ball has a radius of 8 samples, and its surface is interpolated.
         assert workpiece.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * (0.8 * mm) ** 3, rel=0.01)
     grade = hapticut.Grade(0.0, 8.0, ENAMEL, DENTIN, steps=4)
     assert len(hapticut.Workpiece.from_intensity(ball, [0.1 * mm] * 3, grade).materials) == 4
@@ -170,7 +170,7 @@ def test_volumes_go_through_files(tmp_path):
     hapticut.io.write_nrrd(volume, tmp_path / "labels.nrrd")
     again = hapticut.io.read_label_volume(tmp_path / "labels.nrrd")
     assert np.array_equal(again.values, labels()) and again.dims == labels().shape
-    assert again.padding == 0  # only DICOM has it
+    assert again.padding == 0  # only DICOM files have a padding value
     assert np.allclose(again.spacing, volume.spacing) and np.allclose(again.X_WG, volume.X_WG)
     assert np.allclose(again.position(1, 0, 0), [1.2 * mm, 0, 0])
     assert hapticut.volume.box_around(again, [7]).min == [4, 3, 1]

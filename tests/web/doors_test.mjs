@@ -9,7 +9,8 @@ import { after, afterEach, before, test } from "node:test";
 import { drill, isReady, middle, nextSnapshot, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
 
 let program, browser;
-const open = (url) => openPage(browser, url, { viewport: { width: 800, height: 450 } }); // two at once, without a GPU
+// The pages are small, because two of them draw at once without a GPU.
+const open = (url) => openPage(browser, url, { viewport: { width: 800, height: 450 } });
 before(async () => {
   program = await startProgram("clay");
   browser = await startBrowser();
@@ -27,7 +28,7 @@ test("the second page watches, and takes control after the first has closed", as
   await until(second, () => document.getElementById("role").textContent === "watching");
   await until(second, () => hapticut.workpiece.triangles > 1000);
   await until(second, () => document.querySelector('details[data-panel="tool"] fieldset')?.disabled === true);
-  await second.keyboard.press("Escape"); // a watching page does not send it, so it is not disconnected
+  await second.keyboard.press("Escape"); // a watching page does not send it: the server would disconnect the page
   await first.evaluate(() => hapticut.panels.set("Volume", 0.25));
   await until(second, () => hapticut.panels.control("Volume").value === 0.25);
   assert.equal(await second.locator("#role").textContent(), "watching");
@@ -92,7 +93,7 @@ test("a killed program leaves a recording that opens, and its page reports the e
   await isReady(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true");
-  for (let n = 0; n < 2; ++n) await nextSnapshot(page); // of the run that is recorded
+  for (let n = 0; n < 2; ++n) await nextSnapshot(page); // snapshots of the recorded run
   await until(page, () => hapticut.snapshot.arming === 4);
   const { x, y } = await middle(page);
   await drill(page, { x, y }, [{ x: x + 10, y }]);

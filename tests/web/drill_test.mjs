@@ -98,11 +98,11 @@ test("a value that is out of range is marked and not sent", async () => {
 test("the emergency stop removes the force, and a reset restores it", async () => {
   await page.keyboard.press("Escape");
   await until(page, () => hapticut.snapshot.arming === 5);
-  await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // with the next picture
+  await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // in the next picture
   assert.match(await page.locator("#cure").textContent(), /reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);
-  await until(page, () => document.getElementById("notice").textContent === ""); // the notice is gone
+  await until(page, () => document.getElementById("notice").textContent === ""); // no notice
 });
 
 test("another scene loads, the tool changes while it cuts, and the sound has the tone of the spindle", async () => {
@@ -123,7 +123,7 @@ test("another scene loads, the tool changes while it cuts, and the sound has the
   await page.evaluate((speed) => hapticut.panels.set("Speed", speed), rpm);
   await until(page, () => Math.abs(hapticut.snapshot.speed / (2 * Math.PI) - 2000) < 20);
   const heard = await page.evaluate(() => hapticut.speaker.heard);
-  await until(page, (then) => hapticut.speaker.heard > then + 24_000, heard); // the tone follows within 30 ms of sound
+  await until(page, (then) => hapticut.speaker.heard > then + 24_000, heard); // 0.5 s; the tone follows within 30 ms
   const tone = await page.evaluate(() => {
     const samples = hapticut.speaker.recent.slice(-4800);
     let best = [0, 0];
@@ -154,7 +154,7 @@ test("stereo shows two halves or two colours", async () => {
       const [r, g, b] = [data[4 * n], data[4 * n + 1], data[4 * n + 2]];
       if (Math.abs(r - ground[0]) + Math.abs(g - ground[1]) + Math.abs(b - ground[2]) < 40) continue;
       if (n % w < w / 2) ++left; else ++right;
-      if (r > g + 50 || b > r + 50) ++colored; // dentin is less red
+      if (r > g + 50 || b > r + 50) ++colored; // dentin has less red
     }
     return { left, right, colored, all: w * h };
   }, mode);

@@ -78,7 +78,7 @@ test("a press lasts until the last input is released, and idle gamepads neither 
   await page.keyboard.up(" ");
   await page.mouse.down();
   assert.ok(await pressed());
-  const told = await page.evaluate(() => { // no further picture is drawn
+  const told = await page.evaluate(() => { // without another picture
     Object.defineProperty(document, "hidden", { value: true, configurable: true });
     document.dispatchEvent(new Event("visibilitychange"));
     delete document.hidden;
@@ -125,7 +125,7 @@ test("Space and a trigger press on the surface under the tip, wherever keys have
   }
 });
 
-/** The middle in whole pixels, as a mouse reports it; zoom would enlarge a fraction of a pixel. */
+/** The middle in whole pixels, as a mouse reports it. Zoom would enlarge a fraction of a pixel. */
 const pixel = async () => {
   const { x, y } = await middle(page);
   return { x: Math.floor(x), y: Math.floor(y) };
@@ -160,7 +160,7 @@ test("thirty notches of the wheel zoom to the surface under the pointer, and end
     await until(page, (from) => hapticut.eye.distance < from / 4, distance);
     await drawn(page);
     await isThere(point, at, 3);
-    await drag(page, "right"); // the view can turn there
+    await drag(page, "right"); // the view can turn so close to the surface
     await isThere(point, at, Infinity);
   }
 });
@@ -197,7 +197,7 @@ test("side by side, the pointer uses the eye of the half that it is in", async (
     const at = { x: Math.floor(x + (side * box.width) / 4 + 5), y: y - 10 };
     await page.mouse.move(at.x, at.y);
     await until(page, () => !hapticut.pointer.waiting);
-    const seen = await page.evaluate((eye) => { // the surface is a little below the tip, against its normal
+    const seen = await page.evaluate((eye) => { // the tip hovers a little above the surface, along its normal
       const { hand, workpiece, picture, eye: middle } = hapticut;
       const three = middle.back.constructor, camera = picture.eyeOf(middle.camera, eye), at = new three().setFromMatrixPosition(camera.matrixWorld);
       const tip = new three(...hand.place).multiplyScalar(1e3);
@@ -206,7 +206,7 @@ test("side by side, the pointer uses the eye of the half that it is in", async (
     }, side);
     const pixels = { x: box.x + (box.width / 4) * (seen.x + (side < 0 ? 1 : 3)), y: box.y + (box.height * (1 - seen.y)) / 2 };
     assert.ok(seen.away < 1.2, "the tip hovers over the surface");
-    const hover = (box.height / (2 * Math.tan((16 * Math.PI) / 180))) / seen.far; // pixels of a millimetre
+    const hover = (box.height / (2 * Math.tan((16 * Math.PI) / 180))) / seen.far; // pixels per millimetre
     assert.ok(Math.hypot(pixels.x - at.x, pixels.y - at.y) < hover + 1, JSON.stringify([side, pixels, at, hover]));
   }
   await choose("off");
@@ -282,7 +282,8 @@ test("an exported page plays, turns, zooms and lists its keys, and has no contro
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true" && hapticut.snapshot.arming === 4);
   const { x, y } = await middle(page);
   await drill(page, { x, y }, [{ x: x + 10, y }]);
-  for (let n = 0; n < 4; ++n) await page.keyboard.press("Shift+PageDown"); // out of the tooth, as at the start of a run
+  // Moves the tool out of the tooth. It is outside at the start of a run, too.
+  for (let n = 0; n < 4; ++n) await page.keyboard.press("Shift+PageDown");
   await atRest(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => /is complete/.test(document.getElementById("notice").textContent));

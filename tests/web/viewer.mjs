@@ -11,9 +11,10 @@ const env = (name) => {
   if (!process.env[name]) throw new Error(`${name} is not set; run these tests with ctest.`);
   return process.env[name];
 };
-const kEnd = Date.now() + 580_000; // shortly before ctest ends the script, to report the condition that did not come true
+// Shortly before ctest ends the script, to report the condition that did not become true.
+const kEnd = Date.now() + 580_000;
 const left = () => Math.max(1, kEnd - Date.now());
-let unexpectedEnd = ""; // of a program that no test has stopped
+let unexpectedEnd = ""; // how a program ended that no test has stopped
 const { chromium } = createRequire(join(env("HAPTICUT_WEB"), "package.json"))("playwright-core");
 
 /** Starts the program, and waits until it has printed its address. */
@@ -70,8 +71,9 @@ export async function openPage(browser, url, options = {}) {
 }
 
 /**
- * Waits until a condition in the page is true, for any speed of the machine: as long as the program runs and the page is
- * connected to it. The condition is a function, because the content policy of the page forbids evaluating strings.
+ * Waits until a condition in the page is true. A slow machine may take long, so the wait fails only when the program
+ * ends, the page loses its connection, or ctest would end the script. The condition is a function, because the content
+ * policy of the page forbids evaluating strings.
  */
 export async function until(page, condition, argument) {
   const texts = () => ["role", "notice"].map((id) => document.getElementById(id).textContent);
@@ -90,7 +92,7 @@ export async function nextSnapshot(page) {
   await until(page, (then) => hapticut.snapshot !== null && hapticut.snapshot.tick !== then, tick);
 }
 
-/** Waits until the surface is complete: each frame of the program sends a part of the changes. */
+/** Waits until the surface is complete. Each frame of the program sends only a part of the changes. */
 export async function whole(page) {
   for (let calm = 0, then = -1; calm < 5; ++calm) {
     const bytes = await page.evaluate(() => hapticut.workpiece.uploaded);
@@ -100,7 +102,7 @@ export async function whole(page) {
   }
 }
 
-/** Waits until a page has control and its scene. Reloads it if the program still has the connection of an earlier page. */
+/** Waits until a page has control and its scene. Reloads the page if an earlier page still has control. */
 export async function isReady(page) {
   await until(page, () => hapticut.snapshot !== null);
   if (await page.locator("#role").textContent() === "watching") {
@@ -116,7 +118,7 @@ export async function isReady(page) {
 /** Waits until the camera has reached its target. */
 export const drawn = (page) => until(page, () => !hapticut.eye.changed);
 
-/** Waits until the loop has the position of the pointer, and the tool moves slower than 0.1 mm/s. */
+/** Waits until the loop has received the position of the pointer and the tool moves slower than 0.1 mm/s. */
 export async function atRest(page) {
   await until(page, () => {
     const { hand, instruments, moved, pointer } = hapticut, to = hand.X_WT.translation;

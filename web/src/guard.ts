@@ -13,7 +13,10 @@ export interface GuardState {
   text: string;
 }
 
-/** The state of the guard and the first report of a step. "The force is on" only if a step reports nothing. */
+/**
+ * The state of the guard in words, with the sentence of the state and the first report of the step. If the force is on
+ * and the step has reports, the text is the first two reports.
+ */
 export function guardState(sentences: Pick<Hello, "arming" | "status">,
                            { arming, status }: Pick<Snapshot, "arming" | "status">): GuardState {
   const state = sentences.arming.find((one) => one.value === arming) ?? kUnknown;

@@ -20,7 +20,7 @@ export class Indicators {
   constructor(private byId: ById) {}
 
   role(text: string) { this.byId("role").textContent = text; }
-  /** Shows notices of the last seconds together, so that the first one can be read. */
+  /** Shows the notices of the last seconds together, so that none disappears at once. */
   notice(text: string, severity: number) {
     const time = performance.now();
     this.notices = this.notices.filter((one) => one.text !== text && time - one.time < kTogether).slice(-2);

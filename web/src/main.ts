@@ -95,7 +95,7 @@ class Page {
         this.framed = this.placed = false;
         this.snapshot = this.instruments = null;
         this.curves.ring.clear();
-        this.send(commands.lookAt([0, 0, 0])); // wakes a scene that its last writer has put to sleep
+        this.send(commands.lookAt([0, 0, 0])); // restarts a scene that paused when its last writer left
         break;
       case "page":
         this.workpiece.put(message);
@@ -199,7 +199,7 @@ class Page {
 
   private resize() {
     const box = byId("stage").getBoundingClientRect();
-    // So that a view that is framed before the first picture fits too.
+    // The page may frame the workpiece before the first picture, and needs the aspect for it.
     this.eye.camera.aspect = box.width / Math.max(1, box.height);
     this.picture?.resize(Math.max(1, Math.floor(box.width)), Math.max(1, Math.floor(box.height)));
     this.changed = true;

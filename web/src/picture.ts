@@ -78,7 +78,7 @@ export class Picture {
   convergence = 60; // mm
   occlusion = true;
   software: boolean;
-  softwareRatio = 0.75; // drawn over shown pixels, without a graphics card
+  softwareRatio = 0.75; // ratio of drawn to shown pixels without a graphics card
   private eyes: EyeTarget[] = [];
   private gl: WebGL2RenderingContext;
   private pending: { fence: WebGLSync; since: number } | null = null; // the picture that is not yet finished
@@ -104,7 +104,7 @@ export class Picture {
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
-    this.renderer.outputColorSpace = three.LinearSRGBColorSpace; // the last pass encodes
+    this.renderer.outputColorSpace = three.LinearSRGBColorSpace; // the last pass applies the gamma
     this.quad.frustumCulled = false;
     this.screen.add(this.quad);
     const gl = (this.gl = this.renderer.getContext() as WebGL2RenderingContext);
@@ -129,8 +129,8 @@ export class Picture {
   }
 
   /**
-   * [ms] The pause between pictures. Without a graphics card, a picture is drawn only after the last one is finished,
-   * and the processor then pauses as long as it drew. Otherwise pictures would queue up and block the browser.
+   * [ms] The pause between pictures. Without a graphics card, a picture begins only after the last one is finished and
+   * after a pause as long as that picture took. Otherwise pictures would queue up and block the browser.
    */
   pause(now: number): number {
     if (!this.software) return 0;

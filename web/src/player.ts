@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page that replays a recording, which is in the page or beside it.
+// A page that replays a recording. The recording is in the page or in a separate file.
 import { isForTheScene } from "./pointer.ts";
 import type { Message } from "./protocol.ts";
 import { fromBase64, Player, readRecording, unpack } from "./replay.ts";

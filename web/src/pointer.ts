@@ -13,7 +13,7 @@ export interface PointerOptions {
   hand: Hand;
   picture: Picture | null;
   hit: (ray: three.Ray) => Hit | null;
-  leads: () => boolean; // otherwise the drag that would drill turns the view
+  leads: () => boolean; // whether this page has control; otherwise a drag turns the view
   mayMove: () => boolean;
   moved: () => void;
 }
@@ -23,7 +23,7 @@ interface Place {
   y: number;
 }
 interface InPicture extends Place {
-  column: number; // of the pictures side by side
+  column: number; // index of the picture, if they are side by side
 }
 type Client = Pick<MouseEvent, "clientX" | "clientY">;
 
@@ -34,7 +34,7 @@ const inMetres = (ray: three.Ray): Ray => (
 const nameOfPad = ({ index }: Gamepad) => `gamepad ${index}`;
 const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
 
-/** Whether a key is for the scene: everywhere, except where the focused element needs it. */
+/** Whether a key is for the scene. It is not if the focused element needs it. */
 export const isForTheScene = (event: KeyboardEvent) => {
   const target = event.target instanceof Element ? event.target : null;
   return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") &&
@@ -43,8 +43,8 @@ export const isForTheScene = (event: KeyboardEvent) => {
 
 export class Pointer {
   private down = new Map<number, Place>(); // pointers that are pressed on the canvas
-  private fingers = new Set<number>(); // those pointers that are fingers
-  private holders = new Set<string>(); // sources that press; the press ends with the last of them
+  private fingers = new Set<number>(); // pressed pointers that are fingers
+  private holders = new Set<string>(); // inputs that press; the press ends when the last one is released
   private pulled = new Set<string>(); // pulled triggers of gamepads
   private waiting: PointerEvent | null = null;
 
@@ -64,7 +64,7 @@ export class Pointer {
     document.addEventListener("visibilitychange", releaseAll);
   }
 
-  /** Begins another scene, in which sources that are still held do not press. */
+  /** Begins another scene. Inputs that are still held do not press in it. */
   begin() { this.holders.clear(); }
 
   /** Called once per picture: handles the newest place of the pointer, and the gamepads. */

@@ -76,7 +76,10 @@ export class Player {
     this.seek(this.frames[to] ?? 0);
   }
 
-  /** Shows the messages since the last time; when rewinding, all that differ. */
+  /**
+   * Shows the state at a time: the pages that differ, the traces since the last call, and the newest message of each
+   * other kind. After a step back, it counts from the start of the recording.
+   */
   seek(time: number) {
     if (time < this.at) {
       this.next = 0;

@@ -4,7 +4,7 @@ import * as three from "three";
 import type { Hello, Pose, SurfacePage, Vec3 } from "./protocol.ts";
 
 const kEdge = 32; // voxels per page
-const kSteps = 512; // per voxel
+const kSteps = 512; // steps of a vertex position per voxel
 
 const vertexShader = `
 uniform vec3 colors[16];
@@ -183,7 +183,7 @@ function geometryOf(page: SurfacePage): three.BufferGeometry {
   return geometry;
 }
 
-/** The mean of the normals within two voxels of a triangle, in V. */
+/** The mean of the normals within 2.7 voxels of a triangle, in V. */
 function smoothNormal(geometry: three.BufferGeometry, face: number[]): three.Vector3 {
   const data = (geometry.getAttribute("position") as three.InterleavedBufferAttribute).data.array as Int16Array;
   const bytes = new Int8Array(data.buffer, data.byteOffset, data.byteLength);

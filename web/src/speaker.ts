@@ -3,7 +3,7 @@
 declare class AudioWorkletProcessor { readonly port: MessagePort; }
 declare function registerProcessor(name: string, processor: new () => AudioWorkletProcessor): void;
 
-const kMaxQueued = 4800; // samples, 0.1 s
+const kMaxQueued = 4800; // samples, 0.1 s at 48 kHz; the queue holds twice as many
 
 class Speaker extends AudioWorkletProcessor {
   private waiting: Float32Array[] = [];
@@ -26,7 +26,7 @@ class Speaker extends AudioWorkletProcessor {
         this.waiting.shift();
         this.at = 0;
       }
-      // Fade into a gap, so that it does not click.
+      // Fades out in a gap, because a jump would click.
       this.level = this.waiting.length > 0 ? this.waiting[0][this.at++] : this.level * 0.995;
       out[n] = this.level;
     }

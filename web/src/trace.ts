@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten seconds of a thousand samples each, drawn as minimum and maximum of each column.
+// The last ten seconds at 1000 samples/s, drawn as minimum and maximum of each column.
 export const kSamples = 10_000;
 export const kChannels = 6;
 

@@ -50,7 +50,7 @@ spindle_rpm = 40000
                            linearVelocity = new Vec3(0, 0, -2e-3), dt = 1e-3 };
   }
 
-  // Sizes as C has them: tests/unit/c/c_structs_test.cpp.
+  // The structs have the same sizes as in C: tests/unit/c/c_structs_test.cpp.
   static void Sizes() {
     Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo),
                      typeof(StepInput), typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
@@ -60,7 +60,7 @@ spindle_rpm = 40000
       Require(Marshal.SizeOf(types[n]) == sizes[n], types[n].Name + " has " + Marshal.SizeOf(types[n]) + " bytes");
   }
 
-  // Names and numbers as C has them: HAPTICUT_COMMAND_SET_SCALE = 4 is CommandKind.SetScale.
+  // The enumerations have the names and numbers of C: HAPTICUT_COMMAND_SET_SCALE = 4 is CommandKind.SetScale.
   static void Enumerations(string header) {
     string text = File.ReadAllText(header);
     string[] prefixes = { "COMMAND", "ARMING", "COUPLING", "UP", "LOOP" };
@@ -189,7 +189,7 @@ spindle_rpm = 40000
     LoopReport report = loop.Stop();
     Require(report.ticks > 100 && report.End.Length > 0, "the report");
     simulation.Step(Above(-5e-3));
-    // In any order, like a garbage collector.
+    // The order differs from that of construction, as with a garbage collector.
     simulation.Dispose();
     device.Dispose();
     surface.Dispose();

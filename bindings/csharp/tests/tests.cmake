@@ -11,7 +11,7 @@ function(hapticut_mono_test name label library says)
 endfunction()
 file(GLOB HAPTICUT_CSHARP "${PROJECT_SOURCE_DIR}/bindings/csharp/*.cs")
 
-# A runtime that uses SIGSEGV keeps running beside a loop.
+# Tests that a runtime that uses SIGSEGV keeps running while a loop runs.
 add_library(loop_for_mono MODULE "${CMAKE_CURRENT_LIST_DIR}/loop_for_mono.cpp")
 target_link_libraries(loop_for_mono PRIVATE hapticut::hapticut hapticut_build_flags)
 hapticut_mono_test(Mono.CatchesItsNullReferencesBesideARunningLoop csharp loop_for_mono "lives" "${CMAKE_CURRENT_LIST_DIR}/LivesOn.cs")

@@ -15,8 +15,9 @@ _hapticut._shorten_signatures()
 
 
 def export(module: str, *more: str) -> None:
-    """Makes ``__all__`` of a module that has none: its names from the compiled module, and some more names. Sets their
-    ``__module__`` to the module. ``dir`` shows that list; the error for a missing name tells which module has it."""
+    """Sets ``__all__`` of a module that has none: its names from the compiled module, and ``more``. Sets ``__module__``
+    of the objects of these names to the module. ``dir`` shows that list. The error for a missing name tells which
+    module has the name."""
     namespace = vars(sys.modules[module])
     if "__all__" not in namespace:
         compiled = [name for name in namespace if name in _hapticut.__all__]
@@ -45,7 +46,7 @@ def move(thing: Any, module: str) -> None:
 
 
 def where_is(name: str) -> str:
-    """The end of the message that a module lacks a name."""
+    """The end of the message about a missing name: where the name is."""
     for place, module in sorted(sys.modules.items()):
         if f"{place}.".startswith(f"{__package__}.") and "._" not in place and name in getattr(module, "__all__", ()):
             return f"; it is {place}.{name}"

@@ -18,7 +18,7 @@ namespace Hapticut {
 
     /// <summary>The state of the last frame.</summary>
     public LoopState State { get; private set; }
-    /// <summary>The latest input for the audio thread, replaced as a whole.</summary>
+    /// <summary>The latest input for the audio thread. Each update makes a new object.</summary>
     internal volatile SoundSource heard;
     internal sealed class SoundSource { internal SoundInput input; }
 

@@ -3,7 +3,8 @@ using UnityEngine;
 
 namespace Hapticut {
 
-  /// <summary>The sound of a scene's drill, rendered in the audio thread. Add it beside a playing AudioSource.</summary>
+  /// <summary>The sound of a scene's drill, rendered in the audio thread. Add it to the object of a playing
+  /// AudioSource.</summary>
   [RequireComponent(typeof(AudioSource))]
   public sealed class HapticutSound : MonoBehaviour {
     public HapticutScene scene;
@@ -32,7 +33,7 @@ namespace Hapticut {
       try {
         sound.Render(heard.input, rate_, channel_);
       } catch (System.ObjectDisposedException) {
-        return;  // the component was switched off meanwhile
+        return;  // the component was switched off during this call
       }
       for (int n = 0; n < data.Length; ++n) data[n] += channel_[n / channels];
     }

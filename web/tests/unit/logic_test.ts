@@ -24,14 +24,14 @@ test("the tip hovers above the surface, and works below its tangent plane", () =
   close(hand.X_WT.translation[2], kHover);
   hand.press({ point: [0, 0, 0], normal: up });
   close(hand.X_WT.translation[2], -0.4e-3);
-  hand.point(down(2e-3, 1e-3), { point: [2e-3, 1e-3, -5e-3], normal: up }, up); // the surface has gone from there
+  hand.point(down(2e-3, 1e-3), { point: [2e-3, 1e-3, -5e-3], normal: up }, up); // the material there has been removed
   assert.deepEqual(hand.X_WT.translation.map((v) => Math.round(v * 1e6)), [2000, 1000, -400]);
   hand.push(2);
   close(hand.X_WT.translation[2], -0.4e-3 - 2 * kWheelStep);
   hand.release();
   close(hand.X_WT.translation[2], kHover);
   hand.press({ point: [0, 0, 0], normal: up });
-  hand.push(-50); // as far as the surface, for the next press is as deep
+  hand.push(-50); // stops at the surface, because the next press has the same depth
   close(hand.X_WT.translation[2], 0);
   close(hand.depth, 0);
 });
@@ -43,7 +43,7 @@ test("the origin of a head whose tip is below it stays above the point", () => {
   close(hand.X_WT.translation[2], kHover + 2e-3);
 });
 
-test("the pose of the hand is that of the head through the handle", () => {
+test("the pose of the hand times X_HT is the pose of the head", () => {
   const hand = new Hand();
   const X_HT: Pose = { rotation: rotationAbout([0, 1, 0], 0.5), translation: [0.01, 0.02, -0.1] };
   hand.useTool(X_HT, 0);
@@ -53,7 +53,7 @@ test("the pose of the hand is that of the head through the handle", () => {
   assert.ok(length(subtract(X_WT.translation, hand.X_WT.translation)) < 1e-12);
 });
 
-test("a tool that follows the surface stays a rotation", () => {
+test("a tool that follows the surface keeps a valid rotation", () => {
   let R = identity.rotation;
   for (const axis of [[0, 0.6, 0.8], [1, 0, 0], [0, 0, -1], [0.1, -0.9, 0.2]] as Vec3[]) {
     R = rotatedTo(R, axis);
@@ -64,21 +64,21 @@ test("a tool that follows the surface stays a rotation", () => {
   }
 });
 
-test("a pose times its inverse is nothing", () => {
+test("a pose times its inverse is the identity", () => {
   const X: Pose = { rotation: rotationAbout([0.6, 0, 0.8], 1.1), translation: [1, 2, 3] };
   const p = transform(multiply(X, inverse(X)), [4, 5, 6]);
   p.forEach((value, n) => close(value, [4, 5, 6][n], 1e-12));
 });
 
-test("both eyes see the same at the distance of convergence, and nothing is turned", () => {
+test("both eyes see the same at the distance of convergence, without vertical parallax", () => {
   const left = offAxisFrustum(0.6, 1.5, 1, 100, -3, 50), right = offAxisFrustum(0.6, 1.5, 1, 100, 3, 50);
   const seen = (f: typeof left, eye: number, x: number, z: number) => ((x - eye) / z - f.left) / (f.right - f.left);
   for (const x of [-5, 0, 7]) close(seen(left, -3, x, 50), seen(right, 3, x, 50), 1e-12);
-  assert.ok(seen(left, -3, 0, 20) > seen(right, 3, 0, 20), "what is nearer stands before the screen");
+  assert.ok(seen(left, -3, 0, 20) > seen(right, 3, 0, 20), "a nearer point appears in front of the screen");
   close(left.top, right.top);
 });
 
-test("an arc bulges outwards, and a hollow one inwards", () => {
+test("a convex arc bulges outwards, a concave arc inwards", () => {
   const [ball] = outline(-1, [{ rho: 0, z: 1, radius: 1, cutting: true }]);
   for (const [rho, z] of ball.points) close(Math.hypot(rho, z), 1);
   assert.ok(Math.max(...ball.points.map(([rho]) => rho)) > 0.99);
@@ -86,7 +86,7 @@ test("an arc bulges outwards, and a hollow one inwards", () => {
   for (const [rho, z] of hollow.points.slice(1, -1)) assert.ok(z > rho || z < rho, `${rho} ${z}`);
 });
 
-test("the least and the greatest of each column are kept", () => {
+test("each column keeps its minimum and maximum", () => {
   const ring = new TraceRing();
   const samples = new Float32Array(6 * 1000);
   samples[6 * 500] = 7;
@@ -96,14 +96,14 @@ test("the least and the greatest of each column are kept", () => {
   assert.equal(high[5], 7);
   assert.equal(low[5], -3);
   assert.equal(high[4], 0);
-  ring.add(900, new Float32Array(6 * 200)); // the first hundred are known already
+  ring.add(900, new Float32Array(6 * 200)); // the ring already has the first hundred
   assert.equal(ring.last, 1100);
   ring.add(50_000, new Float32Array(6));
   assert.equal(ring.last, 50_001);
   assert.ok(ring.size <= kSamples);
 });
 
-test("a command is its bytes", () => {
+test("commands have the bytes of the protocol", () => {
   assert.deepEqual([...commands.undo()], [3, kVersion, 0, 0]);
   assert.deepEqual([...commands.load("clay")], [10, kVersion, 0, 0, 99, 108, 97, 121]);
   const set = commands.setControl(513, -2.5);
@@ -112,7 +112,7 @@ test("a command is its bytes", () => {
   assert.equal(commands.moveHand(identity, true).length, 4 + 96 + 1);
 });
 
-test("what is no message in every byte is none", () => {
+test("a message with an invalid byte is refused", () => {
   const notice = [8, kVersion, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 79, 75];
   assert.deepEqual(decode(Uint8Array.from(notice)), { kind: "notice", severity: 1, text: "OK" });
   assert.equal(decode(Uint8Array.from(notice.slice(0, -1))), null);
@@ -121,7 +121,7 @@ test("what is no message in every byte is none", () => {
   assert.equal(decode(new Uint8Array()), null);
 });
 
-test("what the guard and a step report is told in the sentences that the program has sent", () => {
+test("reports of the guard and of a step appear in the sentences that the program sent", () => {
   const text = (words: string) => [words.length, 0, ...new TextEncoder().encode(words)];
   const sentence = (value: number, name: string, words: string) => [value, 0, 0, 0, ...text(name), ...text(words)];
   const count = (n: number) => [n, 0, 0, 0];
@@ -137,7 +137,7 @@ test("what the guard and a step report is told in the sentences that the program
   assert.equal(guardState(hello, { arming: 5, status: 0 }).tone, "fault");
 });
 
-class Line { // in the place of a WebSocket
+class Line { // replaces WebSocket
   static all: Line[] = [];
   static readonly OPEN = 1;
   readyState = 1;
@@ -156,7 +156,7 @@ const line = () => {
 };
 const noticeOf = (version: number) => Uint8Array.from([8, version, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 79, 75]);
 
-test("who is older, page or program, is told with the cure, and nothing more is heard", () => {
+test("a message of another version ends the connection with a cure: the page or the program is older", () => {
   for (const [version, sentence] of [[kVersion + 1, /page is older .* reload the page/], [kVersion - 1, /page is newer .* end hapticut view/]] as const) {
     const { said, now } = line();
     now().onopen();
@@ -170,7 +170,7 @@ test("who is older, page or program, is told with the cure, and nothing more is 
   assert.equal(otherVersion(noticeOf(kVersion)), null);
 });
 
-test("a line that was lost is taken up again, unless the program is gone", () => {
+test("a lost connection is opened again, unless the program has ended", () => {
   const { said, now } = line(), first = now();
   first.onopen();
   first.onmessage({ data: noticeOf(kVersion).buffer });
@@ -181,7 +181,7 @@ test("a line that was lost is taken up again, unless the program is gone", () =>
   assert.match(said[1], /program has ended/);
 });
 
-test("a recording of another version says who is older, and a damaged one that it is damaged", () => {
+test("a recording of another version and a damaged recording are refused with a reason", () => {
   const recordingOf = (message: Uint8Array) =>
     Uint8Array.from([72, 67, 82, 80, 1, 0, 0, 0, ...Array(8).fill(0), message.length, 0, 0, 0, ...message]);
   assert.equal(readRecording(recordingOf(noticeOf(kVersion))).length, 1);
@@ -190,7 +190,7 @@ test("a recording of another version says who is older, and a damaged one that i
   assert.throws(() => readRecording(recordingOf(noticeOf(kVersion).slice(0, -1))), /damaged/);
 });
 
-const ball: Ground = { // of 10 mm
+const ball: Ground = { // radius 10 mm
   hit: (ray) => {
     const at = ray.intersectSphere(new three.Sphere(new three.Vector3(), 10), new three.Vector3());
     return at && { point: at.divideScalar(1e3).toArray() };
@@ -205,7 +205,7 @@ const eyeBefore = (fov = 32) => {
   return eye;
 };
 
-test("zoom keeps what is under the pointer where it is, and stays outside", () => {
+test("zoom keeps the point under the pointer in place, and the eye stays outside", () => {
   for (const [x, y] of [[0, 0], [0.2, -0.1], [-0.28, 0.3], [0.9, 0.9]]) {
     const eye = eyeBefore(), before = ball.hit(eye.ray(x, y));
     for (let n = 0; n < 60; ++n) {
@@ -222,7 +222,7 @@ test("zoom keeps what is under the pointer where it is, and stays outside", () =
   }
 });
 
-test("an eye that turns, moves or takes a view near the surface goes back as far as it must", () => {
+test("an eye that turns, moves or changes the view near the surface moves back until it is outside", () => {
   for (const act of [(eye: Eye) => eye.orbit(1.5, 0), (eye: Eye) => eye.pan(0.8, 2), (eye: Eye) => eye.look("bottom")]) {
     const eye = eyeBefore();
     for (let n = 0; n < 60; ++n) eye.zoom(1 / 1.12, 0.25, 0.3);
@@ -232,7 +232,7 @@ test("an eye that turns, moves or takes a view near the surface goes back as far
   }
 });
 
-test("a whole workpiece is in the picture, also where it is narrow", () => {
+test("the whole workpiece fits in the picture, also in a narrow one", () => {
   for (const aspect of [2, 0.5]) {
     const eye = new Eye(ball), side = new three.Vector3();
     eye.update(aspect);

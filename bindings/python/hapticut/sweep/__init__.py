@@ -48,9 +48,10 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     out
         The folder of the study. Every finished run adds a line, so no run is lost.
     resume
-        True: continue the study in the folder. False: refuse a folder that holds runs. A study is the same when
-        the space, the seed, the version and ``run`` are: its module, name, code, defaults, and the values that it
-        holds (closure, partial, instance). Functions that ``run`` calls are not compared.
+        True: continue the study in the folder. False: refuse a folder that holds runs. Two studies are the same if
+        their space, seed, version of hapticut and ``run`` are equal. The comparison of ``run`` includes its module,
+        name, code, defaults, and the values that it holds (closure, partial, instance), but not the functions that it
+        calls.
     seed
         Seed of the study. It and the run's index determine the random numbers of a run.
     units
