@@ -225,7 +225,7 @@ TEST_P(DeviceContract, IsRunInAnyThreadAndAgain) {
       EXPECT_NEAR(last.time, 0.059, 1e-9);
     });
     other.join();
-    device->stop();  // before the next run, which must ignore it
+    device->stop();  // the next run must ignore this stop
     tested.run(*device, [&](const DeviceState& state) {
       if (state.sequence == 30) device->stop();
       return DeviceCommand{};

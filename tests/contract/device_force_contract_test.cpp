@@ -85,7 +85,7 @@ TEST_P(DeviceForceContract, IsNeverAboveItsCapabilities) {
     command.wrench = {Vec3(n % 200 < 100 ? 1000 : -1000, 10, 0), Vec3(0, n % 100 < 50 ? 9 : -9, 0)};
     const DeviceOutput& before = device->last_output();
     max_force = std::max(max_force, before.applied.force.norm());
-    if (n < 60 || !traits().follows) return;  // a hand that is thrown around may lose its force
+    if (n < 60 || !traits().follows) return;  // a hand that is thrown around may get no force
     const OutputChange expected = traits().has_motors ? OutputChange::saturated : OutputChange::no_actuator;
     EXPECT_TRUE(has_any(before.changes, expected)) << n << ": " << describe(before.changes);
     EXPECT_EQ(has_any(before.changes, OutputChange::no_actuator), torque == 0) << n;
@@ -149,7 +149,7 @@ TEST_P(MotorContract, IsFadedInAndOutAtEveryEndOfARun) {
         *device,
         [&, n = 0](const DeviceState&) mutable {
           DeviceCommand command;
-          if (++n > 20) command.wrench = kPush;  // while it is faded in
+          if (++n > 20) command.wrench = kPush;  // while the force is faded in
           if (n == 200 && by_stop) device->stop();
           command.stop = n == 200 && !by_time && !by_stop;
           return command;

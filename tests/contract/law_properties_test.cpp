@@ -216,8 +216,8 @@ ToolHead head_upright() {
 constexpr double kMidpointRule = 3e-3;
 
 // Contact mechanics and the Hertzian burr use the depth in a half space of the same volume. On a half space, pressed at
-// a right angle, this is the true depth, and their force has a potential. On other bodies it has none; the thesis names
-// this limit. The volume of voxels fluctuates along a surface: 3e-4 in the median.
+// a right angle, this is the true depth, and their force has a potential. On other bodies their force has no potential;
+// the thesis names this limit. The volume of voxels fluctuates along a surface: 3e-4 in the median.
 constexpr double kVolumeOfVoxels = 1e-2;
 
 struct Conservative {

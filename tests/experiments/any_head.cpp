@@ -42,7 +42,7 @@ HeadCase bottom_only() {
 std::vector<Check> section() {
   Refined smooth("C16", "ball, cone, round end at 0.3 and 0.6 mm: axial force is the pressure on the section",
                  kSecondOrder, "0.7 (l/d)^2");
-  // C5, C6: lattice points in the disk, 1.5th order, and the end of the springs at z = 0.
+  // The error of C5 and C6: lattice points in the disk, of order 1.5, and the end of the springs at z = 0.
   Refined rimmed("C16 flat", "flat head, rules nearest and bottom_only: axial force is the pressure on the section",
                  kRimOrder, "lattice points in a disk", kOfRimOrder);
   std::vector<HeadCase> cases = heads();

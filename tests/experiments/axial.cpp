@@ -12,7 +12,7 @@
 namespace hapticut::experiments {
 namespace axial_cuts {
 
-constexpr double kLayer = kR / 40;  // engaged layer, on voxels of half of it
+constexpr double kLayer = kR / 40;  // engaged layer; voxels are half as thick
 constexpr Tolerance kThinnest = {0.01, "layer of R/40"};
 
 constexpr double kAxialFeed = 2e-3, kAxialSpin = 2000;
@@ -51,7 +51,8 @@ struct Axial {
   }
 };
 
-/// A cut with an engaged layer of a given thickness, two voxels thick, until it is steady and 20 layers further.
+/// A cut whose engaged layer has the given thickness, which is two voxels. The cut runs until it is steady, and then 20
+/// layers further.
 Axial axial_with_layer(double layer) {
   Axial cut;
   cut.stiffness = forms::stiffness_for_layer(cut.form(), layer, kR);
@@ -229,8 +230,8 @@ std::vector<Check> constant_hand_force() {
   return checks;
 }
 
-/// A cone has the slope of the drill in its geometry and needs the cutting ratio 1; a flat head replaces the drill with
-/// 1/sin(beta/2).
+/// A conical point has the slope of the drill in its geometry, so it needs the cutting ratio 1. A flat head has the
+/// thrust of the drill with the cutting ratio 1/sin(beta/2).
 std::vector<Check> twist_drill() {
   Axial cut;
   cut.voxel = 0.05 * mm;

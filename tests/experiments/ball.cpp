@@ -151,7 +151,8 @@ std::vector<Check> energy() {
   Simulation slow = ball(depth, kFinest, phase(3));
   for (int i = 0; i <= 500; ++i) (void)slow.step(Pose::from_translation(center_at(depth * i / 500)), {}, kTick);
   const EnergyLedger& spent = slow.last_result().energy;
-  // A section is at least 0.3 edges wide, so it stores too much when its normal is near an axis of the grid.
+  // The section of a voxel is at least 0.3 edges wide, so the voxel stores too much energy when the normal is near an
+  // axis of the grid.
   Largest entered;
   entered.add(spent.entered, 0.01 * std::pow(kFinest / depth, 2) * spent.elastic);
   return joined({error.checks(),

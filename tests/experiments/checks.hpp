@@ -64,7 +64,7 @@ struct Experiment {
 /// All experiments, in the order of the closed forms.
 [[nodiscard]] std::vector<Experiment> all_experiments();
 
-// By subject; `all_experiments` joins these lists.
+// The experiments by subject. `all_experiments` joins these lists.
 [[nodiscard]] std::vector<Experiment> ball_experiments();         ///< standing: C1-C3, C14, C15
 [[nodiscard]] std::vector<Experiment> cone_flat_experiments();    ///< standing: C4-C9
 [[nodiscard]] std::vector<Experiment> layer_experiments();        ///< standing: C10, C12

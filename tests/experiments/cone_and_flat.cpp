@@ -17,7 +17,7 @@ constexpr double kCoarsest = 0.1 * mm;
 double rim_error(double l) { return 0.26 * std::pow(l / kR, 1.5); }
 
 /// [m^2] Error of the integral of z from 0 on a lattice: l^2/2 times the second Bernoulli polynomial of the place of
-/// the first point, 0.0745 root mean square. The springs of a bottom, which end at z = 0, have this error.
+/// the first point, whose root mean square is 0.0745. The springs of a bottom, which end at z = 0, have this error.
 double kink_error(double l) { return 0.0745 / 2 * l * l; }
 
 // Predictions are for all phases of the grid. Twelve phases are within a factor of 1.5, sums of two errors within 2.
@@ -148,7 +148,7 @@ std::vector<Check> wall_rules() {
     const double fine = kCoarsest / 8;
     const Vec3 side = wall.press(FlatRule::side_only, fine, phase(3)).force;
     const Vec3 both = wall.press(FlatRule::both, fine, phase(3)).force;
-    both_aside.add(both.x() / side.x() - 1, 0.5 * std::pow(fine / depth, 2));  // as C5 with both
+    both_aside.add(both.x() / side.x() - 1, 0.5 * std::pow(fine / depth, 2));  // the bound of C5 both
     // Lattice points in a circular segment, which is at least 0.1 mm = 8 voxels deep here.
     both_up.add(both.z() / (kStiffness * wall.area() * (wall.z1 * wall.z1 - wall.z0 * wall.z0) / 2) - 1, 0.02);
     // A thin ledge so high above the bottom that the wall is nearer at all these depths.
@@ -182,7 +182,7 @@ std::vector<Check> edge() {
                             static_config());
       return StepResult(hold_well(simulation, Vec3(0, 0, -d)));
     };
-    // The rim has the error of lattice points, as in C5, over an area of down to a fifth of the disk.
+    // The rim has the error of lattice points, as in C5. The covered area is as small as a fifth of the disk.
     const auto bound = [d](double covered) {
       return [=](double l) {
         return kPhaseFactor * std::hypot(rim_error(l) * kPi * kR * kR / covered, kink_error(l) / (d * d / 2));

@@ -22,7 +22,7 @@ using test::MaterialAt;
 using test::materials_of_stiffness;
 using test::phase;
 
-/// Errors at three sizes, each half of the one before: of voxels, or of another quantity that is refined.
+/// Errors at three sizes of the voxels, or of another refined quantity. Each size is half of the one before.
 struct Convergence {
   std::array<double, 3> size;   // [m]
   std::array<double, 3> error;  // [1] relative, root mean square over the grid phases

@@ -13,7 +13,7 @@ namespace lateral_cuts {
 /// A cut of plain_material.
 constexpr forms::SteadyCut cut_of(double feed_speed, double spin) { return {3e8, 0.5, spin, feed_speed}; }
 
-constexpr double kLayer = kR / 40;  // engaged layer of C24, on voxels of half of it
+constexpr double kLayer = kR / 40;  // engaged layer of C24; voxels are half as thick
 
 // Tolerances with voxels of a tenth of the radius and the default layer:
 constexpr Tolerance kWall = {0.03, "default layer"};

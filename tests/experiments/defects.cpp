@@ -163,7 +163,7 @@ std::vector<Check> threshold() {
 std::vector<Check> step_size() {
   AxialFeed whole, half;
   whole.speed = half.speed =
-      AxialFeed::kVoxel / 12.618 / whole.dt;  // so that layers are met at varying parts of a step
+      AxialFeed::kVoxel / 12.618 / whole.dt;  // so that the head meets layers at varying parts of a step
   half.dt = whole.dt / 2;
   const auto ratio = [&](Model model) { return whole.run(model).force.z() / half.run(model).force.z(); };
   return {{"D6 thesis", "thrust over that at half the step, all touched voxels go: the square of the step", "1", 4,

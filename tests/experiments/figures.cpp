@@ -76,7 +76,7 @@ Stepping feed_down(const ToolHead& head) {
   return stepping;
 }
 
-/// Number of steps whose value is not above the one before. @param share  [1] of the value before that must be exceeded
+/// Number of steps whose value does not exceed `share` [1] of the value of the step before.
 int falls(const std::vector<double>& values, double share = 1) {
   int count = 0;
   for (std::size_t i = 1; i < values.size(); ++i) count += values[i] > share * values[i - 1] ? 0 : 1;

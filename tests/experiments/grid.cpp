@@ -14,7 +14,8 @@ constexpr double kOtherFaces = 0.02;
 /// [1] Ripple when a face along the grid recedes by half a voxel, ten layers, in a step: all voxels are in phase.
 constexpr double kInPhase = 0.12;
 
-/// [1] Thrust in a groove cut by edges: the floor behind the middle, cut down to w0 only, presses up as well.
+/// [1] Error of the thrust in a groove with chips of edges. The floor behind the middle is cut only down to the depth
+/// w0, so it presses up as well.
 constexpr double kBehind = 0.12;
 
 /// [1] Additional error of a layer that is not thin, over layer/R. Where the slip is low, at the pole of a ball and the
@@ -60,7 +61,7 @@ struct Chips {
 };
 constexpr Chips kEdges = {"chips of edges", 2, 0}, kThin = {"thin chips", 0, 4}, kBoth = {"chips", 1, 2};
 
-/// A cut at another speed, of feed and spin alike, or with other steps.
+/// A cut with feed and spin scaled by a factor, and with steps of a given length.
 GridCut hurried(GridCut cut, const char* id, const char* what, double factor, double tick) {
   cut.id = id;
   cut.what = what;
@@ -96,7 +97,7 @@ std::vector<Check> drilled_chips() {
                  tilted(drill(kThin), {0.03, 0.03, 0.013}, {1e15, 1e16, 1e17})});
 }
 
-/// Behind the middle the slot's walls press and rub with a layer of w0, too little to be cut.
+/// Behind the middle, the slot's walls press and rub with a layer of thickness w0, which is too thin to be cut.
 std::vector<Check> slotted_chips() {
   const auto slot = [](const char* id, const Chips& chips) {
     return with_chips(id, "slotting", chips, slotted(), forms::slotting_chip_wrench(chips.cut(), kR, kSlot));

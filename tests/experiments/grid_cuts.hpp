@@ -69,7 +69,7 @@ struct Limits {
 };
 
 /// Runs a cut in all directions with voxels of one size, or of 0.1 and 0.05 mm, on stiff foundations: 1e16 N/m^4, the
-/// default and 1e17. With 0.1 mm also on soft foundations, 1e14 and 1e15. Their layer, 0.11 R and 0.035 R in
+/// default and 1e17. Voxels of 0.1 mm also run on soft foundations, 1e14 and 1e15. Their layer, 0.11 R and 0.035 R in
 /// `kSlowCut`, is not thin, so the error follows the layer, whatever the voxel size.
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel);
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine);

@@ -96,8 +96,8 @@ Convergence into_depth_grade() {
   });
 }
 
-/// A full table of materials, in equal steps of stiffness from 0 to 3. Half a step is 0.006, with both signs all over
-/// the contact, so it averages out.
+/// A full table of materials, in equal steps of stiffness from 0 to 3. The error of half a step, 0.006, has both signs
+/// all over the contact, so it averages out.
 Convergence into_side_grade() {
   const Vec3 slope(0.6 / mm, -0.3 / mm, -0.5 / mm);
   constexpr int kSteps = kMaxMaterials;

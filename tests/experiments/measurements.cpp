@@ -9,7 +9,7 @@
 namespace hapticut::experiments {
 namespace {
 
-constexpr double kSluggish = 0.1;  // [1] inertia of a hand over load/speed: it settles in a few tenths of a second
+constexpr double kSluggish = 0.1;  // [1] inertia of a hand over load/speed; settles in a few tenths of a second
 
 /// Runs a drilling test with constants fitted to this test: a round trip, not a prediction.
 std::vector<Check> drillings() {

@@ -30,7 +30,7 @@ struct PublishedDrilling {
   }
   [[nodiscard]] Calibration constants() const {
     const DrillingTest one = test();
-    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // one test cannot identify it, so it is 0
+    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // one test cannot identify the edge term, so it is 0
   }
 };
 
@@ -65,7 +65,7 @@ struct CarbideBur {
   static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
 };
 
-/// Published measurements beside what the model predicts, in Markdown: `hapticut validate --measurements`.
+/// Published measurements and the model's predictions for them, in Markdown: `hapticut validate --measurements`.
 [[nodiscard]] std::string measurements_report();
 
 }  // namespace hapticut::experiments

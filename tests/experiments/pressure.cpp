@@ -21,9 +21,9 @@ constexpr int kPosesPerPlane = 20;
 
 constexpr int kQuadraturePoints = 200;
 
-/// The oracle's description of a head: its depth, which vanishes on its whole surface, and its smooth end. This disk
-/// stays outside the material here (tests/system/physics/smooth_sides_test.cpp presses it in), but it bounds the depth
-/// below it.
+/// The oracle's description of a head: its depth, which vanishes on its whole surface, and its smooth end. The smooth
+/// end is a disk. It stays outside the material here (tests/system/physics/smooth_sides_test.cpp presses it in), but it
+/// bounds the depth below the disk.
 struct OracleHead {
   const char* name;
   ToolHead head;
@@ -37,8 +37,8 @@ struct OracleHead {
   // of a cone), lattice points add an error of order 1.5.
   double constant;
   double behind;            // constant when To is in the material
-  double root_mean_square;  // [1] over all poses, at l = 0.05 mm; at coarser voxels of second order, at finer ones of
-                            // the lowest order
+  double root_mean_square;  // [1] over all poses at l = 0.05 mm; grows by order 2 to coarser voxels, and falls by
+                            // `min_order` to finer ones
   double min_order;
 
   /// [m] Radius of a ball about the middle of the head that contains the head.

@@ -40,7 +40,7 @@ Push push(Simulation& simulation, const GridCut& cut, const Way& way, double han
   return pushed;
 }
 
-/// The worst of all directions and of the stiffnesses from `softest` on.
+/// The worst error over all directions and over the stiffnesses from `softest` up.
 /// @param speed_under  [m/s] of the closed form under a force [N]
 template <class SpeedUnder>
 Check pushed(const char* id, const char* what, const GridCut& cut, double hand, double voxel,
@@ -98,7 +98,7 @@ std::vector<Check> drills_with_chips() {
   struct Chips {
     const char* id;
     const char* what;
-    double edge, size, share;  // [1] lengths over the chip; of the force
+    double edge, size, share;  // [1] edge and size over the chip, share of the force
     Tolerance tolerance = kPushed;
     bool upright = false;
   };
@@ -117,7 +117,8 @@ std::vector<Check> drills_with_chips() {
   return checks;
 }
 
-/// In the steady state a force below the threshold of the edges cuts nothing: an edge pressure, or ploughing lips.
+/// In the steady state a force below the threshold of the edges cuts nothing. The threshold comes from an edge pressure
+/// or from ploughing lips.
 std::vector<Check> below_the_edges() {
   const Way upright = ways(0.1 * mm)[1];
   const auto speed = [&](const forms::SteadyCut& cut, double hand) {

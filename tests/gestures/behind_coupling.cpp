@@ -54,7 +54,7 @@ bool is_unbalanced(const Tick& tick) { return has_any(tick.status, StepStatus::n
 // --- G42 -------------------------------------------------------------------------------------------------------------
 
 void circles_at_any_rate(Report& report) {
-  constexpr double kCircle = 0.15 * mm;  // [m] its radius
+  constexpr double kCircle = 0.15 * mm;  // [m] radius of the circle
   const double period = report.period;
   for (const PressedBur& bur : turning_burs()) {
     report.scene(bur.name + ", circles of 0.3 mm at 0.5 ... 16 kHz, coupled");
@@ -124,7 +124,7 @@ void drill_a_hole(Report& report) {
       loop.play(hand.move({0, 0, -depth}, depth / (5 * mm)).hold(0.1));
       const Vec3 tip = loop.log.ticks.back().X_WH.translation - Vec3(0, 0, tip_below_hand(bur.tool));
       const double volume = loop.log.sum(loop.log.all(), removed_of), deep = -tip.z();
-      const double cone = 0.5 * diameter / std::tan(59 * units::deg), point = std::min(deep, cone);  // [m] of its point
+      const double cone = 0.5 * diameter / std::tan(59 * units::deg), point = std::min(deep, cone);  // [m] of the point
       const double wide = 0.5 * diameter * point / cone;                                             // [m] radius there
       const double hole = kPi * wide * wide * (point / 3 + deep - point);
       const double wider = std::pow(volume / hole, deep > cone ? 1.0 / 2 : 1.0 / 3);
@@ -151,7 +151,7 @@ double cone_radius(double force, double strength, double layer, double rubs) {
 void needle(Report& report) {
   constexpr double kForce = 1;
   const Tool tool = tool_of(needle_head(1.2 * mm, 4 * mm));
-  const double slope = 0.6 * mm / (4 * mm);  // [1] of its side
+  const double slope = 0.6 * mm / (4 * mm);  // [1] slope of the side
   for (const Material& material : {presets::enamel(), presets::cortical_bone(), presets::trabecular_bone()}) {
     report.scene("needle 1.2 mm, standing, 1 N on " + material.name + ", coupled");
     ScriptedLoop loop(report, slab(0.8 * mm, 3 * mm, report.voxel(), material), tool, Held::by_coupling);
@@ -203,7 +203,7 @@ void constant_force(Report& report) {
 
 // --- G47 -------------------------------------------------------------------------------------------------------------
 
-/// An exchange in a simulation while its tool is pressed; the coupling is not told.
+/// Exchanges something in a simulation while the tool is pressed. The coupling gets no notice of it.
 struct Exchange {
   const char* name;
   std::function<void(ScriptedLoop&, const WorkpieceSnapshot&)> happens;
@@ -290,7 +290,7 @@ void refused_readings(Report& report) {
 // --- G49 -------------------------------------------------------------------------------------------------------------
 
 void deep_holes(Report& report) {
-  constexpr double kRadius = 1.25 * mm, kSpeed = 1500 * 2 * kPi / 60, kLip = 50 * units::um;  // [m] a lip
+  constexpr double kRadius = 1.25 * mm, kSpeed = 1500 * 2 * kPi / 60, kLip = 50 * units::um;  // kLip: [m] per lip
   const Material bone = presets::cortical_bone(CutterKind::twist_drill);
   const double feed = 2 * kLip * kSpeed / (2 * kPi);  // [m/s]
   for (const bool twist : {false, true}) {
@@ -318,7 +318,7 @@ void deep_holes(Report& report) {
 
 // --- G51 -------------------------------------------------------------------------------------------------------------
 
-/// A tick takes 1 ms at 15 ns for each voxel at the surface of the head (docs/performance.md).
+/// A tick must fit into 1 ms, at 15 ns for each voxel at the surface of the head (docs/performance.md).
 void rigid_hand(Report& report) {
   constexpr double kMaxVoxels = 1e-3 / 15e-9;
   for (const bool turning : {false, true}) {

@@ -70,7 +70,7 @@ void side_milling(Report& report) {
     for (const double kappa : {0.5, 1.6, 3.3}) {
       Material material = plain_material();
       material.cutting_ratio = kappa;
-      // The feed is along +x, the spin about +z: on the side of +y a chip begins at its full thickness.
+      // The feed is along +x and the spin is about +z, so at +y a chip begins with its full thickness.
       const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
       Workpiece piece = build_block({Vec3(-1.57 * mm, low, -kHeight), Vec3(3 * mm, high, 0)}, report.voxel(), material);
       const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000 * units::rad_per_s});
@@ -145,7 +145,7 @@ void break_through(Report& report) {
   const double reach = kForce / hand_model("nominal").stiffness;
   Hand hand(Pose::from_translation(Vec3(0, 0, kRadius + 0.5 * mm)));
   chain.play(hand.move({0, 0, -0.5 * mm - reach}, 0.3).hold(0.9));
-  // Broken through: the ball's lowest point has passed the plate.
+  // The ball has broken through when its lowest point has passed the plate.
   const SceneLog& log = chain.log;
   std::size_t through = log.ticks.size(), meets = log.ticks.size();
   const auto tip = [](const Tick& tick) { return tick.X_WH.translation.z() - kRadius; };
@@ -167,7 +167,7 @@ void break_through(Report& report) {
   report.at_most("rebound", up / down, 1.05, "", "speed back over speed of the plunge");
   report.at_most("plunge", down, 1, "m/s");
   const Span after{meets, std::min(meets + std::size_t(std::lround(0.03 / report.period)), log.ticks.size())};
-  // The depth that C28 gives for the largest force of the plunge, from the surface on.
+  // The depth that the ball reaches by C28 under the largest force of the plunge, starting at the surface.
   const double most = log.max_of(after, force_of);
   double bound = 0.05 * mm;
   for (std::size_t n = after.first; n < after.last; ++n) {
@@ -223,7 +223,7 @@ void along_the_grid(Report& report) {
     const Tool tool = tool_of(bur.head, Spindle{bur.speed * units::rad_per_s});
     DeviceChain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material),
                       tool);
-    // The script of mock:press: from 5 mm above to 5 mm below in 2 s, and there.
+    // The script of mock:press moves the hand from 5 mm above the surface to 5 mm below it in 2 s, and holds it there.
     Hand hand(tool, Vec3(0, 0, 5 * mm));
     chain.play(hand.move({0, 0, -10 * mm}, 2).hold(0.5));
     const Span held = chain.log.within(2.1, 2.5);

@@ -15,8 +15,8 @@ namespace {
 
 /// Force of the motors while the hand leaves an ideal spring.
 struct Leaving {
-  double pulled = 0;  // [N] inwards
-  double left = 0;    // [N] 5 mm and more outside
+  double pulled = 0;  // [N] largest inward force
+  double left = 0;    // [N] largest force at 5 mm or more outside
 };
 
 Leaving press_spring(const DeviceModel& model, double period) {
@@ -166,7 +166,7 @@ void flick(Report& report) {
   hand.hold(0.02);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<double> begins;  // [s] of the flicks
+  std::vector<double> begins;  // [s] start times of the flicks
   for (int n = 0; n < flicks; ++n) {
     begins.push_back(hand.seconds());
     for (int part = 0; part < 4; ++part) {  // the wrist rotates and the arm follows
@@ -187,7 +187,7 @@ void flick(Report& report) {
   const std::vector<Tick>& ticks = chain.log.ticks;
   for (std::size_t n = 0; n + 1 < begins.size(); ++n) {
     const Span span = chain.log.within(begins[n], begins[n + 1]);
-    double work = 0;  // of the hand on the stylus, which has no torque
+    double work = 0;  // [J] of the hand on the stylus, which renders no torque
     for (std::size_t k = std::max<std::size_t>(span.first, 1); k < span.last; ++k) {
       const Vec3 moved = ticks[k].X_WD.translation - ticks[k - 1].X_WD.translation;
       work += -ticks[k - 1].applied.force.dot(moved) + 0.5 * spring * moved.squaredNorm();

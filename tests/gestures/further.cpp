@@ -110,7 +110,7 @@ void slide_off_an_edge(Report& report) {
 // --- G27 -------------------------------------------------------------------------------------------------------------
 
 void tremor(Report& report) {
-  constexpr double kRadius = 1 * mm, kPressed = 3 * mm;  // 2.1 N
+  constexpr double kRadius = 1 * mm, kPressed = 3 * mm;  // [m]; the spring of a Touch has 2.1 N at 3 mm
   double calm = 0;
   for (const bool trembling : {false, true}) {
     report.scene(std::string("ball 2 mm, 30 000 rpm, pressed with 2 N on cortical bone, ") +

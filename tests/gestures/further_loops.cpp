@@ -14,7 +14,7 @@ Hand pressed_hand() {
   return hand.move({0, 0, -4.2 * mm}, 0.2);
 }
 
-/// [m] Largest distance of the tool within a span from its place at a time.
+/// [m] Largest distance of the tool, within a span, from its place at the given time.
 double moved_since(const SceneLog& log, double time, const Span& span) {
   const Vec3 from = log.at(time).X_WH.translation;
   return log.max_of(span, [&](const Tick& tick) { return (tick.X_WH.translation - from).norm(); });

@@ -15,7 +15,7 @@ struct Gesture {
   bool has_voxels = true;  ///< false: runs once, without voxels
 };
 
-// By subject; `all_gestures` joins these lists.
+// The gestures by subject. `all_gestures` joins these lists.
 [[nodiscard]] std::vector<Gesture> hole_gestures();          ///< a tool in a hole
 [[nodiscard]] std::vector<Gesture> press_gestures();         ///< a standing head
 [[nodiscard]] std::vector<Gesture> cutting_gestures();       ///< a cutting head

@@ -30,7 +30,8 @@ constexpr bool kWithAssertions = false;
 #else
 constexpr bool kWithAssertions = true;
 #endif
-// Half a minute in a release build is a quarter of an hour with a sanitizer, so these builds run a few gestures.
+// All gestures take half a minute in a release build and a quarter of an hour with a sanitizer. Builds with a sanitizer
+// or with assertions run only a few gestures.
 constexpr bool kAll = !kWithAssertions && !test::kWithAddressSanitizer && !test::kWithThreadSanitizer;
 
 std::vector<std::string> ids() {
@@ -52,7 +53,7 @@ std::string in_words(const Row& row) {
   return words;
 }
 
-/// The rows of a gesture, which runs once in a process.
+/// The rows of a gesture. A process runs each gesture only once.
 const std::vector<Row>& rows_of(const std::string& id) {
   static std::map<std::string, std::vector<Row>> done;
   std::vector<Row>& rows = done[id];

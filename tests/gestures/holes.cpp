@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tool in a hole that it has drilled, or in one that fits.
+// A tool in a hole that it has drilled, or in a prepared hole.
 #include "gestures/gesture_list.hpp"
 #include "gestures/scripted_loops.hpp"
 #include "hapticut/tool/profile.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDrillRadius = 1 * mm;  // [m]
 constexpr double kDrillLength = 6 * mm;  // [m]
-constexpr double kHoleDepth = 3 * mm;    // [m] of the tip
+constexpr double kHoleDepth = 3 * mm;    // [m] depth of the tip
 constexpr Vec3::Scalar kFeed = 5 * mm;   // [m/s]
 constexpr double kPointAngle = 118 * units::deg;
 
@@ -129,7 +129,7 @@ void tilt_in_hole(Report& report) {
   const Vec3 middle(0, 0, -0.5 * kHoleDepth);
   const double length = kHoleDepth - borer.point;
   const double thrust =
-      drilled.loop.log.ticks.back().felt.force.z();  // of the edges on the bottom, below their cutting threshold
+      drilled.loop.log.ticks.back().felt.force.z();  // [N] the edges on the bottom, below their cutting threshold
   double before = 0;
   for (const double angle : {1.0, 2.0, 5.0}) {
     Hand tilt = before == 0 ? drilled.loop.from_here() : Hand(drilled.loop.log.ticks.back().X_WD);
@@ -179,8 +179,8 @@ void shank_on_rim(Report& report) {
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));
     const Vec3 ball_center(0, 0, -kDepth + 0.1 * mm + kBall);
     const Span tilted = loop.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
-    // The shank is d deep at the rim and less deep below it, on both sides of the deepest line: with w = beta d there
-    // F = (8/15) k beta^2 r sqrt(2/(R - r)) d^3.5/(3.5 tan a).
+    // The shank is d deep in the rim. It is less deep below the rim and on both sides of the deepest line. With w =
+    // beta d at that line, F = (8/15) k beta^2 r sqrt(2/(R - r)) d^3.5/(3.5 tan a).
     const double deep = -ball_center.z() * std::tan(kAngle) + kShank / std::cos(kAngle) - kHole;
     const double k = loop.simulation.config().reference_stiffness * presets::cortical_bone().relative_stiffness;
     const double force = 8.0 / 15 * k * std::pow(kSmoothScale, 2) * kShank * std::sqrt(2 / (kHole - kShank)) *
@@ -201,7 +201,7 @@ void press_fit(Report& report) {
   ScriptedLoop loop(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Held::directly);
   Hand hand(pin, Vec3(0, 0, -kIn));
   loop.play(hand.hold(0.02));
-  loop.log.begin(loop.simulation);  // the tool appeared in the hole
+  loop.log.begin(loop.simulation);  // the tool was placed in the hole without work
   const double k = loop.simulation.config().reference_stiffness * bone.relative_stiffness;
   const auto squeeze = [&](double length) {  // [N] sum of the normal forces: pressure k w^2/2 on the wall
     return k * std::pow(kPin - kHole, 2) / 2 * 2 * kPi * kHole * length;

@@ -15,8 +15,8 @@ struct KnownFailure {
   std::string_view seen;             // the result when the row was added
 };
 
-/// In the order of the gestures. A test checks that each listed demand fails in at least one scene and that no other
-/// fails.
+/// The known failures in the order of the gestures. A test checks that each listed demand fails in at least one scene
+/// and that no other demand fails.
 [[nodiscard]] std::span<const KnownFailure> known_failures();
 
 /// The reason why a row is not met; empty if it is met or not listed.

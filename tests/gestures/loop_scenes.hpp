@@ -24,7 +24,7 @@ inline constexpr double kBallRadius = 1 * mm;  // [m]
 
 [[nodiscard]] inline double applied_of(const Tick& tick) { return tick.applied.force.norm(); }
 
-/// In no tick of a span does the motor force grow faster than the slew limit of a Touch.
+/// Demands that in no tick of a span the motor force grows faster than the slew limit of a Touch.
 inline void demand_slow_growth(Report& report, const SceneLog& log, const Span& span,
                                const std::string& demand = "force step") {
   double max_growth = 0;  // [N] in one tick

@@ -38,7 +38,7 @@ using test::strength_of;
                      voxel, std::move(material));
 }
 
-/// [m] of a point from a box, negative inside; a bound outside of the corners.
+/// [m] Distance of a point from a box, negative inside. Outside an edge or a corner it is a lower bound.
 [[nodiscard]] inline double box_distance(const Box& box, const Vec3& p) {
   return std::max((box.min - p).maxCoeff(), (p - box.max).maxCoeff());
 }
@@ -53,7 +53,7 @@ template <class Distance>
                     voxel, MaterialTable({std::move(material)}), 4);
 }
 
-/// A half space with a straight hole whose bottom is flat, or as a drill of this point angle leaves it.
+/// A half space with a straight hole. The bottom of the hole is flat, or has the point angle of a drill.
 [[nodiscard]] inline Workpiece with_hole(double half_width, double depth, double voxel, Material material,
                                          double radius, double hole_depth, double point_angle = kPi) {
   const double slope = point_angle < kPi ? 1 / std::tan(point_angle / 2) : 0;  // [1] rise of the point
@@ -88,7 +88,7 @@ struct NamedHead {
           {"twist drill 2 mm", twist_drill_head(2 * mm, 4 * mm)}};
 }
 
-/// [m^2] of a head's section at a height above its tip.
+/// [m^2] Area of a head's section at a height above the tip.
 [[nodiscard]] inline double section_area(const ToolHead& head, double height) {
   constexpr int kSteps = 200;
   const HeadBox box = head.bounding_box();
@@ -102,8 +102,8 @@ struct NamedHead {
   return kPi * radius * radius;
 }
 
-/// [m] Depth to which a force presses a standing head into a face: each ring of the head bears k w^2/2 of the layer w
-/// below it, along its normal, and at most the strength.
+/// [m] Depth to which a force presses a standing head into a face. Each ring of the head bears the pressure k w^2/2,
+/// and at most the strength. w is the thickness of the layer below the ring, along the ring's normal.
 /// @param stiffness  [N/m^4] k of the material
 [[nodiscard]] inline double pressed_depth(const ToolHead& head, double force, const Material& material,
                                           double stiffness) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A standing head, pressed and slid; and a corner, with a standing and a cutting head.
+// A standing head that is pressed and slid, and a standing or cutting head in a corner.
 #include "gestures/gesture_list.hpp"
 #include "gestures/scripted_loops.hpp"
 
@@ -20,7 +20,7 @@ void corner(Report& report) {
     for (const double kappa : {0.5, 1.0, 2.0, 3.3, 5.0}) {
       Material hard = plain_material();
       hard.cutting_ratio = kappa;
-      hard.specific_cutting_energy = 1e11;  // so hard that it stays a corner
+      hard.specific_cutting_energy = 1e11;  // too hard to be cut away
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
       const Tool ball = tool_of(SphereHead{kRadius}, Spindle{(cutting ? 30000 : 0) * rpm});
       ScriptedLoop loop(report, std::move(piece), ball, Held::by_coupling);
@@ -53,12 +53,12 @@ struct Punch {
   ToolHead head;
   double (*area)(double thickness);  // [m^2]
   double radius;                     // [m] of the hole
-  double travel;                     // [m] of the tip until it is through, beyond the thickness
+  double travel;                     // [m] of the tip beyond the thickness, until the head is through
 };
 
 constexpr double kPunch = 0.5 * mm;             // [m] radius of ball and cylinder
 constexpr double kConeHeight = 1.5 * mm;        // [m]
-constexpr double kConeAngle = 20 * units::deg;  // half of it
+constexpr double kConeAngle = 20 * units::deg;  // half-apex angle
 
 double cone_radius() { return kConeHeight * std::tan(kConeAngle); }
 double area_of_punch(double) { return kPi * kPunch * kPunch; }
@@ -88,7 +88,7 @@ void plates(Report& report) {
         loop.play(hand.move({0, 0, -way}, way / (10 * mm)));
         const double solid_before = (1.1 + 1.13) * (1.1 + 1.17) * mm * mm * t;
         const double less = solid_before - loop.simulation.workpiece().amounts().front().volume;
-        const double gone = less > 1e-6 * volume ? less : 0;  // less is rounding of single precision
+        const double gone = less > 1e-6 * volume ? less : 0;  // a smaller loss is rounding in single precision
         const double most = loop.log.max_of(loop.log.all(), thrust_of);
         const double strength = strength_of(bone) * punch.area(t);
         // The remaining wall presses on the side; friction there adds to the resistance.
@@ -129,10 +129,10 @@ void groove(Report& report) {
                     [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                    report.voxel(), MaterialTable({left, right}), 8);
     ScriptedLoop loop(report, std::move(piece), tool_of(SphereHead{kRadius}), held);
-    const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // of its centre
+    const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // [m] height of the ball's centre
     const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / touch_gains().stiffness;
     Hand hand(Pose::from_translation(Vec3(0, -1 * mm, seat + 0.2 * mm)));
-    hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // because a tool that begins in contact waits
+    hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // a tool that begins in contact would wait
     hand.move({0, 0, -0.02 * mm - pressed}, 0.05).hold(0.02);
     const Span slid = loop.play(hand.move({0, held == Held::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
     const double along = -loop.log.mean(slid, [](const Tick& t) { return t.model.force.y(); });

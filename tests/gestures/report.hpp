@@ -12,7 +12,7 @@ namespace hapticut::gestures {
 /// A number with three digits and its unit: "2.36 N".
 [[nodiscard]] std::string shown(double value, const std::string& unit);
 
-/// Appends a shown number to a list.
+/// Appends a number, as text, to a list.
 inline void list(std::string& text, const std::string& of, const std::string& value) {
   text += (text.empty() ? "" : ", ") + of + " " + value;
 }

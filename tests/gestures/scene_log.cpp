@@ -16,8 +16,8 @@ constexpr double kNothing = 1e-9;      // [J] negligible work
 constexpr double kLittle = 1e-5;       // [J] below this turnover the coupling's tolerance of 10 mN dominates
 constexpr double kNoVolume = 1e-15;    // [m^3] negligible volume
 constexpr double kRounding = 1.001;    // [1]
-constexpr double kNoPower = 1e-6;      // [W] of a stalled motor, by single precision
-constexpr double kLent = 1e-3;         // [1] of the rotor's kinetic energy
+constexpr double kNoPower = 1e-6;      // [W] of a stalled motor: rounding in single precision
+constexpr double kLent = 1e-3;         // [1] share of the rotor's kinetic energy that may feed the load
 constexpr double kSpeedKnown = 2e-3;   // [1] of the setting: accuracy of the motor's speed
 
 /// [m] Engaged layer (C34) half a voxel beside the axis, for the material with the thickest layer.
@@ -57,7 +57,7 @@ void SceneLog::track_energy(const Tick& tick, double voxel) {
   min_given_ =
       std::min(min_given_, tick.energy.hand_work - start_.hand_work + tick.energy.motor_work - start_.motor_work);
   max_entered_ = std::max(max_entered_, std::abs(tick.energy.entered - start_.entered));
-  // The change of force along the motion of a sub-step, which is at most half a voxel.
+  // The error of a step is the change of the force along the motion of a sub-step, which is at most half a voxel.
   const Twist motion = twist_between(last.X_WH, tick.X_WH, 1);
   const double error = std::abs((tick.model.force - last.model.force).dot(motion.linear) +
                                 (tick.model.torque - last.model.torque).dot(motion.angular));
@@ -111,8 +111,8 @@ void SceneLog::on_step(const ObservedStep& step) noexcept {
   const double w = std::abs(spindle.speed);
   const double worked = std::max(0.0, step.result.energy.motor_work - motor_work_);
   motor_work_ = step.result.energy.motor_work;
-  // A rotor that slows down gives energy that is not the motor's. Within the step the motor passed all speeds between
-  // the two, and may have swung by as much again.
+  // A rotor that slows down releases energy that does not come from the motor. Within the step the motor passed all
+  // speeds between the old and the new one, and may have overshot by the same difference.
   const double slowed = std::max(0.0, rotor_speed_ * rotor_speed_ - w * w);
   const double max_speed = std::max(rotor_speed_, w);
   const double min_speed = std::max(0.0, max_speed - 2 * std::abs(w - rotor_speed_));

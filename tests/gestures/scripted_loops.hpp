@@ -62,7 +62,7 @@ class ScriptedLoop {
 
 struct ChainOptions {
   std::string device = "touch";
-  std::string hand = {};  // empty: the stylus follows the script whatever the force
+  std::string hand = {};  // empty: the stylus follows the script at any force
   SimulationConfig config = {};
   std::optional<CouplingGains> gains = {};  // empty: coupling_gains of the device
   bool coupled = true;

@@ -19,7 +19,7 @@ int __pthread_mutex_lock(pthread_mutex_t* mutex) __attribute__((weak));
 namespace hapticut::test {
 namespace {
 
-// initial-exec: reading the counters must not itself allocate.
+// The TLS model is initial-exec, because reading the counters must not allocate.
 __attribute__((tls_model("initial-exec"))) thread_local bool armed = false;
 __attribute__((tls_model("initial-exec"))) thread_local CallCounts counts;
 

@@ -26,7 +26,7 @@ constexpr auto names_of(Of<Motion>) {
 
 class ComposedHand {
  public:
-  /// @param tool  whose tip begins in the air, upright
+  /// @param tool  begins upright, with its tip in the air
   explicit ComposedHand(const Tool& tool) { hold(tool); }
 
   /// Puts another tool into the hand; the handle stays where it is.
@@ -54,7 +54,7 @@ class ComposedHand {
   }
 
   /// Advances by a tick.
-  /// @param felt  [N] that the hand felt last
+  /// @param felt  [N] force that the hand felt last
   void move(double felt, double dt) {
     const Vec3 tip = X_WD_ * tip_H_;
     Vec3 linear = drag_;
@@ -66,7 +66,7 @@ class ComposedHand {
       linear = Vec3(0, 0, kFast);
       angular = -2 * vector_from_rotation(X_WD_.rotation);  // upright again
     }
-    for (int axis = 0; axis < 3; ++axis) {  // stays within the piece and near it
+    for (int axis = 0; axis < 3; ++axis) {  // the tip stays in the piece or near it
       const double low = axis == 2 ? -kBelow : -kAside, high = axis == 2 ? kAir : kAside;
       if (tip[axis] < low) linear[axis] = std::max(linear[axis], kFast);
       if (tip[axis] > high) linear[axis] = std::min(linear[axis], -kSlow);

@@ -22,11 +22,11 @@ struct Margins {
   double unbooked = 0;     // [1] of the turnover, without what entered
   double unexplained = 0;  // [1] of the coupling's turnover
   double announced = 0;    // [1] of the coupling's turnover, in ticks with not_in_balance
-  double volume = 0;       // [1] of the removed volume: difference of two sums of it
+  double volume = 0;       // [1] difference of two sums of the removed volume, over that volume
   double too_deep = 0;     // [1] depth of solid material in the head over the allowed depth
   double power = 0;        // [1] of the motor's characteristic
   std::uint64_t ticks = 0, cutting = 0, waiting = 0, refused = 0, stalled = 0, crushing = 0, unbalanced = 0,
-                grips = 0;  // of that kind
+                grips = 0;  // numbers of ticks of each kind, and of grips
 
   void add(const Margins& other) {
     for (auto member : {&Margins::entered, &Margins::unbooked, &Margins::unexplained, &Margins::announced,
@@ -68,7 +68,7 @@ class ComposedInvariants final : public StepObserver {
   ComposedInvariants(const ComposedInvariants&) = delete;
   ComposedInvariants& operator=(const ComposedInvariants&) = delete;
 
-  /// To be called before something other than a step changes the workpiece; afterwards `begin_volume`.
+  /// To be called before something other than a step changes the workpiece. Call `begin_volume` afterwards.
   void end_volume() {
     const double lost = volume_at_begin_ - volume_of(simulation_->workpiece());
     const double off = std::abs(lost - removed_) / std::max(removed_, kVolume);
@@ -83,7 +83,7 @@ class ComposedInvariants final : public StepObserver {
   /// To be called when the coupling has other gains or another tool: its stored energy jumps.
   void expect_jump_of_stored() { energy_jumps_ = true; }
 
-  /// To be called when the hand takes the tool again, and the coupling's ledger begins again.
+  /// To be called when the hand grips the tool again. The coupling's ledger then begins again.
   void expect_new_grip() { is_released_ = true; }
 
   /// @param was_refusable  the reading of this tick was not a motion of a hand
@@ -132,7 +132,7 @@ class ComposedInvariants final : public StepObserver {
 
   /// Checks a tick of a loop that has its own coupling.
   /// @param removed  [m^3] in this tick, from the loop
-  /// @param applied  to the motors, after the guard
+  /// @param applied  wrench of the motors, after the guard
   void look(double removed, const Wrench& applied, double max_force, const Pose& X_WT) {
     ++margins.ticks;
     must(is_finite(applied), "the wrench of the motors is finite");
@@ -218,8 +218,8 @@ class ComposedInvariants final : public StepObserver {
     for (std::size_t n = 0; n < kGrowing.size(); ++n)
       must(e.*kGrowing[n] >= ledger_.*kGrowing[n], kNames[n], e.*kGrowing[n] - ledger_.*kGrowing[n]);
     must(e.elastic >= 0 && e.anchored >= 0, "nothing stored is negative", std::min(e.elastic, e.anchored));
-    // Error that vanishes with the step: the change of force along the path, of which a sub-step covers at most half a
-    // voxel.
+    // This error vanishes with the step. It is the change of the force along the path of a sub-step, which is at most
+    // half a voxel.
     const Twist path = twist_between(pose_, step.input.X_WH, 1);
     const double change = std::abs((step.result.model.force - model_.force).dot(path.linear)) +
                           std::abs((step.result.model.torque - model_.torque).dot(path.angular));
@@ -265,8 +265,8 @@ class ComposedInvariants final : public StepObserver {
     must(depth <= allowed, "no solid material is deep in the head", depth, allowed);
   }
 
-  /// The power of the motor in a step is its work less the work of the rotor as it slowed down. Its limit is the
-  /// characteristic at the speeds of the step.
+  /// The power of the motor in a step is the motor's work, minus the energy that the slowing rotor gave, over the
+  /// step's time. The limit is the motor's characteristic at the speeds of the step.
   void look_at_motor(const ObservedStep& step) noexcept {
     const Spindle& motor = step.simulation.tool().spindle();
     const double w = std::abs(step.result.spindle.speed);
@@ -298,10 +298,10 @@ class ComposedInvariants final : public StepObserver {
   double volume_at_begin_ = 0, removed_ = 0, removed_in_tick_ = 0;  // [m^3]
   EnergyLedger ledger_;
   Pose pose_;              // of the last step
-  Wrench model_;           // of it
+  Wrench model_;           // of the last step
   double step_error_ = 0;  // [J] of `entered`
   CouplingEnergy coupling_;
-  double explained_ = 0;  // [J] of the coupling's imbalance, by what changed between ticks
+  double explained_ = 0;  // [J] of the coupling's imbalance, due to changes between ticks
   bool is_exchanged_ = false, is_released_ = true, energy_jumps_ = false, solid_may_be_deep_ = false;
   double rotor_speed_ = std::numeric_limits<double>::infinity();  // [rad/s]
   Pose X_WH_;

@@ -19,8 +19,7 @@
 #include "support/random_pose.hpp"
 #include "support/sanitizers.hpp"
 
-/// Pieces, tools, gains and configurations drawn from a seed, for sequences that no person wrote, and the number of
-/// sequences to run.
+/// Pieces, tools, gains and configurations drawn from a seed, for random sequences, and the number of sequences to run.
 namespace hapticut::test {
 
 inline int below(int n, RandomPoses& random) { return std::min(n - 1, int(random.between(0, n))); }
@@ -94,7 +93,7 @@ inline Tool some_tool(RandomPoses& random) {
         return SphereHead{diameter / 2};
     }
   };
-  return Tool{head(), handle, some_spindle(random)};  // braces: in this order with every compiler
+  return Tool{head(), handle, some_spindle(random)};  // braces: every compiler keeps this order of evaluation
 }
 
 inline CouplingGains some_gains(bool turns, RandomPoses& random) {
@@ -127,7 +126,8 @@ inline const std::uint64_t kFewTicks = kWithAddressSanitizer ? 2500 : 5000;
 inline std::uint64_t many_ticks() { return number_from("HAPTICUT_COMPOSED_TICKS", 100000); }
 
 /// Runs sequences with different seeds until a number of ticks is reached.
-/// @tparam Run    made from a seed; run(ticks) tells whether the invariants hold, what_is_broken() names a broken one
+/// @tparam Run    constructed from a seed; run(ticks) tells whether the invariants hold, what_is_broken() names a
+/// broken one
 /// @param broken  a seed that is known to break an invariant; 0: no seed
 template <class Run>
 Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
@@ -146,7 +146,7 @@ Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
   }
   testing::Test::RecordProperty("composed", margins.in_words());
   std::cout << margins.in_words() << "\n";
-  EXPECT_GT(margins.cutting * 100, margins.ticks) << "else the invariants were not tested";
+  EXPECT_GT(margins.cutting * 100, margins.ticks) << "too few ticks cut to test the invariants";
   return margins;
 }
 

@@ -15,15 +15,15 @@ namespace hapticut::test {
 
 inline constexpr double kSceneVoxel = 0.1 * units::mm;
 
-/// [1] of `difference`. Positions in single precision differ in their last bits between frames. A voxel then counts one
-/// step earlier or later, or by another curve of a profile: one of hundreds.
+/// [1] Tolerance of `difference`. Positions in single precision differ in their last bits between frames. One voxel
+/// among hundreds may then count a step earlier or later, or get another curve of a profile.
 inline constexpr double kOneVoxel = 5e-3;
 
 /// A block of two materials that the head is pressed into, along a straight path.
 struct CutScene {
   Box box_V = {Vec3(-1.52, -1.43, -1.61) * units::mm, Vec3(1.38, 1.51, 0.03) * units::mm};
   GridFrame frame = {kSceneVoxel, {}};
-  VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
+  VoxelIndex shift = {0, 0, 0};  // added to the indices of all voxels
   bool mirrored = false;         // at x = 0 of the grid
   ToolHead head = SphereHead{0.8 * units::mm};
   Handle handle = RayHandle{0};  // a ray without length: the wrench is about To
@@ -48,7 +48,7 @@ struct CutScene {
 struct CutOutcome {
   std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
   std::vector<double> max_normal;  // [N] upper bound on the sum of all normal forces
-  double one_voxel = 0;            // [N] upper bound on the force of a voxel; of the default law
+  double one_voxel = 0;            // [N] upper bound on the force of a voxel by the default law
   double removed_volume = 0;
   EnergyLedger energy;
   double turnover = 0;     // [J] magnitudes of the works of hand and motor
@@ -125,8 +125,8 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   return outcome;
 }
 
-/// Maximum difference of force and torque on the path, relative to the maximum force and to 1 mm times it. A contact of
-/// few voxels is compared as one of hundreds.
+/// Maximum difference of force and torque on the path. Forces are relative to the maximum force, torques to the maximum
+/// force times 1 mm. A contact of few voxels is treated like a contact of hundreds of voxels.
 inline double difference(const CutOutcome& a, const CutOutcome& b) {
   double force = 0, worst = 0;
   for (std::size_t n = 0; n < a.wrenches_V.size(); ++n) {
@@ -147,7 +147,7 @@ inline CutOutcome mirrored_back(CutOutcome outcome) {
   return outcome;
 }
 
-/// A head in the middle of the upper face, in any orientation, going anywhere at up to 10 mm/s.
+/// A head in the middle of the upper face, in any orientation, that moves in any direction at up to 10 mm/s.
 inline CutScene arbitrary_cut_scene(const ToolHead& head) {
   CutScene scene;
   scene.head = head;

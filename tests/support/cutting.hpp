@@ -27,7 +27,8 @@ inline Material plain_material() {
   return material;
 }
 
-/// [1] Work that no term of the ledger has, including `entered`, relative to the turnover: rounding.
+/// [1] Work that no term of the ledger accounts for, not even `entered`, relative to the turnover. Only rounding
+/// remains.
 inline double unbooked(const EnergyLedger& energy) {
   return std::abs(energy.imbalance() + energy.entered) / energy.turnover;
 }
@@ -68,7 +69,7 @@ inline const std::vector<Orientation> kOrientations = {
     {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
     {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
 };
-inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in its own axes
+inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in the tool's axes
 
 /// The part of a box where `distance` [m] is negative, of one material.
 template <class Distance>
@@ -91,8 +92,8 @@ struct SteadyState {
   StepStatus status = StepStatus::ok;  // all bits of all steps
 };
 
-/// Feeds the tool along a straight line at constant speed and averages from `from` of the path on.
-/// @param R_WT  orientation of the tool, in whose axes the means are
+/// Feeds the tool along a straight line at constant speed, and averages after the fraction `from` of the path.
+/// @param R_WT  orientation of the tool; the means are along the tool's axes
 inline SteadyState feed(Simulation& simulation, const Vec3& start, const Vec3& feed_velocity, double travel, double dt,
                         double from = 0.5, const Mat3& R_WT = Mat3::Identity()) {
   SteadyState state;

@@ -17,7 +17,7 @@ inline RunOptions quick() {
   RunOptions options;
   options.stop_on_signals = false;
   options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
-  options.guard.watchdog.fade_after = 9;  // by the wall clock, and the machine may be busy
+  options.guard.watchdog.fade_after = 9;  // [s] of the wall clock; long, because the machine may be busy
   options.guard.watchdog.fault = 10;
   return options;
 }
@@ -46,7 +46,7 @@ inline DeviceCallback press_and_release(long free, long again, long ticks) {
 /// A force that enters and leaves contact, saturates and is not finite. It reaches every branch of the guard that does
 /// not end the run.
 /// @param n       tick, from 1
-/// @param growth  [N] a tick, over 300 ticks of each 400
+/// @param growth  [N] per tick, in 300 of every 400 ticks
 inline DeviceCommand through_the_guard(long n, const DeviceState& state, double growth) {
   DeviceCommand command;
   if (n > 50 && n % 400 > 100) command.wrench.force = Vec3(growth * double(n % 400), 0, 0);

@@ -39,8 +39,8 @@ struct DeviceTraits {
   const char* name = "";    ///< name for `open_device`; empty: not found by name
 };
 
-/// One device, with access to its hand and to its motors. Only one at a time, because a stand-in exists once in the
-/// process.
+/// One device, with access to its hand and to its motors. Only one may exist at a time, because the process has only
+/// one stand-in.
 class DeviceUnderTest {
  public:
   DeviceUnderTest() { commanded.reserve(kLongest); }

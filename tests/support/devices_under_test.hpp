@@ -122,7 +122,7 @@ struct OwnDevice : DeviceUnderTest {
     auto device = std::make_unique<WrittenDevice>();
     device->forces.reserve(kLongest);
     device->next = [this](DeviceState& state) {
-      state.time -= 1e-3;  // from zero
+      state.time -= 1e-3;  // time starts at zero
       read_scripted_tick(script(long(state.sequence) - 1), state);
       return true;
     };
@@ -238,7 +238,8 @@ inline std::vector<NamedDevice> devices_under_test() {
           named_device<ForceDimensionStandIn>("Falcon", kFalcon)};
 }
 
-/// The devices with all of these properties, or those without.
+/// The devices that have all of these properties, or, with `wanted` false, the devices that have none of these
+/// properties.
 inline std::vector<NamedDevice> devices_that(const std::vector<bool DeviceTraits::*>& have, bool wanted = true) {
   std::vector<NamedDevice> all = devices_under_test();
   for (const auto has : have) std::erase_if(all, [&](const NamedDevice& named) { return named.traits.*has != wanted; });

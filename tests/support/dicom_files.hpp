@@ -67,8 +67,8 @@ inline std::string dicom_file(const DicomElements& elements, const std::string& 
   return std::string(128, '\0') + "DICM" + length.bytes() + bytes + elements.bytes(syntax == "1.2.840.10008.1.2");
 }
 
-/// A CT picture of 16 bits along the axes of the patient, 0.1 mm by 0.2 mm, in Hounsfield units of 1000 less than
-/// stored.
+/// A CT picture of 16 bits along the axes of the patient, with pixels of 0.1 mm by 0.2 mm. Its Hounsfield units are the
+/// stored values minus 1000.
 inline DicomElements dicom_picture(std::uint16_t columns, std::uint16_t rows, const std::vector<std::int16_t>& values) {
   DicomElements e;
   e.set(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.2").set(0x0020000e, "UI", "1.2.3.6");
@@ -93,7 +93,7 @@ inline DicomElements dicom_slice(std::uint16_t columns, std::uint16_t rows, doub
   return e.set(0x00200032, "DS", dicom_numbers(10, 20, height_mm)).set(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
 }
 
-/// s0, s1, ... (`"s" + std::to_string(0)` is a false alarm of g++ 12)
+/// s0, s1, ... (g++ 12 warns falsely about `"s" + std::to_string(0)`)
 template <class Number>
 std::string slice_name(Number number) {
   std::string text = "s";

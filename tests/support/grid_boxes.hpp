@@ -29,9 +29,9 @@ inline MaterialTable materials_of_stiffness(const std::vector<double>& relative_
 
 using MaterialAt = std::function<MaterialId(const Vec3& p_VQ)>;
 
-/// A box along the axes of a grid that is anywhere in the world and need not match the box. The fill of each voxel is
-/// the product of its covered lengths, the centroid is the middle of the covered part, both exact. Written
-/// independently of the library's builders.
+/// A box along the axes of a grid. The grid may be anywhere in the world, and its lines need not match the box. The
+/// fill of each voxel is the product of its covered lengths, and the centroid is the middle of the covered part. Both
+/// are exact. This code is independent of the library's builders.
 /// @param box_V        [m] in the axes of the grid, from the centre of voxel (0,0,0)
 /// @param material_at  material at the centroid of a voxel, in the same frame; null: material 1 everywhere
 inline Workpiece box_on_grid(const Box& box_V, const GridFrame& frame, MaterialTable materials,
@@ -80,7 +80,7 @@ inline Workpiece box_at_phase(const Box& box, double voxel_size, const Vec3& pha
                      std::move(materials), in_grid);
 }
 
-/// The half space z < 0, as a box that a head of this reach stays within while its deepest point is at `depth`.
+/// The half space z < 0, as a box that contains a head of this reach while its deepest point is at `depth`.
 inline Box half_space(double lateral_reach, double depth, double voxel_size) {
   const double side = lateral_reach + 2 * voxel_size;
   return {Vec3(-side, -side, -depth - 2 * voxel_size), Vec3(side, side, 0)};

@@ -25,8 +25,7 @@ class MemoryGrowth {
   long start_;
 };
 
-/// Far above what small inputs need, also under a sanitizer that keeps freed memory; far below what hostile inputs
-/// claim.
+/// Small inputs need far less, even under a sanitizer that keeps freed memory. Hostile inputs claim far more.
 inline constexpr double kModestMemory = 512e6;  // [bytes]
 
 }  // namespace hapticut::test

@@ -11,9 +11,9 @@ namespace hapticut::test {
 
 extern const char* const kSourceFolder;      // of this clone
 extern const char* const kDataFolder;        // HAPTICUT_TEST_DATA
-extern const char* const kProgram;           // hapticut; empty: not built, as those below
+extern const char* const kProgram;           // hapticut; this and all below: empty if not built
 extern const char* const kProgramWithTouch;  // with the adapter of OpenHaptics and its stand-in
-extern const char* const kProgramWithOmega;  // with that of Force Dimension
+extern const char* const kProgramWithOmega;  // with the adapter of Force Dimension and its stand-in
 extern const char* const kCLibrary;          // libhapticut_c.so
 
 /// Path of a file of the repository: "docs/forces.md".

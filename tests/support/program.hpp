@@ -25,7 +25,7 @@ struct Outcome {
   std::string errors;  // what was printed on stderr
 };
 
-/// Runs `hapticut <arguments>` with the folder's files `stdout` and `stderr`.
+/// Runs `hapticut <arguments>`. The outputs go to the folder's files `stdout` and `stderr`.
 inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments,
                            const std::string& program = kProgram) {
   const std::string out = (folder / "stdout").string(), errors = (folder / "stderr").string();
@@ -46,7 +46,7 @@ inline const std::string kBall = kSpinningBall + "--reference_stiffness 1e14 ";
 inline const std::string kStiffBall = kSpinningBall + "--reference_stiffness 3e15 ";  // a thin engaged layer
 inline const std::string kGroove = "--path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 20 ";
 
-inline constexpr int kFailed = 1, kWrongUsage = 2;  // codes
+inline constexpr int kFailed = 1, kWrongUsage = 2;  // exit codes
 
 /// The columns of a CSV file by name; text cells read as 0.
 inline std::map<std::string, std::vector<double>> read_csv(const std::string& text) {

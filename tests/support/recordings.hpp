@@ -37,7 +37,8 @@ inline void step_in_the_air(Recorder& recorder, int steps) {
     recorder.step({Pose::from_translation(Vec3(0, 0, 1 + 1e-6 * tick)), {}, 1e-3});
 }
 
-/// The message for a recording that cannot be replayed, one sentence that names it; empty when it can.
+/// The message about a recording that cannot be replayed: one sentence that names the file. Empty if it can be
+/// replayed.
 inline std::string complaint_about(const std::filesystem::path& path) {
   const std::string text = refusal([&] { return replay(read_recording(path)); });
   if (text.empty()) return text;

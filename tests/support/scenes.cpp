@@ -26,7 +26,7 @@ Material bone_like(const char* name, double energy, double edge_pressure) {
   return material;
 }
 
-/// Straight along -z with 2 mm/s, from just above the surface z = 0, starting again after 4 s.
+/// A straight motion along -z at 2 mm/s from just above the surface z = 0. It starts again after 4 s.
 StepInput plunge(int tick) {
   const double depth = 0.002 * mm * (tick % 4000 + 1) - 0.05 * mm;
   return {Pose::from_translation(Vec3(0.0293, 0.0113, 0) * mm - Vec3(0, 0, depth)),
@@ -85,9 +85,10 @@ Scene circular_groove() {
           }};
 }
 
-/// Workload W2 of the benchmarks at 0.1 mm: 1.5 R deep at 2 mm/s, then sideways, to and fro.
+/// Workload W2 of the benchmarks with voxels of 0.1 mm: the ball moves down to 1.5 R at 2 mm/s, then sideways back and
+/// forth.
 Scene deep_ball() {
-  return {"deep_ball", "A ball of 2 mm radius plunges 3 mm into a block at 2 mm/s, then moves sideways to and fro.",
+  return {"deep_ball", "A ball of 2 mm radius plunges 3 mm into a block at 2 mm/s, then moves sideways back and forth.",
           [] {
             return Simulation(build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.1 * mm, bone_like("bone", 1e8, 0)),
                               Tool(SphereHead{2 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));

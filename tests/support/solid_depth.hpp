@@ -20,7 +20,7 @@ namespace hapticut::test {
 /// [m] Depth at which the pressure k w^2/2 of the foundation reaches a strength.
 [[nodiscard]] inline double crushing_depth(double k_v, double strength) { return std::sqrt(2 * strength / k_v); }
 
-/// [m] A tenth more than the maximum of these depths over all materials of a workpiece; deeper material is crushed.
+/// [m] 1.1 times the maximum crushing depth over all materials of a workpiece. Deeper material is crushed.
 [[nodiscard]] inline double allowed_depth(const Simulation& simulation) {
   double deepest = 0;
   for (const Material& material : simulation.workpiece().materials().all()) {

@@ -34,7 +34,7 @@ inline const StepResult& hold(Simulation& simulation, const Pose& X_WH, const Tw
 }
 
 /// `hold`, with the expectation that the step has no status.
-/// @throws Error when the step has one
+/// @throws Error when the step has a status
 inline const StepResult& hold_well(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
   const StepResult& result = hold(simulation, X_WH, velocity);
   if (result.status != StepStatus::ok || result.sub_steps != 1)

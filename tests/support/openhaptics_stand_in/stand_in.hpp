@@ -70,7 +70,7 @@ struct Simulation {
   std::map<HDSchedulerHandle, Callback> callbacks;
   Callback unscheduled;  // the last callback that hdUnschedule removed
   HDSchedulerHandle next_handle = 1;
-  std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // of a tick; kept so that a tick allocates nothing
+  std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // calls of a tick; kept so that a tick allocates nothing
   bool running = false, use_thread = false;
   double rate = 1000;
   long ticks = 0;
@@ -85,7 +85,7 @@ Simulation& simulation();
 Device* find(HHD handle);
 Device* current();
 
-/// The current device for a call that needs one; pushes an error when there is none.
+/// The current device for a call that needs one. Pushes an error when there is no current device.
 Device* needed();
 
 void push(HDerror code, int internal = 0, HHD handle = 0);

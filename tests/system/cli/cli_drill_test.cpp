@@ -73,8 +73,8 @@ TEST_F(Drill, PrintsTheLossesBesideTheWork) {
 }
 
 TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
-  // The tip passes 0.5 mm below the face: a circular segment of that height, 6 mm long. The engaged layer remains
-  // behind the ball: 1 % here.
+  // The tip passes 0.5 mm below the face. The groove is a circular segment of that height, 6 mm long. The engaged layer
+  // remains behind the ball: 1 % of the volume here.
   const nlohmann::json report =
       drill("--workpiece block --size_mm 6,6,3 --material cortical_bone --voxel_mm 0.1 " + kSpinningBall +
             "--reference_stiffness 1e18 --path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 4");
@@ -84,7 +84,7 @@ TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
 }
 
 TEST_F(Drill, WithoutSpindleTakesNothingAway) {
-  // The foundation is soft, so the pressure stays below the bone's strength: a stiffer one would be crushed.
+  // The foundation is soft, so the pressure stays below the bone's strength. A stiffer foundation would crush the bone.
   const nlohmann::json report =
       drill(kBlock + "--head sphere --radius_mm 1 --spindle_rpm 0 --reference_stiffness 1e11 " + kGroove);
   EXPECT_EQ(report["removed_volume_mm3"]["total"], 0);
@@ -156,7 +156,7 @@ TEST_F(Drill, WidensAndDeepensAlongASpiral) {
       "--pitch_mm 0.5 --feed_mm_per_s 20 --approach_mm 1 --point head");
   EXPECT_NEAR(columns.at("z_mm").back(), 2.1, 1e-6);
   EXPECT_NEAR(std::hypot(columns.at("x_mm").back() - 3, columns.at("y_mm").back() - 3), 1.4, 1e-6);
-  // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so it ends at its initial angle.
+  // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so the path ends at its initial angle.
   EXPECT_NEAR(columns.at("y_mm").back(), 3, 1e-6);
 }
 
@@ -325,7 +325,7 @@ TEST_F(Drill, ClearsTheMastoidOfTheDemo) {
       drill("--settings " + test::source_path("examples/demo/skull.toml").string() + " --voxel_mm 0.5 --rate 100");
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["cortical_bone"], 10);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["trabecular_bone"], 10);
-  EXPECT_LT(report["force_N"]["max"], 50);  // of a hand
+  EXPECT_LT(report["force_N"]["max"], 50);  // [N] a hand can apply this force
   EXPECT_EQ(report["status"]["spindle_stalled"], 0);
   EXPECT_LT(report["energy_closure"], 0.01);
 }

@@ -49,7 +49,7 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("", kWrongUsage, "subcommand");
 }
 
-// Every flag: see every_setting_test.cpp.
+// every_setting_test.cpp tests every flag.
 TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
   expect("drill --radius_mm 2mm", kWrongUsage, "--radius_mm 2mm: must be a number > 0");
   expect("drill --spindle_rpm 1e7", kWrongUsage, "must be a number from -1e+06 to 1e+06");
@@ -105,7 +105,7 @@ TEST_F(Flags, MustNotAskForTheImpossible) {
   expect("drill " + kBlock + kBall + kLine + "--tool_axis 0,0,0", kFailed, "path.tool_axis");
 }
 
-// 100 m deep: the points are counted before any is made.
+// The depth is 100 m. The program counts the points of the path before it creates one.
 TEST_F(SettingsFile, MustNotAskForAnImpossibleDepth) {
   const std::string common = "center_mm = [1, 1, 2]\nfeed_mm_per_s = 20\npitch_mm = 0.5\ndepth_mm = 1e5\n";
   const auto expect_of = [&](const std::string& keys, const std::string& part) {

@@ -66,7 +66,7 @@ TEST_F(ForceSettings, TheThesissSpinTorqueTakesItsConstants) {
 TEST_F(ForceSettings, FrictionOfTheStandingSpindleIsThatGiven) {
   const std::string drag = "--path line --from_mm 1.5,3,2.7 --to_mm 4.5,3,2.7 --feed_mm_per_s 20 ";
   const auto ratio = [&](const std::string& settings) {
-    // Soft, so a depth of 0.3 mm gives the force of a hand.
+    // The foundation is soft, so a depth of 0.3 mm gives a force that a hand can apply.
     const auto columns = steps("--reference_stiffness 1e13 " + settings, kStanding, drag);
     return -columns.at("force_x_N").back() / columns.at("force_z_N").back();
   };
@@ -121,7 +121,7 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   ASSERT_EQ(mode.size(), parts.size());
   for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
   EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
-  // Other settings override it; at 1112 Hz and above it vibrates.
+  // Other settings override the thesis mode. The mode vibrates at rates of 1112 Hz and above.
   const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
   EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
   EXPECT_NE(exact.at("torque_z_Nmm"), mode.at("torque_z_Nmm"));

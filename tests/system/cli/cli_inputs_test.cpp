@@ -85,7 +85,7 @@ TEST_F(Inputs, WithoutAMeaningOfTheirValuesNeedAFlag) {
   ASSERT_EQ(run("convert block " + path("a.vdb") + " --size_mm 2,2,2 --voxel_mm 0.2 --material cortical_bone").code, 0);
   std::string bytes = test::read_bytes(folder / "a.vdb");
   expect_refused("inspect " + path("a.vdb") + " --material clay", {"a.vdb", "leave --material out"});
-  const std::string own = "hapticut_format";  // without it, the file is one of another program
+  const std::string own = "hapticut_format";  // without this text, the file counts as foreign
   for (std::size_t at = 0; (at = bytes.find(own, at)) != std::string::npos;) bytes[at] = 'H';
   const std::string fog = "fog volume";
   int classes = 0;
@@ -106,7 +106,7 @@ TEST_F(Inputs, OfASettingsFileAreBesideIt) {
   const Outcome outcome = run("drill --settings " + path("case/scene.toml"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(test::read_json(folder / "case/results/report.json")["steps"], 100);
-  // For any form of its path, and with other files in the working folder.
+  // The same holds for any form of the path, and with other files in the working folder.
   const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
   EXPECT_EQ(test::run_program(folder, "drill --settings scene.toml", in_folder).code, 0);
   EXPECT_EQ(test::run_program(folder, "drill --settings ../case/scene.toml", in_folder).code, 0);

@@ -179,10 +179,10 @@ TEST_F(Loop, RunsInRealTimeAtEveryRate) {
   }
 }
 
-// The hand presses with the same spring on a wall that is stiff compared with the device's coupling: the force is the
-// same.
+// The hand presses with one spring, at every scale, on a wall that is stiff compared with the device's coupling, so the
+// force is the same.
 TEST_F(Loop, RendersAnEqualForceAtEveryScale) {
-  // Apart from the compliance of the bone and the device's friction of 0.13 N.
+  // The tolerance covers the compliance of the bone and the device's friction of 0.13 N.
   constexpr double kHand = 300, kTouch = 700, kBelow = 5e-3;  // [N/m], [N/m] that it renders, [m] of the set point
   const double expected = kBelow * kHand * kTouch / (kHand + kTouch);
   for (const char* scale : {"1", "2", "4"}) {

@@ -41,7 +41,7 @@ void expect_volume(const json& report, double mm3, double tolerance) {
   EXPECT_NEAR(sum, mm3, tolerance);
 }
 
-/// The data folder may have any path.
+/// Removes the path of the data folder, which may be anywhere.
 std::string without_folder_of_data(std::string sentence) {
   const std::string folder = test::data_path("").string();
   for (std::size_t at; (at = sentence.find(folder)) != std::string::npos;) sentence.erase(at, folder.size());
@@ -82,7 +82,7 @@ const Hostile kHostile[] = {
     {"mesh-stray-vertex.off", "inspect", kBone, "line 7"},
     {"mesh-slow-52-faces.off", "inspect", kBone, nullptr,
      [](const json& r) { EXPECT_GT(r["dims"][0].get<int>(), 190); }},
-    // It has the name that `max_force_N` had before.
+    // The file uses the former name of `max_force_N`.
     {"settings-depth-1e5-mm.toml", "drill --settings", "", "Did you mean effects.max_force_N?"},
     {"huge.nrrd", "inspect", "", "spacing"},
     {"float_nan.nrrd", "inspect", "", nullptr,
@@ -133,7 +133,7 @@ TEST_P(HostileFile, IsReadRightOrRefusedInOneSentence) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(outcome.errors.starts_with("hapticut: "));
   EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
-  // Wrong settings are named by their key.
+  // The message names a wrong setting by its key.
   if (!name.ends_with(".toml")) {
     EXPECT_NE(outcome.errors.find(test::data_path(name).filename().string()), std::string::npos);
   }

@@ -199,7 +199,7 @@ TEST(ViewControls, KeepTheirValuesAfterAButtonFailed) {
 
 TEST(ViewControls, ShowTheStateOfTheModel) {
   Panel panel;
-  // Requested but not executed, as with a full queue.
+  // The command is requested but not executed, as with a full queue.
   (void)panel.set("tool/Speed", 1000);
   (void)panel.set("application/Cutting", 0);
   (void)panel.set("additional/Gravity", 1);
@@ -209,7 +209,7 @@ TEST(ViewControls, ShowTheStateOfTheModel) {
   EXPECT_EQ(panel.control("application/Cutting").value, 1);
   EXPECT_EQ(panel.control("additional/Gravity").value, 0);
   EXPECT_EQ(panel.control("outputs/force x").value, 1);
-  // Executed without a control.
+  // The model executes a command that did not come from a control.
   panel.tell(commands::SetSpindleSpeed{0});
   panel.tell(commands::SetRemoval{RemovalLaw::none});
   panel.tell(commands::SetForceMask{AxisMask{{true, false, true}, {}}});

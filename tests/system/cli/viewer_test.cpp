@@ -35,7 +35,7 @@ using view_test::soon;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kAtOnce = 100ms;  // maximum time of a stop
-constexpr int kTries = 20;       // the best of these counts, because the machine may be busy
+constexpr int kTries = 20;       // number of tries; the best counts, because the machine may be busy
 
 /// Makes scenes. On request, a scene waits for a signal, and some scenes cannot be made.
 class Maker {
@@ -149,7 +149,7 @@ TEST(Viewer, ReleasesTheHandWhenALoadBeginsAndStopsOnRequestMeanwhile) {
     maker.set_slow(true);
     page.write(load("second"));
     released = std::min(released, seconds_until([&] { return !has_ticks(*device); }));
-    page.write(kUndo);  // commands do not begin a run meanwhile
+    page.write(kUndo);  // a command must not begin a run now
     page.write(kStop);
     stopped = std::min(stopped, seconds_until([&] { return device->requests().emergency(); }));
     std::this_thread::sleep_for(50ms);
@@ -199,7 +199,7 @@ TEST(Viewer, AStopOfThePointerHoldsInTheNextScene) {
 }
 
 TEST(Viewer, EndsWithoutAnErrorInEveryState) {
-  // Each of these once aborted the program.
+  // Each of these sequences once aborted the program.
   {
     Maker maker;
     cli::Viewer viewer("first", {}, nullptr, maker.function());
@@ -247,7 +247,7 @@ TEST(Viewer, ASceneThatCannotBeMadeIsReportedOnceAndThePreviousOneContinues) {
     Listener listener(viewer.server());
     page.write(load("none"));
     EXPECT_TRUE(soon([&] { return listener.count("There is no scene 'none'") == 1; }));
-    EXPECT_TRUE(soon([&] { return device->is_running(); })) << "it goes on";
+    EXPECT_TRUE(soon([&] { return device->is_running(); })) << "the first scene continues";
     maker.broken = true;
     const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())

@@ -12,8 +12,8 @@ namespace {
 
 using namespace test;
 
-// Near the axis a voxel slips with the mean slip of its section, and a couple about the axis does that work, against
-// the spin and against a hand that rotates the handpiece about the axis.
+// Near the axis a voxel slips with the mean slip of its section. A couple about the axis does the work of this slip,
+// against the spin and against a hand that rotates the handpiece about the axis.
 TEST(TwistedSpindle, LeavesTheLedgerClosed) {
   for (const double spin : {50.0, 500.0, 5000.0})
     for (const double twist : {0.0, 5.0, -5.0}) {
@@ -26,7 +26,7 @@ TEST(TwistedSpindle, LeavesTheLedgerClosed) {
     }
 }
 
-// With the clutch open or closed.
+// The command to close the clutch comes in the middle of a cut, while the clutch is already closed.
 TEST(ClosedClutch, CutsNothingInTheTickThatIsNotFelt) {
   scripted_loop::ScriptedLoop scripted(3000, true);
   double before = 0, unfelt = 0;

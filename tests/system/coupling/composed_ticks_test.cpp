@@ -58,7 +58,7 @@ class Episode {
  private:
   void begin_action() {
     left_ = int(random_.between(0.01, 0.3) / dt_);
-    // A waiting tool is soon led out of the material, else nothing would happen in an episode.
+    // The hand soon moves a waiting tool out of the material. Otherwise nothing would happen in the episode.
     const bool waits = has_any(coupling_.last_result().status, StepStatus::tool_waits);
     const auto motion = waits && below(2, random_) == 0 ? Motion::lift : Motion(below(9, random_));
     hand_.begin(motion, random_);
@@ -174,7 +174,7 @@ class Episode {
         {"flip", kNothing, false,
          [](Episode&, Reading& reading) {
            reading.pose.rotation = rotation_from_vector(Vec3(units::kPi, 0, 0)) * reading.pose.rotation;
-           return false;  // by a waiting tool in the air
+           return false;  // a waiting tool in the air accepts it
          }},
         {"no_rotation", kNothing, false,
          [](Episode&, Reading& reading) {

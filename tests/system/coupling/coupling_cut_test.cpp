@@ -48,12 +48,13 @@ ConstantForceCut cut_under(VirtualCoupling& coupling, double force, double from,
 
 // --- an oracle with the thickness of the engaged layer ---------------------------------------------------------------
 
-// C23 and C28 are the limits of a thin layer; at 1e14 N/m^4 it is 0.11 R, and they are off by 14 %. Here a material
-// point at distance s from the axis enters the head at its lower face and decays on its way up,
+// C23 and C28 hold for a thin layer. At 1e14 N/m^4 the layer is 0.11 R thick, and C23 and C28 are off by 14 %. Here a
+// material point at distance s from the axis enters the head at the lower face of the head, and its fill phi decays on
+// the way up:
 //   dphi/dz = -kappa k_v w(s, z) omega s phi / (u V),
-// so the force is an integral over the head, without grid, time steps, or code of the library.
+// The force is an integral over the head, without grid, time steps, or code of the library.
 
-/// [N] of a ball that has plunged deeper than its radius at V [m/s].
+/// [N] Force on a ball that has plunged deeper than its radius at the given speed [m/s].
 double plunging_ball(double speed, double k) {
   constexpr int kRings = 400, kHeights = 2000;
   double force = 0;
@@ -71,7 +72,8 @@ double plunging_ball(double speed, double k) {
   return force;
 }
 
-/// [N] of a flat head with springs to the nearest face: those within R - s above the bottom push up.
+/// [N] Force on a flat head with springs to the nearest face. At distance s from the axis, the springs up to R - s
+/// above the bottom push up.
 double plunging_flat(double speed, double k) {
   constexpr int kRings = 4000;
   const double a = kEnergy * speed / (kKappa * kSpin);
@@ -83,7 +85,7 @@ double plunging_flat(double speed, double k) {
   return force;
 }
 
-/// [m/s] at which a force that grows with the speed is reached.
+/// [m/s] Speed at which a force that grows with the speed reaches `force`.
 double feed_under(const std::function<double(double)>& force_at, double force) {
   double low = 1e-4, high = 1e-2;
   for (int n = 0; n < 40; ++n) (force_at(0.5 * (low + high)) < force ? low : high) = 0.5 * (low + high);
@@ -142,7 +144,8 @@ TEST(CouplingCut, FeelsTheForceAcrossTheFeedAsADrivenToolDoes) {
   for (const double k : {1e14, 1e15, 1e16}) {
     Simulation simulation(half_space(4 * mm, plain_material(), kFineVoxel), ball(kSpin), implicit(k));
     VirtualCoupling coupling(simulation, {});
-    // In the air in front of the block, its centre at the surface: half of the ball cuts a groove.
+    // The ball starts in the air in front of the block. Its centre is at the height of the surface, so half of the ball
+    // cuts a groove.
     const Vec3 start = kAside + Vec3(-5.2 * mm, 0, 0);
     Vec3 mean = Vec3::Zero(), offset = Vec3::Zero();
     constexpr int kTicks = 2600, kFrom = 1800;
@@ -166,7 +169,7 @@ TEST(CouplingCut, FeelsTheForceAcrossTheFeedAsADrivenToolDoes) {
   }
 }
 
-/// [mm^3] that a ball under about 1 N removes over 2.5 mm of a groove of a voxel's depth.
+/// [mm^3] Volume that a ball under about 1 N removes over 2.5 mm of a groove that is one voxel deep.
 double light_groove(double dt) {
   constexpr double kBall = 1.5 * mm, kFeed = 2.5 * mm, kAbove = 0.05 * mm, kDown = 0.3, kFrom = 0.35, kUntil = 1.45;
   const Material bone = presets::cortical_bone();
@@ -187,7 +190,8 @@ double light_groove(double dt) {
   return removed / (mm * mm * mm);
 }
 
-// Chips do not get cheaper when a tool trembles: with its momentary speed it removed 8 % more at 4 than at 0.5 kHz.
+// The vibration of a tool must not make its chips cheaper. When the momentary speed set the chip, the tool removed 8 %
+// more at 4 kHz than at 0.5 kHz.
 TEST(CouplingCut, RemovesTheSameFromALightGrooveAtEveryRate) {
   const double slow = light_groove(2e-3), usual = light_groove(1e-3), fast = light_groove(0.25e-3);
   EXPECT_GT(usual, 0.05) << "it cuts";

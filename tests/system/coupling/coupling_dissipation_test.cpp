@@ -119,7 +119,7 @@ TEST(CouplingDamping, IsThereByDefaultOnlyWhereContactIsTakenAtTheEndOfAStep) {
   EXPECT_THROW((void)damping_of(config), Error);
 }
 
-// With a late or wrong velocity the damper does work on the tool: its loss is negative.
+// With a late or wrong velocity the damper does work on the tool, so its loss is negative.
 TEST(CouplingEnergy, IsJudgedByWhatWasTurnedOverAlsoWhereTheDamperGives) {
   Simulation simulation(half_space(4 * mm, material(0, 1e3)), ball(), implicit(1e14));
   VirtualCoupling coupling(simulation, {});
@@ -181,7 +181,8 @@ Prick prick(double dt) {
   return seen;
 }
 
-// Friction is mu/tan(alpha) = 1.5 times the limit of the normals: the needle locks, and releases within a tick.
+// Friction is mu/tan(alpha) = 1.5 times the upward push of the normal forces, so the needle locks. It releases within a
+// tick.
 TEST(CouplingFriction, ReleasesASlenderPointAtEveryRate) {
   for (const double rate : {500.0, 1000.0, 4000.0}) {
     const Prick seen = prick(1 / rate);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy that 10^3 random hands get at the device: from the wrenches that were given out and held, and the poses.
+// Energy that 10^3 random hands get at the device, computed from the poses and from the wrenches that the device holds.
 // Section "Passivity at the hand" of docs/decisions/0005-implicit-coupling.md has the argument.
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ const ToolHead& any_head(RandomPoses& random) {
   return one_of(random, heads);
 }
 
-/// The device's gains with a minimal damper, because a damper would hide the energy of the spring.
+/// The device's gains with a damper that is weaker by a random factor, because a damper hides the energy of the spring.
 CouplingGains any_gains(RandomPoses& random, const DeviceModel& device) {
   CouplingGains gains = coupling_gains(capabilities(device));
   const double weak = random.between(0, 1);
@@ -162,7 +162,7 @@ class Steps final : public StepObserver {
   }
 };
 
-/// Work of a hand on a device that holds each wrench until the next, beyond the allowance for holding and reading.
+/// Work of a hand on a device that holds each wrench until the next one, and the allowance for holding and reading.
 class HandWork {
  public:
   explicit HandWork(const Scene& scene, double encoder_step = 0)
@@ -183,7 +183,7 @@ class HandWork {
     turnover += std::abs(work);
     booked -= result.coupling.force.dot(path.linear) + result.coupling.torque.dot(path.angular);
     held = result.hand;
-    if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors
+    if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors for torque
     max_force = std::max(max_force, held.force.norm());
     max_parts = std::max(max_parts, result.parts);
     waited = waited || has_any(result.status, StepStatus::tool_waits | kRejected);
@@ -211,7 +211,7 @@ class HandWork {
   double period_, encoder_step_;
 };
 
-/// A hand that moves along the path whatever the force.
+/// A hand that moves along the path at any force.
 HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
   HandWork work(scene);
   steps.last = scene.path.start;
@@ -229,7 +229,7 @@ HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
   return work;
 }
 
-/// Totals of all hands of a kind: a test in which nothing happens proves nothing.
+/// Totals of all hands of a kind, which prove that something happened in the test.
 struct Tally {
   int touched = 0, cut = 0, got = 0;
   double max_got = 0;  // [J]
@@ -259,7 +259,7 @@ RandomPoses hand(int kind, int n) {
   return RandomPoses(kSeed + std::uint64_t(1000003) * std::uint64_t(kHands * kind + n));
 }
 
-/// Hands of a kind with any device.
+/// Runs all hands of a kind, each with a random device.
 void expect_all_passive(int kind, const char* name, bool turning, Tally& tally) {
   for (int n = 0; n < kHands; ++n) {
     SCOPED_TRACE(named(name, n));
@@ -289,7 +289,8 @@ TEST(RandomHands, AndTheMotorGetNothingFromAHeadThatTurns) {
   EXPECT_GT(tally.cut, kHands * 3 / 4);
 }
 
-// A device without motors for torque lets the hand rotate the tool without torque. It gives away that work, not more.
+// On a device without motors for torque, the hand rotates the tool and feels no torque. The hand may gain the work of
+// this rotation, but not more.
 TEST(RandomHands, GetAtMostTheWorkOfARotationWithoutTorqueMotors) {
   Tally tally;
   for (int n = 0; n < kHands; ++n) {

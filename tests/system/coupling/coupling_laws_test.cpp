@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Custom laws behind the coupling: their stiffness is measured, because they report
-// none.
+// Custom laws behind the coupling. Their stiffness is measured, because custom laws do not report a stiffness.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -87,7 +86,7 @@ TEST(CouplingLaws, AMeasuredStiffnessIsThatOfTheWayAlsoWhereOneMoreSubStepIsNear
   constexpr double kPart = 0.5 * kVoxel;  // [m]
   for (const double parts : {0.7, 0.9999, 1.0001, 1.9999, 2.0001, 2.5}) {
     SimulationConfig own = implicit(1e14), disguised = with_law(std::make_shared<Disguised>(), 1e14);
-    own.friction = disguised.friction = DryFriction{0.3, 0.3, 1000};  // soft beside the springs
+    own.friction = disguised.friction = DryFriction{0.3, 0.3, 1000};  // soft compared with the springs
     Simulation known(half_space(), ball(0), own), measured(half_space(), ball(0), disguised);
     const Pose from = at_height(kRadius - 1.5 * kVoxel);
     const Pose to = Pose::from_translation(from.translation - Vec3(0, 0, parts * kPart));

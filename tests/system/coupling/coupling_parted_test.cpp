@@ -18,7 +18,7 @@ using units::mm;
 using namespace test;
 
 constexpr double kSlow = 300;   // [rad/s]
-constexpr double kDeep = 2e-3;  // [m] the hand below the surface
+constexpr double kDeep = 2e-3;  // [m] depth of the hand below the surface
 
 struct Exchange {
   const char* name;
@@ -114,7 +114,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
       EXPECT_EQ(result.removed_volume, 0);
       EXPECT_EQ(result.force, Vec3::Zero());
     }
-    const Twist up = {Vec3(0, 0, 0.3), Vec3::Zero()};  // it was inside in the tick before
+    const Twist up = {Vec3(0, 0, 0.3), Vec3::Zero()};  // the tool was inside in the tick before
     int felt = 0;
     double removed = 0;
     for (int n = 0; n <= 20; ++n) {
@@ -180,7 +180,7 @@ TEST(PartedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
       EXPECT_LT(simulation.removed_volume_by_material()[1] - removed, 0.3e-9);
       EXPECT_GT(coupling.last_result().X_WH.translation.z(), rubbish_first ? -8.1e-3 : 0.0);
       for (int n = 0; n < 10; ++n) coupling.step(at_height(10e-3), {}, kTick);
-      EXPECT_LT(coupling.last_result().hand.force.norm(), 1e-6) << "in the air it has its tool again";
+      EXPECT_LT(coupling.last_result().hand.force.norm(), 1e-6) << "in the air the hand holds the tool again";
       EXPECT_NEAR(coupling.last_result().X_WH.translation.z(), 10e-3, 0.1e-3);
     }
 }
@@ -223,7 +223,7 @@ const Flip kFlips[] = {{"half revolution", {std::numbers::pi, 0, 0}, {0, 0, 0}},
                        {"small rotation of a long lever", {0.3, 0, 0}, {0, 0, 0}},
                        {"elsewhere", {0, 0, 0}, {0, 0, 0.2}}};
 
-/// A hand that comes down, with rejected readings.
+/// A hand that comes down into the surface.
 Pose hand_at(int n, const Tool& tool) {
   return Pose::from_translation(Vec3(0, 0, kRadius + 0.1e-3 - 1e-6 * std::min(n, 400))) * tool.X_HT().inverse();
 }
@@ -245,7 +245,7 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
   for (const double spin : {0.0, kSlow})
     for (const double shank : {0.0, 60 * mm})
       for (const Flip& flip : kFlips) {
-        if (shank == 0 && flip.rotation.norm() < 1 && flip.shift.isZero()) continue;  // it is a motion
+        if (shank == 0 && flip.rotation.norm() < 1 && flip.shift.isZero()) continue;  // the tool can follow this motion
         const auto flipped = [&](const Pose& pose) {
           return Pose{rotation_from_vector(flip.rotation) * pose.rotation, pose.translation + flip.shift};
         };
@@ -304,7 +304,7 @@ TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
     }
     EXPECT_EQ(simulation.last_result().energy.entered, entered);
     simulation.step(at_height(-0.05e-3), {}, kTick);
-    EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "when it is back, it continues";
+    EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "the tool continues when the hand is back";
   }
 }
 
@@ -316,8 +316,7 @@ TEST(PartedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
   const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});
   Simulation simulation(half_space(4e-3, presets::cortical_bone()), tool, implicit(0));
   VirtualCoupling coupling(simulation, gains);
-  // The handle is just above the surface and rotates its head into it, which lifts the hand until the spring is at its
-  // limit.
+  // The hand stays just above the surface and rotates the head into the material, until the spring is at its limit.
   const Mat3 lying = Eigen::Quaterniond::FromTwoVectors(tool.X_HT().translation, Vec3::UnitX()).toRotationMatrix();
   const auto hand = [&](double angle) {
     return Pose{rotation_from_vector({0, angle, 0}) * lying, Vec3(-20 * mm, 0, kRadius + 0.05 * mm)};
@@ -336,7 +335,7 @@ TEST(PartedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
   EXPECT_NEAR(max_torque, gains.max_torque, 0.01 * gains.max_torque);
   EXPECT_GT(released, 2.7);
   EXPECT_LT(released, 3.2);
-  EXPECT_LT(coupling.last_result().hand.torque.norm(), 1e-6) << "there it is in the air, and has its tool";
+  EXPECT_LT(coupling.last_result().hand.torque.norm(), 1e-6) << "the hand is in the air and holds the tool again";
   EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
 }
 

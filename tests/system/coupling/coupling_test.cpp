@@ -205,8 +205,8 @@ TEST(Probe, SeesWhatTheStepWillFeelAndChangesNothing) {
   }
 }
 
-/// The neglected part (Gauss-Newton) rotates the normals and reduces the sideways push of every spring, so the sum is a
-/// little stiffer than the slope.
+/// The stiffness neglects the rotation of the normals (Gauss-Newton). This rotation reduces the sideways push of every
+/// spring, so the sum is a little stiffer than the slope.
 TEST(Probe, StiffnessIsTheSlopeOfTheForce) {
   SimulationConfig smooth = implicit(1e14);
   smooth.friction = DryFriction{0, 0, 0};  // because friction has its own stiffness
@@ -238,8 +238,7 @@ TEST(Probe, OfRubbishFeelsNothing) {
   EXPECT_EQ(simulation.probe(rubbish, {}, kTick).wrench.force, Vec3::Zero());
 }
 
-// Velocities in mm/s beside poses in metres, or in degrees, pushed the tool by the damper: 116 times the removal.
-// With few steps too, a wheel that falls on enamel at 0.3 m/s is held, and a tick stays within its bound.
+// A wheel that falls on enamel at 0.3 m/s is held, even with few Newton steps, and a tick stays within its bound.
 TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
   for (const int steps : {32, 100}) {
     Simulation simulation(half_space(4 * mm, presets::enamel()),
@@ -267,6 +266,8 @@ TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
   }
 }
 
+// Velocities in mm/s with poses in metres, or in degrees, made the damper push the tool: it removed 116 times the
+// volume.
 TEST(Coupling, WaitsWhileVelocitiesSayManyTimesTheWay) {
   struct Result {
     double removed = 0, force = 0;

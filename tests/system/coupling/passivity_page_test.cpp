@@ -94,8 +94,8 @@ TEST(PassivityPage, CoversTheStepsOfEncodersByDryFriction) {
         << device.name;
 }
 
-// The formula against a hand that swings on a wall: the dissipation by the held force and by the device's damping,
-// which is minimal when the hand moves evenly in a tick.
+// Compares the formula with a hand that oscillates on a wall. The held force and the damping of the device dissipate
+// energy. This damping is minimal when the hand moves evenly in a tick.
 TEST(PassivityPage, HasTheFormulaOfAHandThatSwings) {
   for (const DeviceModel& device : device_models()) {
     const CouplingGains gains = coupling_gains(capabilities(device));
@@ -104,7 +104,7 @@ TEST(PassivityPage, HasTheFormulaOfAHandThatSwings) {
       for (const double frequency : {3.0, 50.0, 120.0, 200.0, 260.0, 400.0}) {
         const auto at = [&](int n) { return std::cos(2 * units::kPi * frequency * kPeriod * n); };  // [m]
         double dissipated = 0, square = 0;
-        for (int n = 0; n < 1000; ++n) {  // whole swings
+        for (int n = 0; n < 1000; ++n) {  // whole periods
           const int known = n - 1 - delay;
           const double force = held.stiffness * at(known) + held.damping * (at(known) - at(known - 1)) / kPeriod;
           const double moved = at(n) - at(n - 1);

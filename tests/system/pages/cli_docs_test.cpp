@@ -16,7 +16,7 @@
 namespace hapticut::cli_docs_test {
 namespace {
 
-/// A setting as a row of the page gives it.
+/// A setting, as described by a row of the page.
 struct Row {
   std::string key, flag, standard, allowed;
 
@@ -34,14 +34,14 @@ std::string comparable(const std::string& standard) {
   return standard.find(' ') == std::string::npos ? standard : "(words)";
 }
 
-/// The default of a setting, which its sentence ends with in brackets; empty: it has none.
+/// The default of a setting, from the brackets at the end of its sentence; empty: the setting has no default.
 std::string default_in(const std::string& meaning) {
   const std::size_t open = meaning.rfind(" [");
   if (open == std::string::npos || !meaning.ends_with("]")) return "";
   return meaning.substr(open + 2, meaning.size() - open - 3);
 }
 
-/// What is allowed, as tables say it: "a number from 0 to 90" -> "0 ... 90".
+/// The allowed values as the tables of the page write them: "a number from 0 to 90" -> "0 ... 90".
 std::string shortened(const std::string& allowed) {
   if (allowed == "a text that is not empty") return "text";
   if (allowed == "true or false") return "true, false";
@@ -74,14 +74,14 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// The flag of a key whose row names none.
+/// The flag of a key whose row does not name a flag.
 std::string usual_flag(const std::string& key) {
   if (key.starts_with("material.") || key.find("[]") != std::string::npos) return "";
   return "--" + key.substr(key.rfind('.') + 1);
 }
 
 /// A row lists keys that have default and range in common: "| `scale`, `device` (`DEVICE`) | what | default | allowed
-/// |". A heading with `[table]` says which table the keys belong to; a key that has none of that name is given in full.
+/// |". A heading with `[table]` names the table of the keys. A key of another table is given in full.
 std::set<Row> rows_of_page(const std::set<std::string>& known) {
   const std::regex heading(R"(^## .*`\[([\w.]+)\]`)"), name(R"(`([\w.\[\]]+)`(?: \(`([-\w]+)`\))?)");
   std::ifstream page(test::source_path("docs/command-line.md"));

@@ -115,7 +115,8 @@ TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
     }
 }
 
-// The remaining material pushes back up to the depth it was pressed to: moving out and in again crushes nothing.
+// The remaining material pushes back elastically, up to the depth to which it was pressed. Moving the head out and in
+// again crushes nothing.
 TEST(Crushing, RemainingMaterialIsElastic) {
   Press press(SphereHead{kRadius}, 1e16, 0.1 * mm);
   const double force = press.move(0, 0.5 * mm, kRadius), crushed = press.crushed();
@@ -141,8 +142,8 @@ TEST(Crushing, APlateIsPunchedThrough) {
   }
 }
 
-// The pin fills its hole through a plate. A smooth side is twice as stiff, and a damped contact many times. Still a
-// column of voxels bears at most the strength, however it is divided into voxels.
+// The pin fills its hole through a plate. A smooth side is twice as stiff as a cutting one, and a damped contact is
+// many times as stiff. A column of voxels still bears at most the strength, however many voxels divide it.
 TEST(Crushing, AWallBearsItsStrengthEvenlyForAnySideAndDamping) {
   const double thickness = 1 * mm, speed = 10 * mm;  // [m], [m/s]
   const auto pin = [](EdgeKind side) {
@@ -179,7 +180,7 @@ TEST(Crushing, AStandingPointThinnerThanTheVoxelsSaysSo) {
     double voxel;  // [m]
     bool thin;
   };
-  const ToolHead needle = ConeHead{8.5 * deg, 4 * mm};  // 0.03 mm from the axis at a depth of 0.2 mm
+  const ToolHead needle = ConeHead{8.5 * deg, 4 * mm};  // radius 0.03 mm at 0.2 mm above the tip
   for (const Case& c :
        {Case{needle, 0.1 * mm, true}, Case{needle, 0.01 * mm, false}, Case{SphereHead{0.5 * mm}, 0.1 * mm, false},
         Case{ConeHead{60 * deg, 1 * mm}, 0.1 * mm, false}}) {

@@ -106,8 +106,8 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
   EXPECT_TRUE(FoundationLaw().holds_deep_contact());
 }
 
-// A ball that spins about a horizontal axis is dragged along the surface by kappa f. The spring that holds it is along
-// the push of the springs alone.
+// A ball that spins about a horizontal axis is dragged along the surface by kappa f. The spring that holds the ball has
+// the direction of the normal forces, without the drag.
 // Proves: deep contact.
 TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   const auto pushed = [](bool deep_contact) {

@@ -15,9 +15,9 @@ using units::mm;
 
 constexpr double kDepth = 0.3 * mm;
 
-constexpr double kNormal = 3e-3;        // [1] rotation of the normal force by a grid of a third of the depth
+constexpr double kNormal = 3e-3;        // [1] rotation of the normal force by voxels of a third of the depth
 constexpr double kTwoMaterials = 5e-3;  // [1] rotation of the normal force near a softer half
-constexpr double kArm = 1e-2;           // [1] error of the point where the line of a force so rotated leaves the ball
+constexpr double kArm = 1e-2;           // [1] error of the point where this rotated force leaves the ball
 constexpr double kClosure = 1e-4;       // [1] of the ledger
 constexpr double kPressedOnce = 1e-3;   // [1] the step that presses is not part of the path
 
@@ -103,7 +103,7 @@ TEST(Friction, SticksAndReturnsItsEnergyWhenThePathDoes) {
   (void)simulation.step(pose, {}, 0.02);
   const double before = simulation.last_result().energy.hand_work, slid = simulation.last_result().energy.sliding;
   for (int i = 0; i < 40; ++i) {
-    pose.translation.x() += (i < 20 ? 1 : -1) * 1e-7;  // 2 um to and fro: below mu_s N / k_t = 5 um
+    pose.translation.x() += (i < 20 ? 1 : -1) * 1e-7;  // 2 um back and forth: below mu_s N / k_t = 5 um
     (void)simulation.step(pose, {}, kTick);
   }
   const EnergyLedger& energy = simulation.last_result().energy;
@@ -173,7 +173,7 @@ TEST(Friction, D10HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   EXPECT_NEAR(ratio[0], sliding_cap(0.3).ratio, kNormal);
   EXPECT_EQ(simulation.last_result().spindle.speed, 0);
   EXPECT_NEAR(ratio[2], sliding_cap(0.3).ratio, kNormal);
-  // A step would be the whole friction, 0.3 N, in one tick; a hand-over of a quarter of a second takes 250.
+  // A jump would change the whole friction, 0.3 N, in one tick. The hand-over takes 250 ticks, a quarter of a second.
   EXPECT_LT(max_change, 0.03 * normal);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
 }

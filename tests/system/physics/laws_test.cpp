@@ -19,7 +19,7 @@ using units::mm;
 
 constexpr double kQuadrature = 1e-6;       // [1] of the midpoint rule with thousands of points
 constexpr double kSinglePrecision = 1e-4;  // [1] of sums of some thousand forces
-constexpr double kFineVoxels = 0.02;       // [1] for a fifth of them or less, with a form that is steeper
+constexpr double kFineVoxels = 0.02;       // [1] of sums of a fifth as many forces, with a steeper form
 
 // --- contact mechanics (Table 5.1) -----------------------------------------------------------------------------------
 
@@ -92,8 +92,8 @@ TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
 
 // --- Hertzian burr ---------------------------------------------------------------------------------------------------
 
-// The mass flux alpha mu P omega r, over the contact, is the power of the friction over the cost of a volume. With the
-// spindle parallel to the surface, omega r is the rim speed omega R (up to the size of the contact).
+// The mass flux alpha mu P omega r, over the contact, is the power of the friction over the specific cutting energy.
+// With the spindle parallel to the surface, omega r is the rim speed omega R (up to the size of the contact).
 // Proves: Hertzian burr.
 TEST(HertzianBurr, ErodesThePowerOfItsFrictionOverTheCuttingEnergy) {
   const double spin = 3000, u = 3e8, kappa = 0.5;

@@ -14,7 +14,7 @@ using units::kPi;
 using units::mm;
 using units::rpm;
 
-/// By 5 % at least from each input to the next.
+/// Expects a rise by at least 5 % from each input to the next.
 void expect_rise(const char* what, const std::vector<double>& inputs, const std::function<double(double)>& of,
                  double factor = 1.05) {
   double last = 0;
@@ -28,7 +28,7 @@ void expect_fall(const char* what, const std::vector<double>& inputs, const std:
   expect_rise(what, {inputs.rbegin(), inputs.rend()}, of, 1 / 0.95);
 }
 
-/// Bone with an edge that rubs, as a drill of a millimetre sees it.
+/// Bone with an edge pressure that suits a drill of a millimetre.
 Material bone() {
   Material material = plain_material();
   material.edge_pressure = 3e5;
@@ -71,7 +71,7 @@ TEST(MeasuredTrends, B15TheForceOfABurrFallsWithSpeedAndRisesWithFeedAndDepth) {
               [](double depth) { return burr_force(20000 * rpm, 4e-3, depth); });
 }
 
-// Song, Peng, Lin, Yin 2013: dental ceramics, and in general what an edge pressure does.
+// Song, Peng, Lin, Yin 2013 measured dental ceramics. An edge pressure has this effect in every material.
 TEST(MeasuredTrends, DC8ForceRisesWithTheChipAndTheEnergyOfAVolumeFalls) {
   const double R = 0.6 * mm, speed = 1000;
   const std::vector<double> feeds = {0.25e-3, 0.5e-3, 1e-3, 2e-3};

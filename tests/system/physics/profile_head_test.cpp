@@ -29,8 +29,8 @@ class ProfileTwin : public testing::TestWithParam<Twins> {};
 
 // Depths agree to single precision, so forces, sums over thousands of voxels, agree better than this.
 constexpr double kSinglePrecision = 2e-6;
-// For voxels whose centres are beyond the sharp rim of a cone's base and whose parts reach in, cone and profile give
-// different distances outside. Around the whole rim: 5e-5 of the force, 2.3e-3 of the volume.
+// A voxel may have its centre beyond the sharp rim of a cone's base and a part inside. Cone and profile give different
+// distances for such a centre. Around the whole rim the effect is 5e-5 of the force and 2.3e-3 of the volume.
 constexpr double kBeyondSharpRims = 1e-4, kVolumeBeyondSharpRims = 3e-3;
 
 TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {

@@ -79,9 +79,9 @@ ErrorConstants press(Surface surface, const Vec3& normal, double l) {
   return {mean, std::sqrt(squares / test::kPhases - mean * mean)};
 }
 
-// With F''(d) d^2 / F = 12 (2R-3d)/(4R-3d) = 4.26 at d = 0.3 R, the midpoint rule along the normal is off by -1/24 of
-// that: -0.177. The voxel's centre lies (1-f)/2 above the centroid of the filled fraction f, which adds f (1-f)/2 times
-// 4.26: in the mean over f 1/12, so that the error becomes +0.177, and with a spread of 0.037 * 4.26 = 0.159 where all
+// F''(d) d^2 / F = 12 (2R-3d)/(4R-3d) = 4.26 at d = 0.3 R. The midpoint rule along the normal has an error of -1/24 of
+// this: -0.177. The voxel's centre lies (1-f)/2 above the centroid of the filled fraction f, which adds f (1-f)/2 times
+// 4.26. The mean of f (1-f)/2 over f is 1/12, so the error becomes +0.177. Its spread is 0.037 * 4.26 = 0.159 where all
 // surface voxels have the same f. Where the surface is tilted against the grid, every f occurs at once.
 constexpr double kSlope = 12 * (2 * kRadius - 3 * kDepth) / (4 * kRadius - 3 * kDepth);
 constexpr double kMidpoint = -kSlope / 24;

@@ -42,7 +42,7 @@ struct Grid {
   double stiffness, voxel, tolerance;
 };
 
-/// A drill deep in its hole has only the force of its point and none along its side: the land cuts what the corner
+/// A drill deep in its hole has the force of its point and no force along its side: the land cuts what the corner
 /// leaves of the wall.
 // Proves: smooth surfaces.
 TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
@@ -90,7 +90,7 @@ TEST(SmoothSides, C41APinPushedAgainstTheWallOfItsHole) {
     }
 }
 
-/// Sideways into the wall, out over the edge, back and in again.
+/// The path goes sideways into the wall, out over the edge, back and in again.
 // Proves: smooth surfaces.
 TEST(SmoothSides, AClosedPathOverTheRimOfAHoleCostsNoWork) {
   const ToolHead pin = on_shank(round_head(1.2 * mm), {0.8 * mm, 0.3 * mm, 1 * mm, 1.6 * mm, 8 * mm});

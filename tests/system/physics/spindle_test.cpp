@@ -162,7 +162,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
       }
 }
 
-// Friction of a head that may roll under its motor has no torque about the axis: a ball that lies in bone.
+// A ball lies in bone and may roll under its motor. Its friction then has no torque about the axis.
 TEST(Spindle, StalledAndRubbedAlongItsSideHasTheTorqueOfTheMotorAlone) {
   for (const double sign : {1.0, -1.0}) {
     const Spindle turbine = common_spindle(MotorKind::air_turbine, sign * 100e3 * units::rpm);

@@ -16,12 +16,12 @@ namespace {
 using namespace test;
 using units::mm;
 
-// Just outside a profile its table must also have the surface. The side of the second one is in two pieces, which gives
-// three curves, so it needs cells; the other two have one rule everywhere.
+// The table of a profile must also describe the surface just outside the profile. The side of the second profile has
+// two pieces, which gives three curves, so its table needs cells. The tables of the other two have one rule everywhere.
 TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
   struct Case {
     ToolHead profile, shape;
-    double tip;  // [m] from the shape's origin to its lowest point, less that of the profile
+    double tip;  // [m] from the shape's origin to its lowest point, minus that of the profile
   };
   const double height = 3 * mm;
   const Profile in_pieces = {0,

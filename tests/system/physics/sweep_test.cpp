@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 using units::mm;
 
-/// A stiffness whose engaged layer is far below a voxel at all speeds.
+/// A block that is so easy to cut that its engaged layer is far below a voxel at all speeds.
 Workpiece butter(double half_length) {
   Material material = plain_material();
   material.specific_cutting_energy = 1e3;

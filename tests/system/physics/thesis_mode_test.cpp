@@ -49,7 +49,7 @@ Pose handle_at(const Simulation& simulation, double depth) {
   return Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, kRadius - depth)) * simulation.tool().X_HT().inverse();
 }
 
-/// [m] from the ball's centre to those of the voxels around it.
+/// Calls a function with the vector [m] from the ball's centre to the centre of each voxel around the ball.
 template <class See>
 void for_each_place(const See& see) {
   for (int i = -20; i < 20; ++i)
@@ -57,7 +57,7 @@ void for_each_place(const See& see) {
       for (int n = -20; n < 0; ++n) see(Vec3(kVoxel * (Vec3(i, j, n) + Vec3::Constant(0.5)) - kTo));
 }
 
-/// (5.5-5.8) of the voxels inside the ball, one by one, without the library.
+/// Equations 5.5-5.8, summed over the voxels inside the ball without the library.
 struct ByHand {
   double normal_sum = 0;  // [N]
   int voxels = 0;
@@ -95,13 +95,13 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
   EXPECT_EQ(result.contact.voxels, expected.voxels);
   EXPECT_LT((result.model.force - expected.wrench_T.force).norm(), kSinglePrecision * expected.normal_sum);
 
-  // 5.12-5.14
+  // Equations 5.12-5.14.
   const Mat3 R_WH = handle_at(simulation, kDepth).rotation;
   const Vec3 at_hand = R_WH * thesis_handle_torque(kHandle, R_WH.transpose() * expected.wrench_T.force,
                                                    expected.wrench_T.torque.z(), 1.5);
   EXPECT_LT((result.model.torque - at_hand).norm(), kSinglePrecision * expected.normal_sum * 50 * mm);
 
-  // 5.9, 5.10 and Table 6.1: the target is some newtons away, so the output changes by epsilon towards it.
+  // Equations 5.9, 5.10 and Table 6.1: the target is some newtons away, so the output changes by epsilon towards it.
   const Vec3 weight(0, 0, -0.3 * 9.80665);
   const Vec3 shaken = 0.3 * std::sin(2 * kPi * 500 * 2 * dt) * Vec3::UnitZ();
   const Vec3 wanted = result.model.force + weight + shaken;
@@ -109,7 +109,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
   EXPECT_NEAR((result.force - before).norm(), DeltaFilter{}.epsilon, 1e-12);
   EXPECT_LT((result.force - before).cross(wanted - before).norm(), 1e-9 * (wanted - before).norm());
 
-  // The torque is not filtered: it is that of the handle, of the weight, and of the vibration at its arm.
+  // The torque is not filtered. It is the torque of the handle, of the weight, and of the vibration at its lever arm.
   const Vec3 of_weight = (R_WH * mode.center_of_mass).cross(weight);
   const Vec3 arm = simulation.tool().X_HT().translation;
   const Vec3 of_shaking = (R_WH * arm).cross(shaken);
@@ -117,7 +117,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
             kSinglePrecision * expected.normal_sum * 50 * mm);
 }
 
-// 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l).
+// Equations 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l).
 // Proves: thesis mode.
 TEST(ThesisMode, RemovesWholeVoxelsThatAreDeepEnoughForTheRequiredPower) {
   const double spin = 900, deepest_kept = 0.2 * mm;
@@ -163,7 +163,7 @@ TEST(ThesisMode, LeavesOutWhatTheRateCannotShowAndRefusesWhatNoToolHas) {
   expect_refused([&] { return thesis_mode(mode); }, {});
 }
 
-// From a mastoid bur to a small one at the speed of a turbine.
+// The heads range from a mastoid bur to a small bur at the speed of a turbine.
 TEST(ThesisMode, IsFeltAndCutsWithItsDefaults) {
   struct Bur {
     double radius, spin;  // [m], [rad/s]

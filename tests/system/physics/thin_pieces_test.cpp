@@ -55,7 +55,7 @@ TEST(ThinPieces, CrossingGroovesTakeAwayTheUnionOfTheirSweeps) {
       removed = simulation.last_result().energy.cutting / 3e8;
       EXPECT_GT(simulation.last_result().energy.cutting, before);
     }
-    // By columns of the union: each is cut to the deeper of two balls.
+    // Sums the columns of the union. Each column is cut to the deeper of the two balls.
     const auto depth_at = [&](double across, double along) {
       const double beyond = std::max(0.0, std::abs(along) - half), r2 = across * across + beyond * beyond;
       return r2 < kRadius * kRadius ? std::max(0.0, std::sqrt(kRadius * kRadius - r2) - height) : 0.0;

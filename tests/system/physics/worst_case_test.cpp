@@ -51,7 +51,7 @@ TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
   }
 }
 
-/// Half buried, then sideways, cutting.
+/// A ball goes down until it is half buried, then moves sideways and cuts.
 struct Groove {
   Vec3 force = Vec3::Zero();  // [N] mean over the steady part
   double removed = 0;         // [m^3]
