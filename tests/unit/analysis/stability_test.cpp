@@ -19,9 +19,9 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPeriod = 1e-3;           // [s]
 constexpr double kClosedForm = 0.02;       // relative; the integration is exact, the search is not
-constexpr double kTable = 0.05;            // relative; the table is rounded, and from another program
-constexpr double kRestitution = 0.01;      // [1] the table has three digits, from another set of entry phases
-constexpr double kRestitutionNoise = 0.1;  // [1] dry friction and encoder make it depend on the entry phase
+constexpr double kTable = 0.05;            // relative; the table is rounded and comes from another program
+constexpr double kRestitution = 0.01;      // [1] the table has three digits and uses other entry phases
+constexpr double kRestitutionNoise = 0.1;  // [1] with dry friction and encoder it depends on the entry phase
 
 ClosedLoopConfig loop_of(std::string_view device, std::string_view hand, int delay = 0) {
   ClosedLoopConfig config;
@@ -148,7 +148,7 @@ TEST(Bounce, LosesSpeedToDryFrictionAsInTheTable) {
     }
 }
 
-// The energy of a held force in excess of an immediate spring must be dissipated by device and hand.
+// A force held over a tick does more work than a spring without delay. Device and hand dissipate the difference.
 TEST(ClosedLoop, GeneratedEnergyIsTheChangeOfKineticEnergyAndOfWhatFrictionTook) {
   ClosedLoop loop(loop_of("touch", "released"));
   loop.reset(Pose::from_translation({0, 0, 0.5e-3}));
@@ -248,7 +248,7 @@ TEST(ClosedLoop, RefusesAWrenchThatIsNotFinite) {
                            test::refusal([&] { return measure_bounce(config, broken, 100); }),
                            test::refusal([&] { return measure_buzz(config, broken, 100); })})
     test::expect_part(said, "a force model must return finite numbers");
-  // A loop that diverges while it settles is unstable, before its numbers overflow.
+  // A loop that diverges during settling counts as unstable before its numbers overflow.
   StabilitySearch search;
   search.start = Pose::from_translation({0, 0, 1e-3});
   search.settle = 2;

@@ -24,7 +24,7 @@ using units::mm3;
 TEST(MeshBuilder, ABallConvergesToTheVolumeOfItsMesh) {
   const TriangleMesh ball = ball_mesh(Vec3(1, 2, 3) * mm, 2 * mm, 48);
   const double exact = test::signed_volume(ball);
-  // The error of subsampling is noise of the lattice; the fraction of voxels at the surface bounds it.
+  // The error of subsampling is noise from its lattice. The fraction of voxels at the surface bounds this error.
   for (const auto& [voxel_size, tolerance] : {std::pair{0.4 * mm, 2e-3}, {0.2 * mm, 7e-4}, {0.1 * mm, 2e-4}}) {
     const Workpiece workpiece = build_from_mesh(ball, named("clay"), {voxel_size, 8});
     EXPECT_NEAR(solid_volume(workpiece), exact, tolerance * exact) << "at " << voxel_size / mm << " mm";
@@ -44,7 +44,7 @@ TEST(MeshBuilder, CentroidsOfCutVoxelsPutTheBodyWhereItIs) {
       const Vec3 p = workpiece.frame().center(at) + offset - center;
       sum += fill * p;
       weight += fill;
-      if (fill > 0 && fill < 1) off_center += p.norm() < (p - offset).norm() ? 1 : -1;  // towards the inside
+      if (fill > 0 && fill < 1) off_center += p.norm() < (p - offset).norm() ? 1 : -1;  // 1: inwards
     }
   });
   EXPECT_LT((sum / weight).norm(), 1e-3 * mm);
@@ -59,7 +59,7 @@ TEST(MeshBuilder, ACubeOnTheLatticeIsExactAndMadeOfTiles) {
 }
 
 TEST(MeshBuilder, AHoleInACubeIsClosed) {
-  // 4 of 600 squares are missing: w > 1/2 closes the hole with a shallow cap.
+  // 4 of 600 squares are missing. The criterion winding number > 1/2 closes the hole with a shallow cap.
   TriangleMesh cube = cube_mesh(Vec3::Zero(), 5 * mm, 10);
   const std::size_t last = cube.triangles.size() / 6 - 1;  // on the first face, x = 0
   cube.triangles.erase(cube.triangles.begin() + std::ptrdiff_t(last) - 95,

@@ -230,7 +230,7 @@ TEST(Molar, HasEnamelOnItsCrownOnly) {
 TEST(Molar, HasFiveCuspsOrFour) {
   const std::vector<Vec3> five = cusp_tips(describe_molar());
   ASSERT_EQ(five.size(), 5u);
-  EXPECT_LT(five[0].x(), -3 * mm);  // the distal cusp, the lowest
+  EXPECT_LT(five[0].x(), -3 * mm);  // the distal cusp is the lowest
   for (const Vec3& tip : five) EXPECT_GE(tip.z(), five[0].z());
   MolarParameters p;
   p.distal_cusp = false;

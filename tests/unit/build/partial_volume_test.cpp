@@ -21,14 +21,14 @@ using units::mm;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Vec3 kMiddle = Vec3(7.03, 6.98, 7.01) * mm;
 
-/// A ball of 1, blurred by a Gaussian: the convolution in closed form.
+/// A ball with the value 1, blurred by a Gaussian: the convolution in closed form.
 double blurred_ball(double r, double radius, double sigma) {
   const double s = std::sqrt(2.0) * sigma, near = (r - radius) / s, far = (r + radius) / s;
   return (std::erf(far) - std::erf(near)) / 2 -
          sigma / (r * std::sqrt(2 * kPi)) * (std::exp(-near * near) - std::exp(-far * far));
 }
 
-/// A ball of layers, from the outside to the inside, as scanned.
+/// A ball of layers, which are listed from the outside to the inside.
 struct Ball {
   struct Layer {
     double radius, grey;
@@ -84,7 +84,7 @@ TEST_P(PartialVolumeOfAShell, IsThatOfTheShell) {
   const auto amounts = build_from_grey(volume, kRanges).amounts();
   const auto by_threshold = build_from_grey(volume, kRanges, {.partial_volume = false}).amounts();
   const double core = ball_volume(inner), shell = ball_volume(outer) - core;
-  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel has one material of a blurred edge
+  constexpr double kShell = 0.02, kCore = 0.06;  // a voxel at their blurred boundary has only one material
   EXPECT_NEAR(amounts[0].volume / core, 1, kCore);
   EXPECT_NEAR(amounts[1].volume / shell, 1, kShell);
   EXPECT_LT(by_threshold[1].volume / shell, 0.9);
@@ -115,7 +115,7 @@ TEST(PartialVolume, SwitchedOffLeavesEachSampleTheMaterialOfItsValue) {
 }
 
 TEST(PartialVolume, IsAppliedInBlocksWithinOneRangeToo) {
-  // So blurred that a cell of samples is in the trabecular range: two samples, and 24 voxels to a sample.
+  // The blur of about two samples puts a whole cell of samples into the trabecular range. A sample spans 24 voxels.
   const GreyVolume volume = scan({kAir, {{5.45 * mm, kHard}}}, 0.6 * mm, 1.1 * mm);
   const VolumeBuildOptions fine{.voxel_size = 0.025 * mm, .crop = Box{Vec3(6.5, 6.5, 9) * mm, Vec3(7.5, 7.5, 14) * mm}};
   EXPECT_EQ(build_from_grey(volume, kRanges, fine).amounts()[0].voxels, 0);

@@ -20,7 +20,7 @@ using test::named;
 using units::kPi;
 using units::mm;
 
-/// Zeros, in the axes of the world.
+/// A volume of zeros whose axes are those of W.
 template <class Value>
 Volume<Value> volume_of(std::array<int, 3> dims, const Vec3& spacing) {
   return test::volume_of<Value>(dims, spacing, {});

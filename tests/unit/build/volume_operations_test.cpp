@@ -67,7 +67,7 @@ TEST(CropToABox, KeepsWhatAWorkpieceInTheBoxNeeds) {
   volume.X_WG.rotation = Mat3::Identity();
   const Vec3 low = volume.position(5, 6, 7), high = volume.position(8, 6, 9), inside = Vec3::Constant(0.03 * mm);
   const GreyVolume part = crop_to_box(volume, {low + inside, high + inside});
-  EXPECT_EQ(part.dims, (std::array<int, 3>{9, 6, 8}));  // two more on each side
+  EXPECT_EQ(part.dims, (std::array<int, 3>{9, 6, 8}));  // two more samples on each side
   EXPECT_EQ(part.at(2, 2, 2), volume.at(5, 6, 7));
   EXPECT_LT((part.position(2, 2, 2) - low).norm(), 1e-15);
   EXPECT_EQ(crop_to_box(volume, {low - Vec3::Ones(), high + Vec3::Ones()}).dims, volume.dims);
@@ -156,7 +156,7 @@ TEST(KeepLargestComponent, OfGreyValuesLeavesSamplesBelowTheThreshold) {
   EXPECT_THROW((void)keep_largest_component(volume, 301), Error);
 }
 
-/// The samples from which a path over faces and samples of 0 leads to sample `from`, found step by step.
+/// Flood fill over faces from the samples `from`, through empty or through filled samples.  @return the reached samples
 std::vector<bool> reached(const LabelVolume& volume, const std::vector<VoxelIndex>& from, bool empty) {
   std::vector<bool> seen(volume.size(), false);
   std::vector<VoxelIndex> stack = from;

@@ -199,7 +199,7 @@ TEST(CLoop, EndsWithItsHandleForAnyOrderOfReleases) {
 }
 
 TEST(CLoop, RefusesWhatDoesNotFit) {
-  const Owned stiff(simulation_of());  // not for a coupling
+  const Owned stiff(simulation_of());  // made without for_coupling
   const Owned device(device_of());
   hapticut_loop loop = 0;
   auto options = for_mock(1);

@@ -101,7 +101,7 @@ TEST(CStructs, AreWrittenNoFurtherThanTheCallerSays) {
   const hapticut_step_input input = above(2e-4);
   expect_writes_within_its_size<hapticut_probe_result>("probe",
                                                        [&](auto* to) { return hapticut_probe(s, &input, to); });
-  // The tool stands above the block, so all steps are equal.
+  // The tool is above the block, so all steps are equal.
   const hapticut_step_input still = above(-5e-3);
   auto result = sized<hapticut_step_result>();
   const Owned fresh(simulation_of());

@@ -89,8 +89,8 @@ TEST(CuttingForms, C20C22OfAFlatHeadAreTheIntegralOfItsPressure) {
   }
 }
 
-/// [Pa, m] pressure and filled depth at one distance from the axis: a point that moves up through the springs at the
-/// feed speed is cut by their power, dphi/dw = -kappa k_v w s phi/(price v_f).
+/// [Pa, m] Pressure and filled depth at one distance from the axis. A point moves up through the springs at the feed
+/// speed, and their power cuts it: dphi/dw = -kappa k_v w s phi/(price v_f).
 struct Layer {
   double pressure = 0, filled = 0, one_over_e = 0;
 };
@@ -253,8 +253,8 @@ TEST(CuttingForms, C33StepsAddUpToTheHeadAndPushLikeThePressureOfTheirLayer) {
   }
   EXPECT_NEAR(cone / (kPi / 3 * 1e-9), 1, 1e-9);
   EXPECT_NEAR(ball / (2 * kPi / 3 * 1e-9), 1, 1e-9);
-  // The layer that a step presses has a thickness of D times the sine of the slope, and a pressure of k_v/2 times its
-  // square.
+  // A step presses a layer with a thickness of D times the sine of the slope. The pressure is k_v/2 times the square of
+  // this thickness.
   const double depth = 0.7 * kR;
   double sum = 0;
   for (const MeridianPoint& p : meridian_of_a_ball(0, std::acos(1 - depth / kR)))

@@ -23,7 +23,7 @@ constexpr double kVolume = 4e-3;
 constexpr double kLine = 1e-5;  // [1] error of an integral over a line with thousands of points
 constexpr double kRounding = 1e-12;
 
-/// A head with its springs, and the stiffness around it; all in T, whose axes are those of W here.
+/// A head with its springs, and the stiffness of the material around it. All are in T, whose axes here are those of W.
 struct Contact {
   std::function<MeridianSpring<double>(double rho, double z)> spring;
   std::function<double(const Vec3& p)> stiffness;                         // [N/m^4]; 0: no material
@@ -36,7 +36,7 @@ struct Springs {
   double energy = 0;  // [J]
 };
 
-/// `F = -Int k_v w n dV` and so on, on the middles of small boxes.
+/// Integrates `F = -Int k_v w n dV`, its torque and the energy by the midpoint rule over small boxes.
 Springs integrate(const Contact& contact) {
   constexpr int kAcross = 120;
   const Vec3 size = (contact.high - contact.low) / kAcross;

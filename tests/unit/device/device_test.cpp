@@ -170,7 +170,7 @@ TEST(Device, IsAMistakeToCloseWhileItRuns) {
 }
 #endif
 
-/// Takes as long to end a run as some drivers.
+/// A device that takes as long to end a run as some drivers do.
 class SlowToClose final : public WrittenDevice {
   void end_run() noexcept override { std::this_thread::sleep_for(std::chrono::milliseconds(100)); }
 };

@@ -18,7 +18,7 @@ RunOptions simulated() {
   return options;
 }
 
-/// The state of the hand after some ticks, when `act` was called in the first one.
+/// The state of the hand after some ticks, when `act` was called in the first tick.
 template <typename Act>
 DeviceState after(MouseDevice& mouse, const Act& act, long ticks = 2000) {
   DeviceState last;

@@ -26,7 +26,7 @@ using test::place;
 using test::push_for;
 using test::quick;
 
-// Numbers of the interface, for the control of the stand-in.
+// Error and status codes of OpenHaptics that the tests make the stand-in report.
 constexpr unsigned kWarmMotors = 0x0200, kExceededForce = 0x0201, kExceededImpulse = 0x0202, kExceededSpeed = 0x0203;
 constexpr unsigned kCommError = 0x0302, kInvalidInputType = 0x0103;
 constexpr unsigned kCalibrationNeedsUpdate = 0x5001, kCalibrationNeedsManualInput = 0x5002;
@@ -111,7 +111,7 @@ RunOptions watched() {
 }
 
 TEST_F(OpenHapticsFaults, ReleasesTheHandWhileACallbackHangsAndEndsTheRunAfterIt) {
-  for (const bool by_watchdog : {false, true}) {  // otherwise by the run, because the driver was silent
+  for (const bool by_watchdog : {false, true}) {  // false: the run releases the hand because the driver is silent
     hdsim_reset();
     const int first = add_touch("first"), second = add_touch("second");
     hdsim_use_thread(1);
@@ -122,7 +122,7 @@ TEST_F(OpenHapticsFaults, ReleasesTheHandWhileACallbackHangsAndEndsTheRunAfterIt
     RunReport report;
     std::atomic<bool> ended{false};
     {
-      Hang hang;  // destroyed after the run, so no call may be inside
+      Hang hang;  // destroyed after the run, when no callback may be running
       std::thread other_runner([&] { (void)other->run(push_for(100000), how); });
       std::thread runner([&] {
         report = device->run(std::ref(hang), how);
@@ -132,7 +132,7 @@ TEST_F(OpenHapticsFaults, ReleasesTheHandWhileACallbackHangsAndEndsTheRunAfterIt
       EXPECT_TRUE(happens([&] { return test::rendered(first).isZero(0) && test::rendered(second).isZero(0); }));
       EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0);
       std::this_thread::sleep_for(std::chrono::duration<double>(2 * options.silence));
-      EXPECT_FALSE(ended) << "while the callback is inside what belongs to the caller";
+      EXPECT_FALSE(ended) << "the callback still uses objects of the caller";
       hang.released = true;
       runner.join();
       other_runner.join();
@@ -329,7 +329,7 @@ TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
   EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
   EXPECT_EQ(hdsim_get_counters(0).force_during_calibration, 0);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::recalibrated)], 1U);
-  EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because it pushes all the time
+  EXPECT_EQ(outcome.report.arming, ArmingState::wait_free);  // because the callback pushes all the time
 }
 
 TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhileTheUserHoldsTheLinks) {

@@ -150,8 +150,8 @@ TEST_F(OpenHaptics, RefusesToOpenADeviceWhileAnotherRuns) {
   });
 }
 
-/// A run with a given period, in which the stylus rotates at 2 rad/s under a constant force, and its last angular
-/// speed.
+/// Result of a run with a given period. The stylus rotates at 2 rad/s under a constant force; `speed` is the last
+/// angular speed.
 struct RotatingRun {
   RunReport report;
   double speed = 0, seconds = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// GuardOptions::period is the one period of a run, for all its parts.
+// All parts of a run use GuardOptions::period as the period.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -20,7 +20,7 @@ using units::mm;
 using units::N_mm;
 using units::rpm;
 
-constexpr double kSearched = 1e-6;  // [1] kappa is searched to 1e-12 of its logarithm, where squares are flat to 1e-8
+constexpr double kSearched = 1e-6;  // [1] log(kappa) is searched to 1e-12; the sum of squares is flat within 1e-8
 constexpr double kNoNoise = 1e-4;   // [1] residual of a search over all kappa for tests that fit exactly
 
 constexpr AngularSpeed kSpeed = 100 * units::rad_per_s;

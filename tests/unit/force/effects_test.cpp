@@ -36,7 +36,8 @@ TEST(Gravity, PullsDownWithTheWeightAndTurnsTheHandAboutTheCentreOfMass) {
 
 // Proves: gravity.
 RC_GTEST_PROP(Gravity, DoesNoWorkOnAClosedPath, ()) {
-  // Potential energy -m g . p_com: the wrench is its gradient, so small rotations to and fro cancel to second order.
+  // The wrench is the gradient of the potential energy -m g . p_com, so the work of small rotations back and forth
+  // cancels to second order.
   const Gravity tool{0.2, *arbitrary_vector(0.1), *arbitrary_vector(9.81)};
   const Mat3 R = *test::arbitrary_rotation();
   const Vec3 rotation = *arbitrary_vector(1e-6);
@@ -69,7 +70,7 @@ Shake shake(const Vibration& vibration, double rate) {
   return s;
 }
 
-constexpr double kPartOfAPeriod = 0.01;  // [1] of a mean over a second that does not hold whole periods
+constexpr double kPartOfAPeriod = 0.01;  // [1] error of a mean over a second that does not hold whole periods
 constexpr double kSampledPeak = 1e-3;    // [N] error of the peak with sixty samples in a period
 
 // Proves: vibration.
@@ -126,7 +127,7 @@ TEST(DeltaFilter, LagsAStepOf3NByHalfASecondAndDoesNotRunAwayOnRelease) {
   Vec3 force = Vec3::Zero();
   int ticks = 0;
   while ((force - Vec3(3, 0, 0)).norm() > 1e-12) force = filtered(filter, force, Vec3(3, 0, 0)), ++ticks;
-  // epsilon in each tick until delta is left, which the last tick adds: (3 - 0.5)/0.005 + 1.
+  // The filter adds epsilon in each tick until delta is left; the last tick adds delta: (3 - 0.5)/0.005 + 1.
   EXPECT_NEAR(ticks, 501, 1);
   ticks = 0;
   while (force.norm() > 0 && ticks < 10000) {

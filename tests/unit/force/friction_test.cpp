@@ -92,8 +92,8 @@ TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
   expect({std::nan(""), 0.3, 1000}, "nan");
 }
 
-/// Condition of implicit steps: the force at the end is the slope of a convex function of the end of the step, so a
-/// step has exactly one solution, and `stiffness` is the slope of this force.
+/// Condition of implicit steps: the force at the end of a step is the slope of a convex function of the end position,
+/// so a step has exactly one solution. `stiffness` is the slope of this force.
 RC_GTEST_PROP(LimitSurface, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   const DryFriction friction{*number_between(0.2, 1), *number_between(0, 0.2), *number_between(100, 1e6)};
   const Vec3 normal = *number_between(0.1, 5) * (Vec3(0, 0, 1) + 0.3 * *arbitrary_vector(1)).normalized();
@@ -113,7 +113,7 @@ RC_GTEST_PROP(LimitSurface, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   RC_ASSERT((stiffness - stiffness.transpose()).norm() <= 1e-9 * stiffness.norm());
   RC_ASSERT(direction.dot(stiffness * direction) >= -1e-9 * stiffness.norm());
   const bool sticks_and_slides = (move(a + h * direction).stiffness - move(a - h * direction).stiffness).norm() >
-                                 1e-3 * friction.tangential_stiffness;  // a kink in between
+                                 1e-3 * friction.tangential_stiffness;  // the force has a kink in between
   if (!sticks_and_slides) RC_ASSERT((stiffness * direction - slope).norm() <= 1e-4 * friction.tangential_stiffness);
 }
 

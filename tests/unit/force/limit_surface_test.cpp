@@ -17,7 +17,7 @@ using units::kPi;
 using units::mm;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kR = 1 * mm, kNormal = 3, kMu = 0.3;  // [N] of all points
+constexpr double kR = 1 * mm, kNormal = 3, kMu = 0.3;  // kNormal: [N] sum over all points
 const DryFriction kFriction = {kMu, kMu, 1000};
 
 struct Point {

@@ -31,7 +31,7 @@ Simulation bone_under(const ToolHead& head, RemovalLaw removal = RemovalLaw::con
                     Tool(head, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
 }
 
-/// A ball that drills into bone at 0.2 mm/s, about the speed of heat over a millimetre, and the field beside it.
+/// A ball that drills into bone at 0.2 mm/s, about the speed of heat over a millimetre, and the heat field of the bone.
 struct Drilling {
   explicit Drilling(HeatConfig config = {}, const HeatCollectorOptions& options = {})
       : collector(simulation, options), field(simulation.workpiece(), std::move(config)) {}
@@ -74,7 +74,7 @@ TEST(HeatCollector, LosesNothingWhereItsQueuesAreFull) {
   Drilling drilling({}, tight);
   drilling.down();
   double time = 0;
-  for (int tick = 0; tick < 400; ++tick) {  // the spindle stands, and the rest is received
+  for (int tick = 0; tick < 400; ++tick) {  // the cut has ended; the field receives the remaining heat
     drilling.simulation.halt_spindle();
     drilling.stay_in_the_air();
     time += drilling.field.drain(drilling.collector);
@@ -133,7 +133,7 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   field.advance(field.drain(collector));
   EXPECT_NEAR(field.balance().brought_in, 0.2 * simulation.last_result().energy.rubbing, 1e-9);
   EXPECT_GT(field.balance().brought_in, 0);
-  // Over the whole face of the head, not in one point.
+  // The heat enters over the whole face of the head, not at one point.
   const auto rise_at = [&](double x, double y) { return field.temperature_at(Vec3(x, y, -0.2) * mm) - 37; };
   EXPECT_GT(rise_at(1.4, 0.5), 0.5 * rise_at(1, 0.5));
   EXPECT_LT(rise_at(2.8, 0.5), 0.1 * rise_at(1, 0.5));
@@ -179,7 +179,7 @@ TEST(TouchingPoint, IsWhereTheForceComesFrom) {
   const ToolHead ball = SphereHead{1 * mm};
   EXPECT_TRUE(touching_point(ball, {{0, 0, 3}, Vec3::Zero()}).isApprox(Vec3(0, 0, -1) * mm, 1e-4));
   EXPECT_TRUE(touching_point(ball, {{-2, 0, 0}, Vec3::Zero()}).isApprox(Vec3(1, 0, 0) * mm, 1e-3));
-  // A cylinder that is pushed aside 3 mm above its end.
+  // A cylinder with a lateral force 3 mm above its end.
   const ToolHead cylinder = FlatHead{1 * mm, 4 * mm};
   const Vec3 at = Vec3(1, 0, 3) * mm, force(-2, 0, 0);
   EXPECT_TRUE(touching_point(cylinder, {force, at.cross(force)}).isApprox(at, 1e-3));

@@ -56,7 +56,8 @@ TEST(HeatField, SpreadsAPointSourceAsTheClosedFormAtSecondOrderInTheCell) {
 }
 
 TEST(HeatField, TrailsAMovingLineSourceAsJaegersClosedForm) {
-  // In a plate one cell thick the source is a line; far from its ends and its beginning the field moves with it.
+  // In a plate one cell thick the source is a line. Far from the ends of the plate and long after the start, the field
+  // moves with the source.
   constexpr double kCell = 0.25 * mm, kSpeed = 0.25 * mm, kPower = 0.05, kTime = 60, kTick = 0.02;
   HeatConfig config;
   config.voxels_per_cell = 8;
@@ -95,7 +96,7 @@ double wetted_area(const Workpiece& workpiece) {
 }
 
 TEST(HeatField, MeasuresTheSurfaceOfABody) {
-  // Cells of 0.4 mm. A plate's faces are exact; where faces meet in an edge the diagonal across it counts.
+  // Cells of 0.4 mm. The area of a plate's faces is exact. At an edge of two faces the diagonal across the edge counts.
   const double ball =
       wetted_area(build_sphere({0.03 * mm, 0.01 * mm, 0.02 * mm}, 3 * mm, 0.1 * mm, test::named("bone")));
   EXPECT_NEAR(ball / (4 * kPi * 9e-6), 1, 0.03);
@@ -105,7 +106,7 @@ TEST(HeatField, MeasuresTheSurfaceOfABody) {
 }
 
 TEST(HeatField, IsCooledByWaterAsAPlateIs) {
-  // Thin against h and k (Biot number 0.015) it cools as a whole: exp(-2 h t/(rho c d)).
+  // The plate is so thin (Biot number 0.015) that it cools uniformly: exp(-2 h t/(rho c d)).
   HeatConfig config;
   config.body_temperature = 60;
   config.water_temperature = 20;

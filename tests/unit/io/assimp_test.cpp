@@ -50,7 +50,7 @@ std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
   return scene;
 }
 
-/// Writes it in a format of Assimp: gltf2, glb2.
+/// Writes the scene in a format of Assimp: gltf2, glb2.
 void export_scene(const aiScene& scene, const char* format, const std::filesystem::path& path) {
   Assimp::Exporter exporter;
   ASSERT_EQ(exporter.Export(&scene, format, path.string()), aiReturn_SUCCESS);
@@ -147,7 +147,7 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
           std::string("it needs the glTF extension '") + extension + "', which is not supported; export");
     }
     test::expect_part(refusal_with(R"("extensionsUsed":["EXT_mesh_gpu_instancing"])"), "_gpu_");
-    // For any encoding of its names.
+    // The refusal also names the extension when the JSON contains bytes that are not UTF-8.
     test::expect_part(refusal_with("\"extras\":\"\xe4\",\"extensionsRequired\":[\"VENDOR_shape\"]"), "VENDOR_shape");
     EXPECT_EQ(refusal_with(R"("extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])"), "");
     EXPECT_EQ(refusal_with(R"("extras":{"a":"\"[","extensionsRequired":["VENDOR_shape"]})"), "");

@@ -26,7 +26,7 @@ TEST(AtomicFile, TheFileOfAKilledProgramIsRemovedByTheNextOne) {
   const AtomicFile other(folder / "b.txt");
   EXPECT_EQ(folder.file_count(), 1U) << "the file of the dead process is gone, that of this one is there";
   const AtomicFile third(folder / "c.txt");
-  EXPECT_EQ(folder.file_count(), 2U) << "what a living process writes stays";
+  EXPECT_EQ(folder.file_count(), 2U) << "the file of a living process stays";
 }
 
 TEST(AtomicFile, NamesMayBeAsLongAsTheSystemAllows) {

@@ -69,10 +69,10 @@ TEST(DicomPadding, IsARangeWithALimitOnEitherSide) {
 }
 
 TEST(DicomPadding, BeyondTheBitsStoredIsComparedWithWholeWords) {
-  // 63536 of 12 bits would be 2096, which is a value of the scan.
+  // The lowest 12 bits of 63536 are 2096, which is a value of the scan.
   const std::string padding = little(std::uint16_t(63536));
   expect_slices(with_padding({-2000, 2096, 3, 4}, false, "US", padding, "", 12), {kAir, 1096, -997, -996}, 2);
-  // With a sign it is -2000, which 12 bits hold.
+  // As a signed word 63536 is -2000, which 12 bits can hold.
   expect_slices(with_padding({-2000, 2097, 3, 4}, true, "US", padding, "", 12), {-2999, -2999, -997, -996}, 2);
 }
 

@@ -33,7 +33,7 @@ TEST(MeshFormats, VerticesAtTheSamePlaceAreOneAndTrianglesWithoutAreaAreDropped)
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
-/// Arbitrary bytes: parts, and copies with changed bytes. Each must give valid meshes or one sentence.
+/// Parses cut-off copies and copies with changed bytes. Each must give valid meshes or an error of one sentence.
 void try_hostile(Parser parse, const std::string& bytes, std::mt19937& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     std::string hostile = bytes.substr(0, round % 3 == 0 ? random() % (bytes.size() + 1) : bytes.size());
@@ -154,8 +154,9 @@ TEST(MeshFormats, MeshesOfOthersAreWhatAnotherReaderFinds) {
                                         {"teeth/URI1_tooth_mesh1.ply", 1, 16403, 114.878732, 233.831862},
                                         {"teeth/URI1_tooth_mesh2.ply", 1, 31026, 549.347502, 451.744926},
                                         {"teeth/URI1_tooth_mesh3.ply", 1, 72704, 19.5911106, 65.9380392},
-                                        // Not from Assimp: it refuses a cube of edge 1; of a cube of edge 2 it loses
-                                        // two triangles, and the volume is that of mixed windings.
+                                        // These values are not from Assimp. It refuses the first file, a cube of edge
+                                        // 1. Of the second, a cube of edge 2, it loses two triangles; 4/3 is the
+                                        // volume with mixed windings.
                                         {"hostile/ply-nl.ply", 1, 12, 1, 6},
                                         {"hostile/mesh-winding.off", 1, 12, 4.0 / 3, 24}};
   HAPTICUT_NEEDS_DATA(known[0].name);

@@ -173,7 +173,7 @@ TEST(Meshes, TheBurHasItsVolume) {
 struct Hostile {
   const char* name;
   double voxel_size_mm;
-  double volume_mm3;  ///< of what it encloses; 0: must be refused
+  double volume_mm3;  ///< enclosed volume; 0: the file must be refused
   double tolerance;   ///< [1]
 };
 
@@ -198,9 +198,9 @@ TEST_P(HostileMesh, GivesAWorkpieceOrAClearError) {
   }
 }
 
-// Closed meshes without intersections: their volume by the divergence theorem. The union of those with intersections or
-// doubled parts is this library's own result with more subsamples: a value to notice changes by, not an oracle. The
-// walls of box.STL are thinner than a voxel and parallel to the lattice of subsamples.
+// Closed meshes without intersections: the volume comes from the divergence theorem. Meshes with intersections or
+// doubled parts: the volume of the union is this library's own result with more subsamples; it reveals changes, but is
+// no independent reference. The walls of box.STL are thinner than a voxel and parallel to the lattice of subsamples.
 INSTANTIATE_TEST_SUITE_P(
     Meshes, HostileMesh,
     testing::Values(Hostile{"box.STL", 0.15, 16.08, 0.06}, Hostile{"self_intersectA.obj", 0.05, 0.1427, 0.02},

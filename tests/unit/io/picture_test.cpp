@@ -128,7 +128,7 @@ TEST(Picture, TheScaleBarIsDrawnInTheCorner) {
   const Pixels pixels = read_png(folder / "bar.png");
   int dark = 0;
   for (int x = 0; x < 40; ++x) dark += pixels.brightness(x, 115) < 400 ? 1 : 0;
-  // 1 mm of 4 mm that fill 88 % of 120 pixels.
+  // The bar is 1 mm long; the 4 mm of the ball fill 88 % of 120 pixels.
   EXPECT_NEAR(dark, 0.88 * 120 / 4, 2);
 }
 

@@ -27,7 +27,7 @@ bool same(const DeviceState& a, const DeviceState& b) {
          a.valid == b.valid && a.fault == b.fault;
 }
 
-/// A device reading in a recording.
+/// All readings of a playback device.
 std::vector<DeviceState> readings_of(PlaybackDevice& playback) {
   std::vector<DeviceState> readings;
   (void)playback.run(
@@ -78,7 +78,7 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   }
 }
 
-// Regression: it gave one reading, because all readings were equal.
+// Regression: playback gave only one reading, because all recorded readings were equal.
 TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
@@ -126,7 +126,8 @@ TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
       },
       in_simulated_time());
   EXPECT_EQ(times, (std::vector<double>{0.001, 0.002, 0.003, 0.004, 0.005, 0.006}));
-  EXPECT_EQ(report.events[std::size_t(SafetyEvent::reading_stale)], 2U) << "the guard sees what it saw then";
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::reading_stale)], 2U)
+      << "the guard sees the stale readings of the recorded run";
 }
 
 TEST(Playback, PlaysAPartOfARecording) {

@@ -10,7 +10,7 @@ namespace {
 
 TEST(RecorderStep, AllocatesNothingAndTakesNoLock) {
   const test::TemporaryFolder folder;
-  for (const std::size_t steps : {std::size_t(16), std::size_t(8192)}) {  // with and without room
+  for (const std::size_t steps : {std::size_t(16), std::size_t(8192)}) {  // a buffer that overflows, and one with room
     const test::Scene& scene = test::find_scene("axial_flat");
     Simulation simulation = scene.make();
     RecorderOptions options;

@@ -189,7 +189,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   VirtualCoupling coupling(simulation, {});
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::uint64_t parts = 0;
-  std::vector<std::pair<std::uint64_t, Vec3>> felt;  // after which step
+  std::vector<std::pair<std::uint64_t, Vec3>> felt;  // step, and the force on the hand after it
   constexpr int kTicks = 300;
   for (int tick = 0; tick < kTicks; ++tick) {
     const double z = std::max(5e-3 - 2e-4 * tick, 0.0);  // 0.2 m/s: 4 voxels and more in a tick

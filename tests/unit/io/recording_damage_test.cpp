@@ -61,7 +61,7 @@ void replace(hid_t file, const std::string& name, hid_t type, const std::vector<
                           "replacing");
 }
 
-// Regression: a list of texts was read into the memory of one.
+// Regression: the reader read a list of texts into the memory of one text.
 TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
   expect_refused("'note' is not a text", [](hid_t file) {
     const hsize_t many = 1000;
@@ -99,7 +99,7 @@ TEST(DamagedRecording, MayNotClaimMoreThanItHolds) {
   expect_refused("'vdb' claims", [&](hid_t file) {
     replace(file, "workpiece/vdb", H5T_STD_U8LE, {hsize_t(1) << 31U}, chunks_of({4096}));
   });
-  // As whole numbers, the product of the lengths is 0.
+  // The product of the lengths, 2^64, overflows to 0.
   expect_refused("'vdb' claims", [&](hid_t file) {
     replace(file, "workpiece/vdb", H5T_STD_U8LE, {hsize_t(1) << 32U, hsize_t(1) << 32U}, chunks_of({64, 64}));
   });
@@ -123,7 +123,7 @@ TEST(DamagedRecording, CountsTheLostStepsUpToTheLargestNumber) {
   });
 }
 
-// The positions of a column's values are read with the values, so an export is the first to detect errors.
+// The index of a column is read only with its values, so an export is the first to detect errors in the index.
 TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
   const TemporaryFolder folder;
   const std::string& bytes = good_recording();
@@ -137,7 +137,7 @@ TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
     try {
       recording.emplace(read_recording(folder / "b.h5"));
     } catch (const Error&) {
-      continue;  // belongs to a column that the reader needs
+      continue;  // the index belongs to a column that the reader needs
     }
     for (const auto& write : {write_csv, write_npz}) {
       const std::string refusal = test::refusal([&] { write(*recording, folder / "out"); });

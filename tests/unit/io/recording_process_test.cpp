@@ -29,7 +29,7 @@ using test::TemporaryFolder;
 constexpr int kSteps = 5;
 constexpr const char* kVariable = "HAPTICUT_RECORDING_READER";
 
-/// While it lives, another program reads recordings.
+/// During the lifetime of this object, another program reads recordings.
 struct OtherReader {
   explicit OtherReader(const std::string& program) { ::setenv(kVariable, program.c_str(), 1); }
   ~OtherReader() { ::unsetenv(kVariable); }

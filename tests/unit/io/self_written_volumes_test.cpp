@@ -30,7 +30,7 @@ constexpr std::array<int, 3> kDims = {4, 3, 5};
 const Vec3 kSpacing = Vec3(0.1, 0.2, 0.7) * mm;
 constexpr int kSlice = kDims[0] * kDims[1];
 
-/// The values of all volumes here: all different, to detect swapped axes.
+/// The values of all volumes here. They differ from each other, so a test detects swapped axes.
 template <class Value>
 std::vector<Value> ramp(int first = 0, int count = kSlice * kDims[2]) {
   std::vector<Value> values(static_cast<std::size_t>(count));
@@ -198,7 +198,7 @@ TEST(Nifti, PoseComesFromItsQuaternionAndALeftHandedGridIsTurnedRound) {
   file.quaternion = {0, 0, float(std::sqrt(0.5)), 1, 2, 3};  // 90 degrees about z
   const GreyVolume volume = read_nifti(file);
   expect_ramp(volume);
-  // Of the file: i along y, j along -x.
+  // In the file, i points along y and j along -x.
   EXPECT_LT((volume.position(3, 2, 4) - Vec3(-(1 - 0.4), -(2 + 0.3), 3 + 2.8) * mm).norm(), 1e-8);
 
   file.qfac = -1;  // k downwards
@@ -246,7 +246,7 @@ struct Format {
 
 void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
 
-/// "4 3 5", or a claim.
+/// The sizes of a valid file, "4 3 5" (side 0), or claimed sizes.
 std::string sizes(std::uint32_t side) {
   return side == 0 ? "4 3 5" : std::to_string(side) + " " + std::to_string(side) + " 5";
 }
@@ -263,7 +263,7 @@ std::string meta_file(std::uint32_t side) {
 }
 
 std::vector<Format> formats() {
-  // A single-file format, from a function of the claimed side; 0: valid.
+  // A format with a single file. `bytes` makes the file for a claimed side; 0: a valid file.
   const auto one_file = [](const char* name, const char* file, const std::function<std::string(std::uint32_t)>& bytes) {
     return Format{name, file, false, [=](const TemporaryFolder& f) { write_bytes(f / file, bytes(0)); }, bytes};
   };

@@ -135,7 +135,7 @@ TEST(VolumeHeader, WithFewerSamplesThanTheFileIsRefused) {
                                   "ElementDataFile = v.raw\n")
                 .at(0, 0, 0),
             13)
-      << "the last ones, which it asks for";
+      << "HeaderSize = -1 asks for the last values of the file";
 }
 
 TEST(Nifti, AnOffsetWithinTheHeaderMeansThatTheValuesFollowIt) {

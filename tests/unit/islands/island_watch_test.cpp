@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The removal of a piece that a tool has cut loose: from a simulation, beside a custom loop, and from a model's loop.
+// The removal of a piece that a tool has cut loose: in a simulation, in a custom loop, and in the loop of a model.
 #include "hapticut/islands/island_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -172,7 +172,8 @@ void wait(Simulation& simulation, IslandWatch& watch, int ticks) {
   }
 }
 
-/// Cuts a layer out, again and again until the watch has seen the workpiece whole before, and removes what came loose.
+/// Cuts a layer out and waits until the watch removes the loose piece. If the watch had not seen the whole workpiece
+/// before the cut, the function undoes the cut and repeats it.
 void cut_layer(Simulation& simulation, IslandWatch& watch, int k) {
   const std::uint64_t before = watch.count();
   for (;;) {
@@ -217,13 +218,13 @@ TEST(IslandWatch, FollowsTheFrameAndTheBoundsOfAnotherWorkpiece) {
   simulation.reserve_undo(200);
   IslandWatch watch(simulation, options);
   simulation.reset(bar(-3, 9));
-  cut_layer(simulation, watch, 40);  // 1 mm above the origin; what is above is the longer part
+  cut_layer(simulation, watch, 40);  // 1 mm above the origin; the part above the cut is the longer one
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
 }
 
-/// Two bodies of some voxels, so far apart that the box around them has more blocks than a search can hold: 324^3. The
-/// box begins and ends within a block, because 2^34 voxels in whole blocks, the maximum of a workpiece, would fit.
+/// Two bodies of some voxels, so far apart that the box around them has 324^3 blocks, more than a search can hold. The
+/// box begins and ends within a block: 2^34 voxels, the maximum of a workpiece, would fit if they were whole blocks.
 Workpiece far_apart() {
   constexpr int kFar = 323 * kBlockEdge;
   const VoxelIndex first = {0, 0, 0}, last = {kFar, kFar, kFar};
@@ -320,7 +321,7 @@ TEST(IslandModel, RemovesIslandsAndSendsTheirBlocks) {
   options.period = 1e-3;
   IslandModel model(without, options);
   LoopSnapshot snapshot;
-  // Around a cube of 20 voxels, at 20 ... 39 along each axis.
+  // Removes the voxels around a cube of 20 voxels, at 20 ... 39 along x and y and 12 ... 31 along z.
   for (int x = 16; x < 48; x += 8)
     for (int y = 16; y < 48; y += 8)
       for (int z = 8; z < 40; z += 8) {

@@ -58,7 +58,7 @@ std::vector<VoxelIndex> cut(Workpiece& workpiece, const IndexBox& box) {
   return cut(workpiece, box, [](const VoxelIndex&) { return true; });
 }
 
-/// A shell around a box, some voxels thick.
+/// Removes a shell around a box, `width` voxels thick.  @return the changed blocks
 std::vector<VoxelIndex> undercut(Workpiece& workpiece, const IndexBox& piece, int width = 2) {
   IndexBox around = piece;
   for (std::size_t a = 0; a < 3; ++a) around.min[a] -= width, around.max[a] += width;
@@ -132,7 +132,7 @@ TEST(IslandFinder, FindsSeveralPiecesAtOnceInAnyOrderOfTheBlocks) {
 TEST(IslandFinder, DoesNotTakeAnEdgeOrACornerForAJoint) {
   Workpiece block = block_of(16, 16, 16);
   IslandFinder finder(block);
-  // The rest of the upper half touches the lower half only with edges.
+  // The rest of the upper half touches the lower half only at edges.
   const auto changed = cut(block, {{0, 0, 6}, {15, 15, 15}}, [](const VoxelIndex& at) {
     return !holds({{4, 4, 7}, {9, 9, 9}}, at) && !(at[0] == 3 && at[1] >= 4 && at[2] == 6);
   });
@@ -145,7 +145,7 @@ TEST(IslandFinder, FindsNothingWhereNothingWasCutAndLeavesBodiesThatWereApart) {
   (void)cut(block, {{20, 0, 0}, {21, 39, 39}});  // two bodies from the beginning
   IslandFinder finder(block);
   EXPECT_TRUE(finder.find().empty());
-  // Both are cut at once, the smaller one too.
+  // One cut removes voxels of both bodies.
   finder.update(block, cut(block, {{16, 5, 5}, {25, 10, 10}}));
   EXPECT_TRUE(finder.find().empty());
   EXPECT_EQ(find_islands(block).size(), 1U) << "as a whole, one of the two bodies is an island";
@@ -242,7 +242,7 @@ TEST(IslandFinder, BeginsWithTheBlocksThatAreListedFirst) {
   finder.update(block, undercut(block, {{4, 4, 4}, {7, 7, 7}}));
   EXPECT_TRUE(finder.find().empty()) << "a block is not known yet";
   finder.update(block, std::span(all).last(1));
-  EXPECT_EQ(sizes_of(finder.find()), Sizes{64}) << "found now, and the body stays";
+  EXPECT_EQ(sizes_of(finder.find()), Sizes{64}) << "the piece is found now, and the separate body stays";
 }
 
 TEST(IslandOptions, RefuseAFixedBoxThatIsNoBoxOrHoldsNothing) {
@@ -263,7 +263,7 @@ TEST(IslandFinder, TakesThinVoxelsForAirAndTheirSkinWithTheIsland) {
   IslandFinder finder(block);
   const IndexBox cube = {{9, 9, 9}, {13, 13, 13}};
   auto changed = undercut(block, cube);
-  // A film on one side of the piece, and on the ground below.
+  // Both blocks count as changed; the block at x = 20 gets one thin voxel.
   for (const int x : {14, 20}) {
     const VoxelIndex origin = {block_start(x), 8, 8};
     float* fill = block.writable_fill(origin);

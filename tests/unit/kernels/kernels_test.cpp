@@ -25,10 +25,10 @@ constexpr double kVoxel = 0.1 * mm;
 /// rounds once where the reference rounds twice, over some twenty operations of 6e-8 each.
 constexpr double kRounding = 5e-6;
 
-/// [1] of the blocks with a voxel on the surface of the head within rounding: positions are rounded to 1e-7 mm, and the
-/// surface passes some fifty points a tenth of a millimetre apart, which gives 5e-5; twenty times that.
+/// [1] Share of the blocks with a voxel within rounding of the head's surface. Positions are rounded to 1e-7 mm and the
+/// surface passes some fifty points 0.1 mm apart, which gives 5e-5. The bound is twenty times that.
 constexpr double kAtTheRim = 1e-3;
-constexpr double kAtAJump = 2e-3;  // [1] of blocks, of which each has hundreds of parts
+constexpr double kAtAJump = 2e-3;  // [1] share of the blocks; each block has hundreds of parts
 
 /// The content of a block, as a workpiece gives it.
 struct RandomBlock {
@@ -65,15 +65,15 @@ ContactMaterials three_materials(float damping) {
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
   materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F, 0.0F, 0.0F, 1.2e-4F, 0.3F, 0.25F, 0.0F};
-  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // chips matter only with a rate of lips
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // chips matter only with a tooth rate
                   2e-4F, 0.2F,        0.2F, 500.0F};
   materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F, ContactMaterial::kNeverCrushed, 0.6F, 0.1F, 0.0F};
   return materials;
 }
 
-/// Profiles with lines and arcs that all_profiles() have only in heads that need their table: two lines of which the
-/// nearer counts; a hollow arc; two arcs about points off the axis; a nearly straight arc; a nearly flat one about the
-/// axis.
+/// Profiles with lines and arcs that occur in all_profiles() only in heads that need their table: two lines of which
+/// the nearer counts, a hollow arc, two arcs about points off the axis, a nearly straight arc, and a nearly flat arc
+/// about the axis.
 std::vector<Profile> plain_profiles() {
   constexpr EdgeKind kSmooth = EdgeKind::smooth;
   return {test::flat_profile(0.5 * mm, 1 * mm),
@@ -143,7 +143,7 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
           [&](const auto& springs) { sample_contact(springs, block.view, grid, quadrature, expected); });
       kernels::sample_contact(head, block.view, grid, quadrature, got);
       ++blocks;
-      // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
+      // A voxel whose depth is 0 within rounding may be a sample in only one of the results; skip the rare block.
       if (got.rows != expected.rows || got.inside != expected.inside) {
         ++at_the_rim;
         continue;
@@ -211,7 +211,7 @@ struct Reference {
   }
 };
 
-/// @param phases  of the level of detail, for which `found` stands
+/// @param phases  number of phases of the level of detail for which `found` stands
 void expect_same(const Resultant& found, const Resultant& wanted, double phases, double scale, double couple_error) {
   EXPECT_LT((found.wrench_T.force / phases - wanted.wrench_T.force).norm(), kRounding * scale);
   EXPECT_LT((found.wrench_T.torque / phases - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
@@ -261,7 +261,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       kernels::FrictionSums friction;
       kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness, motion.spin == 0 ? &friction : nullptr);
       ++blocks;
-      // Skip the rare block with a voxel that is in contact in one only, or at a crease nearest to another surface.
+      // Skip the rare block with a voxel that touches in only one result, or that takes another surface at a crease.
       const double volume = kVoxel * kVoxel * kVoxel, weight = job.level_of_detail;
       const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, volume);
       const double more = std::abs(outcome.resultant.volume / weight - expected.resultant.volume);
@@ -274,7 +274,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       // Upper bound on the sum of the samples' forces.
       const double scale = 1e-3 + 2e14 * volume * expected.resultant.depth * expected.resultant.volume;
       Resultant wanted = expected.resultant;
-      const double couple = expected.totals.spin_couple;  // fades out as 1 - (rho / zone)^2: single precision cancels
+      const double couple = expected.totals.spin_couple;  // fades as 1 - (rho / zone)^2, which loses digits
       wanted.wrench_T.torque.z() += couple;
       expect_same(outcome.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
       const LawEnergies &energies = expected.totals.energies, &found = outcome.energies;
@@ -292,7 +292,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
-      double whole = 0;  // as without crushing
+      double whole = 0;  // [J] without crushing
       for (std::size_t id = 1; id <= 3; ++id) whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
       // Cutting, rubbing and credited contain the rounding of fills, up or down; the work of the drag does not.
       const double cut = whole + found.cutting, rounded = 10 * kRounding * (energy + whole);
@@ -303,7 +303,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
       crushed += found.crushed > 0 ? 1 : 0;
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
-      // Unlike the force it jumps where a part of a voxel begins to be cut or crushed; rounding decides the side.
+      // Unlike the force, the stiffness jumps where a cut or crushed part of a voxel begins; rounding decides the side.
       const double off = (k - k_expected).norm(), size = k_expected.norm() + 1e-9;
       EXPECT_LT(off, 0.01 * size);
       at_a_jump += off < 40 * kRounding * size ? 0 : 1;
@@ -318,7 +318,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       }
       for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.removed[id], expected.removed[id], kRounding * 512);
 
-      // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
+      // A voxel may be removed in one result and keep its last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
       for (int n = 0; n < kBlockVoxels; ++n) {
         const bool removed = task.change.emptied.has(n), expected_removed = expected.change.emptied.has(n);
@@ -368,7 +368,7 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
   const ContactMaterials materials = three_materials(0);
   const Eigen::Vector3f none = Eigen::Vector3f::Zero();
   const HeadMotion motion{{0.02F, -0.01F, 0.03F}, none, none, none, 0, 1e-3F, float(kVoxel), RemovalLaw::none};
-  for (const double first : {-3.4, -1.1, 2.3}) {  // [voxels] start of the block: wholly inside, then less
+  for (const double first : {-3.4, -1.1, 2.3}) {  // [voxels] start of the block: first wholly, then partly inside
     const GridInHead grid({rotation_from_vector(Vec3(0.3, 0.2, 0.1)), Vec3::Constant(first * kVoxel)}, kVoxel);
     const kernels::ContactJob job = {head, grid, motion, materials, false};
     const Reference expected(job, block.view);

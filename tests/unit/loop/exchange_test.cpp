@@ -68,7 +68,7 @@ TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
 }
 
 TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
-  // Larger and smaller than the first tool: lists, bounds and a default stiffness are those of the tool in place.
+  // Tools smaller and larger than the first one. Lists, bounds and the default stiffness follow the new tool.
   for (const auto& [radius, stiffness] : {std::pair(0.5e-3, 1e13), {2.5e-3, 1e13}, {2.5e-3, 0.0}}) {
     SimulationConfig of_stiffness = config();
     of_stiffness.reference_stiffness = stiffness;
@@ -127,7 +127,7 @@ TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
   EXPECT_EQ(simulation.workpiece().materials()[1].specific_cutting_energy, 9e8);
   EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
 
-  // In fresh material, bit by bit equal to a simulation with that material; also while the spindle starts.
+  // In fresh material every bit equals that of a simulation built with this material, also while the spindle starts.
   for (const double speed : {3000.0, 1.0}) {
     Simulation was(block(), ball(1e-3, speed), config());
     was.set_materials(harder);

@@ -19,7 +19,7 @@ void nothing(int /*tick*/) {}
 TEST(LiveCommands, SetToolSwapsTheToolAndGivesNoForceUntilItIsFree) {
   for (const bool coupled : {false, true}) {
     ScriptedLoop scripted(3000, coupled);
-    // The hand rests 1 mm above the face. A ball of 4 mm with its centre there is 1.5 mm deep.
+    // The first ball rests 1 mm above the face. A ball of 4 mm with the same centre is 1.5 mm deep.
     scripted.run(
         1500, [](int n) { return n < 1000 ? 1e-3 : 8e-3; },
         [&](int n) {

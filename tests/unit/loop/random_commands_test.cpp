@@ -50,7 +50,7 @@ Pose wandering(double t) {
   return Pose::from_translation({4e-3 * std::sin(5 * t), 4e-3 * std::cos(4 * t), 2e-3 * std::sin(3 * t)});
 }
 
-/// Sends a hundred thousand commands of all kinds to a cutting loop, some of which do not suit. The loop never waits.
+/// Sends a hundred thousand commands of all kinds to a cutting loop. The loop refuses some and never waits.
 /// In the end every received block equals that of the workpiece.
 void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   constexpr int kCommands = 100000;

@@ -219,14 +219,14 @@ Simulation block_and_ball(double size = 8e-3) {
                     Tool(SphereHead{1e-3}), config);
 }
 
-/// A voxel of each of some blocks, one block further along z each.
+/// One voxel of the n-th block. Five blocks lie in a row along z; the rows follow each other along x.
 BlockVoxels voxel_of_block(int n) {
   BlockVoxels one{{8 * (n / 5), 0, 8 * (n % 5)}, {}};
   one.voxels.add(7);
   return one;
 }
 
-/// A model of a simulation whose steps a test makes.
+/// A model whose step removes a voxel of each of some blocks from a simulation.
 class RemovingModel : public LoopModel {
  public:
   explicit RemovingModel(Simulation& simulation) : simulation_(simulation) {}
@@ -265,7 +265,7 @@ TEST(RealtimeLoop, SendsAllChangedBlocksAfterItsEndWithAQueueOfAnySize) {
   ChangedBlock first;
   ASSERT_TRUE(loop.receive(first));
   EXPECT_EQ(received(loop).size(), 19U);
-  // What was not received is sent again in the next run, so that its versions grow.
+  // The next run sends blocks that were not received once more, with higher versions.
   model.to_remove = 24;
   loop.start();
   (void)loop.wait();

@@ -320,7 +320,7 @@ TEST(SimulationModel, UndoesACutWhileTheLoopRunsAndSendsItsBlocks) {
     (void)look();
 
     EXPECT_EQ(report.fault, DeviceFault::none);
-    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "in small parts, each of them guarded";
+    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "the guard handles each part of the undo";
     const Picture now = picture_of(simulation.workpiece());
     ASSERT_EQ(now.size(), at_mark.size());
     for (const auto& [origin, content] : at_mark) {

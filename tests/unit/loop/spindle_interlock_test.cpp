@@ -22,7 +22,7 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInACustomLoop) {
     int n = 0;
     (void)device->run(
         [&](const DeviceState& state) {
-          // Pressed in before there is a force, out at tick 300, and in again at tick 2500, when there is a force.
+          // The ball is pressed in without a force, out at tick 300, and in at tick 2500 with a force.
           const double depth = n < 300    ? 1e-5 * std::min(n - 8, 100)
                                : n < 2500 ? -2e-3
                                           : 1e-5 * std::min(n - 2500, 100);
@@ -44,7 +44,7 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
   EXPECT_FALSE(interlock.admits(ArmingState::wait_free, false));
   EXPECT_FALSE(interlock.admits(ArmingState::ramp, true));
   EXPECT_TRUE(interlock.admits(ArmingState::ramp, false));
-  EXPECT_TRUE(interlock.admits(ArmingState::on, true)) << "it may touch what it cuts";
+  EXPECT_TRUE(interlock.admits(ArmingState::on, true)) << "with a force the tool may touch the material";
   EXPECT_FALSE(interlock.admits(ArmingState::fault, true));
   EXPECT_FALSE(interlock.admits(ArmingState::on, true));
   EXPECT_TRUE(interlock.admits(ArmingState::on, false));
@@ -52,7 +52,7 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
   EXPECT_FALSE(interlock.admits(ArmingState::on, true));
 }
 
-// Once the interlock had set the speed to 0, and the next loop cut nothing.
+// Regression: the interlock once set the speed setting to 0, so the next loop cut nothing.
 TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   Simulation simulation(block(), ball(), config(true));
   const AngularSpeed speed = simulation.spindle_setting();
@@ -112,7 +112,7 @@ TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
   LoopSnapshot snapshot;
   int touched = 0;      // [voxels] in contact before the pedal goes down; -1: something was removed
-  double removed = -1;  // [m^3] when it comes up
+  double removed = -1;  // [m^3] when the pedal comes up
   int n = 0;
   (void)scripted.device->run(
       [&](const DeviceState& reading) {

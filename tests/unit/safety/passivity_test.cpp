@@ -35,7 +35,7 @@ struct Outcome {
   double pulled = 0;       // [N] maximum force inwards
 };
 
-/// @param late  [ticks] between writing a force and its effect, beyond the hold
+/// @param late  [ticks] delay from writing a force to its effect, in addition to the hold of one tick
 Outcome press(PassivityController& controller, double stiffness, int late) {
   constexpr double kSpeed = 0.1;
   const double depth = 0.9 * kPeak / kStiffness;
@@ -85,7 +85,8 @@ TEST(PassivityController, LeavesAForceThatIsLateByAKnownTimeAlone) {
     knows.delay = late;
     PassivityController knows_of_it(knows, kPeak), knows_nothing(options_of_touch(), kPeak);
     EXPECT_LT(press(knows_of_it, kStiffness, late).max_damping, 1e-9) << late;
-    EXPECT_LT(press(knows_nothing, kStiffness, late).max_damping, 1e-9) << "it sees the force that it wrote";
+    EXPECT_LT(press(knows_nothing, kStiffness, late).max_damping, 1e-9)
+        << "the controller only sees the force that it wrote";
   }
 }
 
@@ -129,7 +130,8 @@ TEST(PassivityController, DiscardsEnergyThatTheModelHasNotStored) {
   }
 }
 
-// If the model reports the work of its motor, a force that pushes the hand on is limited to that work and the spring's.
+// The work of a force along the hand's motion is limited to the motor work that the model reports, plus k dx^2/2 per
+// tick of a spring whose force is held.
 TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
   const Vec3 pushes(0, 0, 1), on(0, 0, 1e-4);  // 0.1 mJ a tick
   for (const double paid : {0.0, 0.5, 1.0}) {
@@ -148,8 +150,8 @@ TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
   }
 }
 
-// A spring and damper to a light tool behind encoders of 55 um. The response to each step comes after the hand has
-// passed.
+// A spring and a damper couple a light tool to a hand whose encoders have steps of 55 um. The response to each step
+// acts after the hand has passed the step.
 TEST(PassivityController, LeavesTheStepsOfEncodersAlone) {
   constexpr double kStep = 55e-6, kDamper = 4, kMass = 5e-3;  // [m], [N s/m], [kg]
   for (const double speed : {2e-3, 5e-3, 10e-3, 20e-3, 40e-3}) {
@@ -182,7 +184,7 @@ TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
     EXPECT_EQ(controller.damping_force(), 0);
     EXPECT_TRUE(given.force == held.force && given.torque == held.torque);
   }
-  held.torque.setZero();  // now the force pushes the hand on
+  held.torque.setZero();  // now the force pushes along the hand's motion
   Wrench given;
   for (int n = 0; n < 50; ++n) given = controller.control({held, {}, held, motion, rotation, kTick, 0.0});
   EXPECT_LT(given.force.x(), 1);
@@ -213,7 +215,7 @@ TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
   };
   pivot();
   EXPECT_EQ(loop.count(SafetyEvent::passivity), 0U);
-  at_tip.torque.setZero();  // now the force pushes the hand on
+  at_tip.torque.setZero();  // now the force pushes along the hand's motion
   pivot();
   EXPECT_GT(loop.count(SafetyEvent::passivity), 0U);
 }

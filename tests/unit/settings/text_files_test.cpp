@@ -75,7 +75,7 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
            "a.csv:3: \"-1,005\" may have a decimal comma or a mark for thousands; write -1,0050, or -1005.");
   expect(replaced(thousands, ",", "."), "a.csv:3: \"-1.005\" may have a decimal point or a mark for thousands");
   EXPECT_DOUBLE_EQ(kReadPoses(replaced(replaced(thousands, ",", "."), ";", "\t"))[2].pose.translation.x(), 3e-3);
-  for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // one number decides for all
+  for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // a clear number decides for all
     EXPECT_DOUBLE_EQ(kReadPoses(replaced(thousands, "3,000", decimal))[1].pose.translation.x(), -1.005e-3) << decimal;
   expect("t_s;x_mm;y_mm;z_mm\n0;1.5;0;0\n1;1,5;0;0\n", "a.csv:3: some numbers have a decimal point, others a comma");
   expect("t_s;x_mm;y_mm;z_mm\n0;1.234,5;0;0\n", "a.csv:2: x_mm = \"1.234,5\"; must be a number.");

@@ -28,7 +28,7 @@ Samples heard(DrillSound& sound, const SoundInput& input, double seconds, double
   return samples;
 }
 
-/// Samples of an input that has lasted for a while.
+/// Samples of an input after a warm-up time `before`.
 Samples lasting(const SoundInput& input, double before = 0.5, double seconds = 0.5) {
   DrillSound sound;
   (void)heard(sound, input, before);
@@ -60,11 +60,11 @@ double rms(const Samples& samples, std::size_t first = 0) {
   return std::sqrt(sum / double(samples.size() - first));
 }
 
-/// [Hz] Mean frequency, weighted by power, of bands of a third octave.
+/// [Hz] Geometric mean of the frequencies, weighted by power.
 double middle_of(const Samples& samples) {
   double sum = 0, weighed = 0;
   for (double f = 300; f < 20'000; f *= 1.01) {
-    const double power = f * std::pow(strength_at(samples, f), 2);  // bands as wide as their frequency
+    const double power = f * std::pow(strength_at(samples, f), 2);  // bandwidth proportional to frequency
     sum += power, weighed += power * std::log(f);
   }
   return std::exp(weighed / sum);
@@ -117,7 +117,7 @@ TEST(DrillSound, LevelGrowsWithPower) {
     const double level = rms(lasting({0, power, power / 1e9, false}, 0.3, 1));
     EXPECT_GT(level, 1.02 * before) << power << " W";
     before = level;
-    // The band has the level of the header, whatever its centre.
+    // The noise band has the level that the header documents, whatever its centre.
     EXPECT_NEAR(level, 0.5 * 0.24 * std::sqrt(power / (power + 2)), 0.05 * level + 1e-6) << power << " W";
   }
 }
@@ -141,7 +141,7 @@ TEST(DrillSound, ClicksAtFirstTouchOnce) {
   const Samples click = heard(sound, touching, 0.07);
   EXPECT_GT(*std::max_element(click.begin(), click.end()), 0.1F);
   EXPECT_NEAR(strongest_near(click, 3000), 3000, 60);
-  EXPECT_EQ(rms(heard(sound, touching, 0.2)), 0) << "it is over, and comes once";
+  EXPECT_EQ(rms(heard(sound, touching, 0.2)), 0) << "the click has ended and does not repeat";
   // A contact that is lost for some milliseconds does not count as a new touch.
   (void)heard(sound, {}, 0.01);
   EXPECT_EQ(rms(heard(sound, touching, 0.1)), 0);

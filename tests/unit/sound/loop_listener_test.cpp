@@ -34,7 +34,7 @@ TEST(LoopListener, HearsThePowerBetweenTwoSnapshots) {
   EXPECT_THROW(LoopListener(0), Error);
 }
 
-// The snapshot has all that the sound needs, also in a real cut.
+// The snapshot contains all values that the sound needs, also in a real cut.
 TEST(LoopListener, HearsTheLedgerOfACutThroughSnapshotsAlone) {
   test::scripted_loop::ScriptedLoop scripted;
   LoopListener listener;

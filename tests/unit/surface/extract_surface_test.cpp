@@ -48,7 +48,7 @@ TEST(Surface, OfAPartlyFilledRowOfVoxelsLiesWhereTheBlockEnds) {
   const Workpiece block = build_block({Vec3::Zero(), Vec3(4, 4, 2.03) * mm}, 0.1 * mm, named("clay"));
   double highest = 0;
   for (const Vec3& v : extract_surface(block).mesh.vertices) highest = std::max(highest, v.z());
-  // Between the centre of the full row (1.95 mm) and of the row filled to 0.3 (2.05 mm), one half is at 5/7.
+  // From the centre of the full row (1.95 mm) to that of the row filled to 0.3 (2.05 mm), the fill passes 1/2 at 5/7.
   EXPECT_NEAR(highest, (1.95 + 0.1 * 5 / 7) * mm, 1e-6 * mm);
 }
 

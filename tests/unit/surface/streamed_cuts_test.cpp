@@ -55,7 +55,7 @@ class FollowedBlock {
     block_.restore(kept_);
     block_.reserve_undo(1000);
     block_.reserve_blocks(1500);
-    // It is unknown what has changed, so all blocks are sent again, as ChangeFeed does.
+    // The changed blocks are unknown, so all blocks are sent once more, as ChangeFeed does.
     std::vector<VoxelIndex> all;
     const int last = int(voxels_) + kBlockEdge;
     for_each_block_origin({{-1, -1, -1}, {last, last, last}}, [&](const VoxelIndex& at) { all.push_back(at); });
@@ -138,7 +138,7 @@ TEST(StreamedCuts, TenThousandCutsGiveThePagesOfARebuild) {
   EXPECT_GT(block.pages().size(), 8U);
   const TriangleMesh mesh = test::welded(block.pages(), block.workpiece().frame());
   EXPECT_TRUE(test::count_edges(mesh).balanced);
-  // A sponge of pieces that are a voxel thick.
+  // The rest is a sponge whose walls are one voxel thick.
   EXPECT_NEAR(test::signed_volume(mesh) / test::solid_volume(block.workpiece()), 1, 0.03);
 }
 
@@ -165,7 +165,7 @@ TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
       (void)simulation.step(Pose::from_translation({x, 0.1 * mm, z}), {{0, 0, -deepest / 0.3}, Vec3::Zero()}, 1 * ms);
       if (n % 16 == 0) follow();
     }
-    // Away from it, step by step, until all is sent.
+    // The tool retracts in small steps until the feed has sent all blocks.
     for (int n = 0; n < 300; ++n) {
       (void)simulation.step(Pose::from_translation({x, 0.1 * mm, 2.5 * mm + 0.7 * mm - deepest + n * 0.01 * mm}), {},
                             1 * ms);

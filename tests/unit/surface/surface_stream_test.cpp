@@ -122,7 +122,7 @@ TEST(SurfaceStream, RoundingOpensNoSeamBetweenPages) {
   Workpiece drilled = test::two_materials(9.13 * mm, kVoxel);
   drilled.reserve_blocks(4000);
   (void)test::cut_ball(drilled, {31.7, 32.2, 63.9}, 17.3);
-  // One vertex in a cell, the same in every page that has it.
+  // Each cell has one vertex, which is equal in all pages that contain it.
   std::map<VoxelIndex, std::pair<VoxelIndex, SurfaceVertex>> by_cell;
   std::size_t shared = 0;
   for (const auto& [origin, page] : pages_of(drilled))

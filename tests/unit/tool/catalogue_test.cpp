@@ -44,7 +44,7 @@ TEST(Catalogue, VolumesAreThoseOfTheSolids) {
 }
 
 TEST(Catalogue, RoundEndsTouchTheirWallsWithoutAnEdge) {
-  // A ball of radius r under a wall that leans by a: cap and frustum.
+  // A ball of radius r touches a wall that leans by the angle `lean`. The volume is a cap plus a frustum.
   const double r = 0.4 * mm, R = 0.8 * mm, length = 4 * mm;
   const ToolHead taper = round_end_tapered_head(2 * r, 2 * R, length);
   const ProfileEdge ball = taper.profile().edges[0], wall = taper.profile().edges[1];
@@ -99,7 +99,7 @@ TEST_P(CatalogueShape, IsTheSameAsAProfile) {
 INSTANTIATE_TEST_SUITE_P(Heads, CatalogueShape, testing::ValuesIn(test::catalogue_heads()),
                          [](const auto& h) { return h.param.name; });
 
-// Once a drill had six lips, and pressed with nearly three times the right force.
+// Regression: a drill had six lips and pressed with nearly three times the right force.
 TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
   const Tool drill(twist_drill_head(2 * mm, 5 * mm));
   EXPECT_EQ(drill.cutter().kind, CutterKind::twist_drill);
@@ -149,7 +149,7 @@ TEST(Catalogue, HasARowForEachHeadInTheDocs) {
 
 constexpr double kScale = 40;  // [px/mm]
 
-/// Pixels, to a hundredth: the same text on every machine.
+/// A number of pixels as text, rounded to a hundredth, so that every machine writes equal text.
 std::string px(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", value);
@@ -180,7 +180,7 @@ std::string outline(const Profile& profile, const Place& place) {
   return path + along(profile.edges[0], place.point(0, profile.tip)) + 'Z';
 }
 
-/// Its smooth edges, to be drawn over it.
+/// The smooth edges of a head, to be drawn over its outline.
 std::string smooth_edges(const Profile& profile, const Place& place) {
   std::string path;
   double rho = 0, z = profile.tip;

@@ -74,7 +74,7 @@ TEST_P(ProfileOfAnAnalyticHead, HasTheSameMarginBoxReachAndVolume) {
   EXPECT_NEAR(profile.reach() / analytic.reach(), 1, kRounding);
   EXPECT_NEAR(profile.volume() / analytic.volume(), 1, kRounding);
   EXPECT_NEAR(profile.max_radius() / analytic.max_radius(), 1, kRounding);
-  // The analytic margin is the exact distance inside, a bound on it outside.
+  // Inside, the analytic margin is the exact distance; outside, it is a bound on the distance.
   for_points(profile, 20000, [&](double rho, double z) {
     const double exact = margin_at(profile, rho, z), bound = margin_at(analytic, rho, z);
     ASSERT_LE(exact, bound + kRounding * mm);
@@ -147,7 +147,7 @@ TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
     const double d_rho = (spring_at(head, rho + step, z).depth - spring_at(head, rho - step, z).depth) / (2 * step);
     const double d_z = (spring_at(head, rho, z + step).depth - spring_at(head, rho, z - step).depth) / (2 * step);
     ++checked;
-    // On a ridge, or at the edge of a cell, it is not.
+    // On a ridge or at the edge of a cell, the direction differs from the gradient.
     off += std::hypot(d_rho + s.scale() * s.n_radial, d_z + s.scale() * s.n_axial) > 1e-4;
   });
   EXPECT_GT(checked, 1000);
@@ -232,7 +232,7 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
     const double expected = std::min(distance(cutting, rho, z), kSmoothScale * distance(smooth, rho, z));
     ++inside;
     on_smooth += s.on_smooth();
-    // The line of a straight cutting edge is extended, and is slightly nearer than its end.
+    // The head extends the line of a straight cutting edge, and this line is slightly nearer than the end of the edge.
     const double nearer = GetParam().name == "SafeTip" ? 0.1 * mm : 0;
     ASSERT_LT(s.depth, expected + kSmoothScale * spacing + 0.003 * mm) << rho << " " << z;
     ASSERT_GT(s.depth, expected - nearer - kSmoothScale * spacing - 0.003 * mm) << rho << " " << z;
@@ -320,7 +320,7 @@ TEST(ProfileHead, WhichHeadsNeedNoTable) {
   expect_rule(CellRule::first, two_arcs_of_a_ball);
   expect_rule(CellRule::nearer, test::flat_profile(1 * mm, 2 * mm));
   expect_rule(CellRule::sides, pear_head(1.4 * mm, 2.6 * mm, 0.8 * mm).profile());
-  // Chamfered at the rim, by less than the samples of a cell resolve.
+  // The chamfer at the rim is smaller than the distance between the samples of a cell.
   EXPECT_EQ(rule_of({0, {{0.992 * mm, 0}, {1 * mm, 0.008 * mm}, {1 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}}), 0U);
 }
 

@@ -26,7 +26,7 @@ TEST_P(OnShank, CutsAsTheHeadAloneAndReachesToTheEndOfTheShank) {
   EXPECT_NEAR(bur.bounding_box().min.z(), begin, 1e-12);
   EXPECT_NEAR(bur.max_radius(), std::max(head.max_radius(), 0.8 * mm), 1e-12);
   EXPECT_NEAR(bur.cutting_radius(), head.cutting_radius(), 1e-12);
-  // Where the head cuts, the depth is unchanged: that below the nearest cutting surface.
+  // Where the head cuts, the depth is unchanged: the distance below the nearest cutting surface.
   int cutting = 0;
   for (double rho = 0.003 * mm; rho < head.max_radius(); rho += 0.02 * mm)
     for (double z = begin + 0.003 * mm; z < end; z += 0.03 * mm) {
@@ -38,7 +38,7 @@ TEST_P(OnShank, CutsAsTheHeadAloneAndReachesToTheEndOfTheShank) {
       if (!inside || alone.on_smooth() || held.on_smooth()) continue;
       ++cutting;
       ASSERT_GT(held.depth, alone.depth - 0.02 * mm) << rho << " " << z;
-      if (z > (begin + end) / 2) continue;  // beyond this, the surface that the neck replaced may have been nearest
+      if (z > (begin + end) / 2) continue;  // above, the neck may have replaced the nearest surface
       ASSERT_LT(held.depth, alone.depth + 0.02 * mm) << rho << " " << z;
     }
   EXPECT_GT(cutting, 100);

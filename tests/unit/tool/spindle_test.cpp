@@ -92,7 +92,8 @@ Spindle turbine(double sign, double inertia) {
   return {.speed = sign * kFree * units::rad_per_s, .droop = kFree / kStall, .rotor_inertia = inertia};
 }
 
-// A load that rises to 1.5 times the stall torque and falls again: no alternation, and no more power than the line has.
+// A load rises to 1.5 times the stall torque and falls back. The motor does not alternate between running and stalling,
+// and its torque never exceeds its line of torque over speed.
 // Proves: droop.
 TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
   for (const double inertia : {0.0, 1e-9})
@@ -122,7 +123,7 @@ TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
     }
 }
 
-// J domega/dt = M_stall (1 - omega/omega_f) - M: an exponential with the time J omega_f/M_stall.
+// J domega/dt = M_stall (1 - omega/omega_f) - M: an exponential with the time constant J omega_f/M_stall.
 // Proves: inertia.
 TEST_P(SpindleDirection, RunsUpAndDownAccordingToItsInertia) {
   const double inertia = 1e-8, tau = inertia * kFree / kStall, load = 0.3 * kStall;
@@ -171,7 +172,7 @@ TEST_P(SpindleDirection, ARotorSettlesAtThePowerLimit) {
 
 // Proves: inertia.
 TEST_P(SpindleDirection, AMotorWithInertiaReversesThroughZero) {
-  constexpr double kInertia = 1e-6;  // 0.1 s from full speed to none
+  constexpr double kInertia = 1e-6;  // 0.1 s from full speed to 0
   SpindleMotor motor({.speed = sign * 1000 * units::rad_per_s, .torque_limit = 0.01, .rotor_inertia = kInertia});
   motor.set(-sign * 1000);
   double before = sign * motor.speed(), time = 0;

@@ -48,7 +48,7 @@ std::string foreign_file(std::uint32_t compression, bool half, bool with_others)
   openvdb::initialize();
   auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1.0F, openvdb::Vec3f(0, 0, 0), 0.2F);
   grid->setName("ball");
-  grid->setGridClass(openvdb::GRID_UNKNOWN);  // OpenVDB compresses no level set
+  grid->setGridClass(openvdb::GRID_UNKNOWN);  // OpenVDB does not compress level sets
   grid->setSaveFloatAsHalf(half);
   openvdb::GridPtrVec grids{grid};
   if (with_others) {

@@ -13,13 +13,13 @@
 
 namespace hapticut::view_test {
 
-/// The numbers of the comment of hapticut/view/protocol.hpp.
+/// Command numbers as documented in hapticut/view/protocol.hpp.
 struct CommandKind {
   static constexpr std::uint8_t set_spindle_speed = 1, set_undo_mark = 2, undo = 3, redo = 4, hold_force = 5,
                                 move_hand = 6, stop = 7, look_at = 8, set_control = 9, load = 10;
 };
 inline constexpr std::uint8_t kCommandKinds = std::variant_size_v<view::ViewCommand> - 1;  // all but WriterLeft
-static_assert(CommandKind::load == kCommandKinds, "a new command has its kind above");
+static_assert(CommandKind::load == kCommandKinds, "add the kind of the new command above");
 
 /// Builds a message of a page.
 struct Bytes {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Byte by byte what the comment of hapticut/view/protocol.hpp says; the server accepts nothing else from a page.
+// Messages match the comment of hapticut/view/protocol.hpp byte by byte; the server accepts nothing else from a page.
 #include "hapticut/view/protocol.hpp"
 
 #include <gtest/gtest.h>

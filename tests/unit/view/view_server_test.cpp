@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view server over 127.0.0.1: who may connect, who may send what, and what a slow reader receives.
+// The view server over 127.0.0.1: permissions to connect and to send, and the messages to a slow reader.
 #include "hapticut/view/view_server.hpp"
 
 #include <gtest/gtest.h>
@@ -228,7 +228,7 @@ TEST(ViewServer, ASlowPageGetsTheNewestAndNoQueue) {
   ViewServer server(scene());
   Page slow(server);
   ASSERT_TRUE(slow.read());
-  // A hundred megabytes that it does not read: more than any socket buffers.
+  // The slow page does not read a hundred megabytes, more than any socket buffers.
   constexpr std::uint64_t kVersions = 2000;
   for (std::uint64_t version = 1; version <= kVersions; ++version) {
     server.send(page_at(32 * int(version % 2), version, 4096));
@@ -236,7 +236,7 @@ TEST(ViewServer, ASlowPageGetsTheNewestAndNoQueue) {
     snapshot.tick = version;
     server.send(snapshot);
   }
-  Page quick(server);  // the slow page does not delay it
+  Page quick(server);  // the slow page does not delay the quick one
   ASSERT_TRUE(is_kind(quick.read(), MessageKind::hello));
   std::map<int, std::uint64_t> newest;
   std::size_t messages = 0;

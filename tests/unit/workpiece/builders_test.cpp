@@ -76,7 +76,7 @@ double worst_fill(const BodyDescription& body, const Workpiece& workpiece) {
 
 MaterialId only_material(const Vec3&) { return 1; }
 
-// Counting finds a face along the grid to half the distance of its points; the error of the builder is small beside it.
+// Counting locates a face along the grid to half the spacing of its points. The builder's own error is smaller.
 constexpr double kMiscounted = 0.5 / kPoints + 0.005;
 
 TEST(BuildBody, AntialiasesASmoothSurfaceLikeItsDefinition) {
@@ -88,7 +88,7 @@ TEST(BuildBody, AntialiasesASmoothSurfaceLikeItsDefinition) {
 }
 
 TEST(BuildBody, PutsFacesAlongTheGridWhereTheyAre) {
-  // A box as a true distance: faces are smooth, edges and corners are not.
+  // The function of the box is its true distance: it is smooth at faces, but not at edges and corners.
   for (const double shift : {0.0, 0.013, 0.05, 0.0777, 0.099}) {
     const Vec3 low = Vec3(-1 + shift, -0.9 - shift / 2, -1.1 + shift / 3) * mm, high = Vec3(1, 0.8, 0.9) * mm;
     const BodyDescription box = {{Vec3::Constant(-1.5 * mm), Vec3::Constant(1.5 * mm)},
@@ -147,7 +147,7 @@ TEST(BuildBody, AsksTheFunctionOfASmoothBodyOnlyAFewTimesForEachVoxelOfItsSurfac
                                 only_material};
   (void)build_body(ball, 0.1 * mm, MaterialTable({named("clay")}));
   const double surface_voxels = 4 * kPi * 49 * 49;
-  // Includes the centres of whole blocks; point by point it would be 900.
+  // The calls include the centres of whole blocks. Point by point there would be 900 calls for each surface voxel.
   EXPECT_LT(double(calls), 30 * surface_voxels);
 }
 

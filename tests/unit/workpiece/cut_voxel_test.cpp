@@ -21,7 +21,7 @@ double width(double max_component) {
   return std::max(std::sqrt(std::max(0.0, 1 - max_component * max_component)), kNarrowest);
 }
 
-/// A(v) of two boxes, from its definition.
+/// Section A(v) of a voxel, the convolution of two boxes, from its definition.
 double section(double max_component, double v) {
   const double p = max_component, q = width(max_component);
   const auto ramp = [&](double from) { return std::max(0.0, v - from); };
@@ -79,7 +79,7 @@ RC_GTEST_PROP(VoxelSection, TheMeanDepthIsThatOfACubeThatAPlaneCuts, ()) {
   const double height = voxel.height_of(double(left) / double(depths.size()));
   const double top = center + height - voxel.span() / 2;
   const double found = top > 0 ? voxel.integrals(height, top).depth : 0;
-  // Measured: at most 0.006, along <111>; 0.002 in a plane of the grid; with 16 parts per edge.
+  // Measured with 16 parts per edge: at most 0.006, along <111>; 0.002 in a plane of the grid.
   RC_ASSERT(std::abs(found - expected) < 0.008);
 }
 

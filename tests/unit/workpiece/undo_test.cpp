@@ -31,12 +31,12 @@ Simulation slab(std::size_t undo_blocks) {
   return simulation;
 }
 
-/// Steps of a ball on a random path in the slab, from its own start.
+/// Moves a ball along random paths through the slab; each path starts above the slab.
 class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
   void cut(Simulation& simulation, int steps) {
-    if (simulation.next_step_is_first()) begin_anew();  // or the tool would wait where it is
+    if (simulation.next_step_is_first()) begin_anew();  // otherwise the tool would wait at its present place
     for (int n = 0; n < steps; ++n) {
       position_ += 2e-5 * direction_;
       if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
@@ -189,7 +189,7 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   undo_by(simulation, 10);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 
-  // A workpiece with reserved memory keeps it if the simulation had none.
+  // A workpiece keeps its reserved undo memory if the simulation had no undo memory.
   Simulation without = slab(0);
   Workpiece own = fresh.clone();
   own.reserve_undo(7);
@@ -208,8 +208,8 @@ TEST(Undo, RefusesImpossibleMemoryAndChangesNothingThen) {
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
-// Cuts, marks, undo and redo at random. Each state that is reached equals the saved state bit by bit, and the pool has
-// as many blocks as then.
+// Cuts, marks, undo and redo at random. Each restored state equals the saved state bit by bit, including the number of
+// blocks in the pool.
 TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
   struct State {
     std::uint64_t hash;
@@ -232,7 +232,7 @@ TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
       if (what < 2) {
         simulation.set_undo_mark();
         do tool.cut(simulation, 1 + int(random() % 200));
-        while (state() == states[here]);  // in the air
+        while (state() == states[here]);  // repeats while the tool is in the air
         states.resize(++here);
         states.push_back(state());
       } else if (what == 2 || what == 3) {
