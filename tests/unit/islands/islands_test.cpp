@@ -261,18 +261,20 @@ TEST(IslandOptions, RefuseAFixedBoxThatIsNoBoxOrHoldsNothing) {
 TEST(IslandFinder, TakesThinVoxelsForAirAndTheirSkinWithTheIsland) {
   Workpiece block = block_of(24, 24, 24);
   IslandFinder finder(block);
-  const IndexBox cube = {{9, 9, 9}, {13, 13, 13}};
-  auto changed = undercut(block, cube);
-  // Both blocks count as changed; the block at x = 20 gets one thin voxel.
-  for (const int x : {14, 20}) {
-    const VoxelIndex origin = {block_start(x), 8, 8};
-    float* fill = block.writable_fill(origin);
-    ASSERT_NE(fill, nullptr);
-    if (x == 20) fill[block_offset(x & 7, 2, 2)] = 0.03F;
-    changed.push_back(origin);
-  }
+  const auto changed = undercut(block, {{9, 9, 9}, {13, 13, 13}});
+  const VoxelIndex origin = {8, 8, 8};
+  float* fill = block.writable_fill(origin);
+  ASSERT_NE(fill, nullptr);
+  const int skin = block_offset(14 & 7, 2, 2), beyond = block_offset(15 & 7, 2, 2);  // a thin bridge to the rest
+  fill[skin] = fill[beyond] = 0.03F;
   finder.update(block, changed);
-  EXPECT_EQ(sizes_of(finder.find()), Sizes{125});
+  const std::vector<Island> islands = finder.find();
+  ASSERT_EQ(sizes_of(islands), Sizes{125});
+  std::size_t here = 0;
+  while (islands[0].blocks.at(here).origin != origin) ++here;
+  const BlockVoxels removed = with_skin(islands[0], here, block);
+  EXPECT_TRUE(removed.voxels.has(skin));
+  EXPECT_FALSE(removed.voxels.has(beyond));
 }
 
 TEST(IslandFinder, JoinsAPieceAgainAfterAnUndo) {
