@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Step 3 of docs/tutorial.md: a device moves the tool at 1 kHz, behind its guard.
-//   09_device_in_the_loop [DEVICE]     mock:line,hand=nominal; replay:FILE; openhaptics; ... (docs/devices.md)
+//   09_device_in_the_loop [DEVICE]     mock:line,hand=nominal; other devices need their driver (docs/devices.md)
 #include <chrono>
 #include <cstddef>
 #include <hapticut/hapticut.hpp>

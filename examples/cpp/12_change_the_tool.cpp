@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Step 4 of docs/tutorial.md: the tool is changed while the loop runs.
-//   12_change_the_tool [DEVICE]
+//   12_change_the_tool [DEVICE]     mock:line,hand=nominal; other devices need their driver (docs/devices.md)
 #include <chrono>
 #include <cstdint>
 #include <hapticut/hapticut.hpp>
