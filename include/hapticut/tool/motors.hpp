@@ -16,7 +16,7 @@ enum class MotorKind {
   ideal,           ///< keeps its speed under any load
   air_turbine,     ///< dental high-speed handpiece: torque falls linearly from stall to free running
   electric,        ///< dental micromotor, with a contra-angle that gears its 40 000 rpm to the speed of the head
-  surgical_drill,  ///< electric motor of otological and bone drills, up to 100 000 rpm
+  surgical_drill,  ///< electric motor of otological and bone drills, up to 150 000 rpm
 };
 
 constexpr auto names_of(Of<MotorKind>) {
