@@ -4,12 +4,7 @@ find_program(HAPTICUT_ARM_COMPILER aarch64-linux-gnu-g++)
 find_path(HAPTICUT_HWY_FOLDER hwy/highway.h)
 mark_as_advanced(HAPTICUT_ARM_COMPILER HAPTICUT_HWY_FOLDER)
 if(HAPTICUT_ARM_COMPILER AND HAPTICUT_HWY_FOLDER)
-<<<<<<< HEAD
   # A folder with Highway alone: Highway's own folder has the system's headers too, which the cross compiler cannot use.
-=======
-  # A separate folder with a link to Highway: the folder of Highway also holds the system's headers, which do not suit
-  # the cross compiler.
->>>>>>> bcdeb91e (tests: comments in plain words)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/arm")
   file(MAKE_DIRECTORY "${folder}")
   file(CREATE_LINK "${HAPTICUT_HWY_FOLDER}/hwy" "${folder}/hwy" SYMBOLIC)
