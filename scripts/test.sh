@@ -128,8 +128,10 @@ for part in SIMD IO ITK ASSIMP SETTINGS C VIEW CLI TESTS BENCHMARKS EXAMPLES; do
 configure() { cmake --preset "$1" -UHAPTICUT_PROPERTY_PARAMETERS "${parts[@]}" "${@:2}"; }
 build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 
+# format_is_clean: finds code that clang-format would change, and the marks of a failed merge.
 format_is_clean() {
-  git ls-files -z --cached --others --exclude-standard -- '*.hpp' '*.cpp' '*.h' '*.c' | xargs -0 clang-format --dry-run --Werror
+  ! git grep -nE '^(<<<<<<<|>>>>>>>) ' &&
+    git ls-files -z --cached --others --exclude-standard -- '*.hpp' '*.cpp' '*.h' '*.c' | xargs -0 clang-format --dry-run --Werror
 }
 
 build_release() { check "configure" configure release -DHAPTICUT_WITH_PYTHON=OFF "$@" && check "build" build release; }
