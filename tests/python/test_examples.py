@@ -23,6 +23,7 @@ EXPECTED = {
     "07_sweep_and_response_surface": (r"enamel: thrust ~ feed\^0\.[45]\d speed\^-0\.[45]\d, R\^2 = (0\.9\d+|1\.0+)",
                                       ["response_surface.png"], ["48"]),
     "09_device_in_the_loop": (r"600\d ticks \(its time was up\), guard on, removed [\d.]+ mm.*undone: 9000 mm", [], []),
+    "10_moving_picture": (r"4 frames, max force [\d.]+ N, removed 1\d\.\d mm\^3", ["drilling.webp"], ["4", "0.4"]),
     "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
 }
 
@@ -34,9 +35,9 @@ def test_every_example_is_known_here():
 @pytest.mark.parametrize("name", EXPECTED)
 def test_example(name, tmp_path):
     words, pictures, arguments = EXPECTED[name]
-    if "Recorder" in (FOLDER / f"{name}.py").read_text(encoding="utf-8") and not hapticut.io.kWithIo:
+    if re.search("Recorder|write_picture", (FOLDER / f"{name}.py").read_text("utf-8")) and not hapticut.io.kWithIo:
         pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
-    for module in ("matplotlib", "pandas", "scipy"):
+    for module in ("matplotlib", "pandas", "scipy", "PIL"):
         if module in (FOLDER / f"{name}.py").read_text(encoding="utf-8") or (module == "matplotlib" and pictures):
             pytest.importorskip(module, reason=f"{module} is not installed")
     done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py"), str(tmp_path), *arguments], cwd=tmp_path,
