@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Compares the table of docs/step.md with the code: its stages are the fields of StageTimes in their order, each stage is
-defined in the file that the table names, and the step calls the stages in this order.
+defined in the file that the table names, and the step calls the stages in this order. The drawing of the page shows
+each stage.
 """
 import re
 import sys
@@ -24,6 +25,9 @@ def main():
     fields = re.findall(r"^  double (\w+) = 0;", header, re.M)
     if [stage for stage, _ in documented] != fields:
         mistakes.append(f"docs/step.md lists {[s for s, _ in documented]}, StageTimes has {fields}")
+    drawn = set(re.findall(r">(\w+)</text>", (ROOT / "docs/images/step.svg").read_text(encoding="utf-8")))
+    if missing := [field for field in fields if field not in drawn]:
+        mistakes.append(f"docs/images/step.svg does not show {missing}")
     step = (ROOT / "src/simulation/step.cpp").read_text(encoding="utf-8")
     body = step[step.index("::take_step("):]
     body = body[:body.index("\n}\n")]
