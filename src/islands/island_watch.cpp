@@ -53,6 +53,7 @@ struct IslandWatch::State final : StepObserver {
     IslandRemoval removal;
     std::uint64_t workpiece;
     bool is_marked = false;  // its blocks are to be sent again, because it stays
+    std::size_t resent = 0;  // [blocks] sent again
   };
   using Removal = std::unique_ptr<Tagged>;
 
@@ -79,6 +80,7 @@ struct IslandWatch::State final : StepObserver {
   // In the thread of the loop.
   [[nodiscard]] bool is_current() const noexcept { return feed.workpiece == simulation.workpiece_replacements(); }
   [[nodiscard]] bool follow_workpiece() noexcept;
+  [[nodiscard]] bool has_resent(Tagged& stays) noexcept;
   void on_step(const ObservedStep& step) noexcept override {
     if (!is_current()) return;
     feed.blocks->on_step(step);
@@ -214,6 +216,16 @@ bool IslandWatch::State::follow_workpiece() noexcept {
   return is_current();
 }
 
+/// Sends the blocks of an island that stays again, because the search treats it as removed.
+/// @return whether each was sent; a tool that goes on cutting may have changed it since
+bool IslandWatch::State::has_resent(Tagged& stays) noexcept {
+  const std::vector<BlockVoxels>& island = stays.removal.island.blocks;
+  if (!std::exchange(stays.is_marked, true))
+    for (const BlockVoxels& block : island) feed.blocks->mark(block.origin);
+  while (stays.resent < island.size() && !feed.blocks->is_waiting(island[stays.resent].origin)) ++stays.resent;
+  return stays.resent == island.size();
+}
+
 void IslandWatch::tick() noexcept {
   State& s = *state_;
   const bool is_watched = s.follow_workpiece();
@@ -229,10 +241,8 @@ void IslandWatch::tick() noexcept {
     return;
   if (!removal.joined) {
     ++s.count;
-  } else if (is_of_workpiece && is_watched) {  // it stays, so the search must know its blocks again
-    if (!std::exchange(s.current->is_marked, true))
-      for (const BlockVoxels& block : removal.island.blocks) s.feed.blocks->mark(block.origin);
-    if (s.feed.blocks->waiting() > 0) return;
+  } else if (is_of_workpiece && is_watched && !s.has_resent(*s.current)) {
+    return;
   }
   s.over.push(std::move(s.current));
 }

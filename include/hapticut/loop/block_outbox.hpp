@@ -85,6 +85,12 @@ class BlockOutbox {
   /// The number of blocks that are marked and not yet sent. For the thread that marks.
   [[nodiscard]] std::size_t marked() const noexcept { return count_; }
 
+  /// Whether a block is marked and not yet sent; false outside the region. For the thread that marks.
+  [[nodiscard]] bool is_marked(const VoxelIndex& origin) const noexcept {
+    const auto number = blocks_.number_of(origin);
+    return number && is_marked_[*number];
+  }
+
   /// The number of marks outside the region. For the thread that marks.
   [[nodiscard]] std::uint64_t outside() const noexcept { return outside_; }
 

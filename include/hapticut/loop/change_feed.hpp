@@ -79,6 +79,10 @@ class ChangeFeed final : public StepObserver {
   /// @realtime no allocation, no lock; O(1)
   void mark(const VoxelIndex& origin) noexcept { outbox_.mark(origin); }
 
+  /// Whether a marked or changed block is not yet sent. For the thread that makes the steps.
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] bool is_waiting(const VoxelIndex& origin) const noexcept { return outbox_.is_marked(origin); }
+
   /// Sends all blocks again. For the thread that makes the steps.
   /// @realtime no allocation, no lock; O(1)
   void send_all() noexcept { swept_ = 0; }

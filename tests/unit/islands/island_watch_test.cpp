@@ -292,6 +292,38 @@ TEST(IslandWatch, RemovesAPieceWhosePartsItSawAtDifferentTimes) {
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 30 * kInLayer);
 }
 
+// Two blocks change in each tick and the feed sends one, so changed blocks always wait.
+TEST(IslandWatch, RemovesAPieceWhileMoreChangesThanTheFeedSends) {
+  IslandWatchOptions options;
+  options.period = 1e-4;
+  options.blocks.blocks_per_step = 1;
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(200);
+  IslandWatch watch(simulation, options);
+  const auto tick = [&] {
+    wait(simulation, watch, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  for (int n = 0; n < 20; ++n) tick();
+  simulation.set_undo_mark();
+  ASSERT_TRUE(simulation.remove_voxels(layer(10)));
+  for (int n = 0; n < 100; ++n) tick();
+  ASSERT_EQ(watch.count(), 1U);
+  while (!simulation.undo(64)) {
+  }
+  ASSERT_TRUE(simulation.remove_voxels(layer(10)));
+  for (int n = 0; n < 200; ++n) {
+    for (const int z : {40, 48}) {
+      BlockVoxels voxel{{0, 0, z}, {}};
+      voxel.voxels.add(n);
+      ASSERT_TRUE(simulation.remove_voxels(voxel));
+    }
+    tick();
+  }
+  EXPECT_EQ(watch.count(), 2U);
+  EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
+}
+
 TEST(IslandWatch, AcceptsAWorkpieceThatIsEmptied) {
   Simulation simulation = bar_and_ball();
   for (int k = 0; k < 60; ++k) ASSERT_TRUE(simulation.remove_voxels(layer(k)));
