@@ -130,6 +130,7 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
       .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
                              doc("Simulation::next_step_is_first"))
+      .def_property_readonly("is_fresh", reading<S>(&Simulation::is_fresh), doc("Simulation::is_fresh"))
       .def_property_readonly("workpiece_exchanges", reading<S>(&Simulation::workpiece_exchanges),
                              doc("Simulation::workpiece_exchanges"))
       .def(

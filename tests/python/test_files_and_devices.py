@@ -124,6 +124,40 @@ def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
         h.io.read_recording(tmp_path / "a.csv")
 
 
+@needs_io
+def test_a_second_recorder_of_a_file_is_refused(simulation, plunge, tmp_path):
+    poses, velocities = plunge
+    other = h.Simulation(simulation.workpiece.clone(), simulation.tool, simulation.config)
+    options = h.io.RecorderOptions(wait_when_full=True)
+    (tmp_path / "link.h5").symlink_to(tmp_path / "a.h5")
+    for _ in range(2):  # a new file, then over an older recording
+        with h.io.Recorder(tmp_path / "a.h5", simulation, options) as recorder:
+            for name in ("a.h5", "link.h5"):
+                with pytest.raises(h.Error, match="still writing"):
+                    h.io.Recorder(tmp_path / name, other, options)
+            recorder.run(poses, velocities, 1e-3)
+        del recorder
+        assert len(h.io.read_recording(tmp_path / "a.h5")) == len(poses)
+        simulation.reset(simulation.workpiece.clone())
+    with h.io.Recorder(tmp_path / "link.h5", other, options) as recorder:
+        recorder.step(poses[0], velocities[0], 1e-3)
+    assert len(h.io.read_recording(tmp_path / "a.h5")) == 1
+
+
+@needs_io
+def test_a_held_spindle_is_recorded(simulation, plunge, tmp_path):
+    poses, velocities = plunge
+    simulation.hold_spindle(True)
+    assert simulation.is_fresh
+    with h.io.Recorder(tmp_path / "a.h5", simulation, h.io.RecorderOptions(wait_when_full=True)) as recorder:
+        for n, (pose, velocity) in enumerate(zip(poses, velocities)):
+            if n % 100 == 50:
+                simulation.hold_spindle(not simulation.spindle_is_held)
+            recorder.step(pose, velocity, 1e-3)
+    assert not simulation.is_fresh
+    assert h.io.replay(h.io.read_recording(tmp_path / "a.h5")).identical
+
+
 def test_a_mock_device_runs_a_function_of_python():
     device = h.device.open_device("mock:press,device=touch,hand=nominal")
     assert device.capabilities.peak_force > 0 and device.name.startswith("mock")
