@@ -59,6 +59,12 @@ namespace Hapticut {
     [DllImport(Library)]
     internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
     [DllImport(Library)] internal static extern int hapticut_touches(Simulation of, ref Pose X_WH, out int touches);
+    [DllImport(Library)]
+    internal static extern int hapticut_distance_to(Simulation of, uint material, ref Pose X_WH, double maxDistance,
+                                                    out double distance);
+    [DllImport(Library)]
+    internal static extern int hapticut_first_hit(Simulation of, ref Vec3 origin, ref Vec3 direction, double maxLength,
+                                                  uint material, ref RayHit hit);
     [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double radPerS);
     [DllImport(Library)] internal static extern int hapticut_set_tool(Simulation of, byte[] text);
     [DllImport(Library)] internal static extern int hapticut_save_workpiece(Simulation of, byte[] path);

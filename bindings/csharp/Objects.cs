@@ -58,6 +58,23 @@ namespace Hapticut {
       return touches != 0;
     }
 
+    /// <summary>The distance [m] between the head at a pose and what is left of a material, 0 where it is in it.</summary>
+    /// <param name="material">id; 0: any</param>
+    /// <param name="maxDistance">[m] of the search; 0: no limit</param>
+    /// <returns>false if nothing of the material is left within maxDistance</returns>
+    public bool DistanceTo(uint material, Pose X_WH, out double distance, double maxDistance = 0) {
+      return Native.Check(Native.hapticut_distance_to(this, material, ref X_WH, maxDistance, out distance));
+    }
+
+    /// <summary>The first place on a ray that is in material.</summary>
+    /// <param name="maxLength">[m] of the ray; 0: no limit</param>
+    /// <param name="material">id; 0: any</param>
+    /// <returns>false if there is none</returns>
+    public bool FirstHit(Vec3 origin, Vec3 direction, out RayHit hit, double maxLength = 0, uint material = 0) {
+      hit = new RayHit { structSize = Native.SizeOf<RayHit>() };
+      return Native.Check(Native.hapticut_first_hit(this, ref origin, ref direction, maxLength, material, ref hit));
+    }
+
     /// <param name="radPerS">[rad/s], e.g. 40000 * Library.Rpm</param>
     public void SetSpindleSpeed(double radPerS) { Native.Check(Native.hapticut_set_spindle_speed(this, radPerS)); }
 

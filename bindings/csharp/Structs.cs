@@ -76,6 +76,26 @@ namespace Hapticut {
     public Pose X_WH;
     public Vec3 contactPoint, contactNormal;
     public double contactArea, contactPressure;
+    public MaterialSet firstTouched;
+  }
+
+  /// <summary>A set of materials, by their ids.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct MaterialSet {
+    internal ulong from0, from64, from128, from192;
+
+    public bool Has(uint id) {
+      ulong word = id < 64 ? from0 : id < 128 ? from64 : id < 192 ? from128 : from192;
+      return id < 256 && (word >> (int)(id % 64) & 1) != 0;
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct RayHit {
+    internal uint structSize;
+    public uint material;
+    public double distance;
+    public Vec3 point, normal;
   }
 
   [StructLayout(LayoutKind.Sequential)]
@@ -134,6 +154,7 @@ namespace Hapticut {
     internal uint unused;
     public ulong commandsDropped, commandsRefused;
     public Vec3 contactPoint;
+    public MaterialSet touched;
   }
 
   public enum CommandKind : uint {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bindings.hpp"
+#include "material_set.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
 
@@ -116,6 +117,8 @@ void bind_coupled_result(py::module_& m) {
       .def_property_readonly(
           "status", [](const R& r) { return std::uint32_t(r.result.status); },
           "Bits of StepStatus, of the simulation's steps; 0 = nothing to report.")
+      .def_property_readonly("first_touched", of_result(&CoupledResult::first_touched),
+                             doc("CoupledResult::first_touched"))
       .def_property_readonly("energy", of_result(&CoupledResult::energy), doc("CouplingEnergy"));
 }
 

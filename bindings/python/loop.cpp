@@ -12,6 +12,7 @@
 #include "hapticut/islands/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "material_set.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
 
@@ -188,7 +189,7 @@ void bind_messages(py::module_& m) {
                  member("steps", &T::steps), member("effort", &T::effort), member("max_effort", &T::max_effort),
                  member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
                  member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
-                 member("workpiece", &T::workpiece))
+                 member("touched", &T::touched), member("workpiece", &T::workpiece))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("status_seen", bits(&T::status_seen), doc("ToolSnapshot::status_seen"));
   using S = LoopSnapshot;

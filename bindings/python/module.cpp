@@ -89,6 +89,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_islands(m);
   bind_io(m);
   bind_guard(m);
+  bind_distances(m);
   bind_coupling(m);
   bind_device(m);
   bind_analysis(m);

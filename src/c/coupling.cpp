@@ -82,6 +82,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     own.removed_voxels = tick.removed_voxels.size();
     own.sub_steps = std::uint32_t(tick.parts);
     put(tick.X_WH, own.X_WH);
+    put(tick.first_touched, own.first_touched);
     write_struct(own, result);
     return HAPTICUT_OK;
   });

@@ -121,6 +121,7 @@ void put_snapshot(const LoopSnapshot& seen, hapticut_loop_state& own) noexcept {
   put(tool.contact_point_W, own.contact_point_W);
   own.undo_marks = std::uint32_t(tool.undo_marks);
   own.redo_marks = std::uint32_t(tool.redo_marks);
+  put(tool.touched, own.touched);
   own.commands_dropped = seen.commands_dropped;
   own.commands_refused = seen.commands_refused;
 }

@@ -87,6 +87,7 @@ int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* inp
     put_step(stepped, own);
     put(stepped.force, own.force);
     put(stepped.torque, own.torque);
+    put(use->simulation.first_touched(), own.first_touched);
     own.X_WH = in.X_WH;
     write_struct(own, result);
   });

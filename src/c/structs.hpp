@@ -11,6 +11,7 @@
 #include "c/failure.hpp"
 #include "hapticut/c/hapticut.h"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/workpiece/material_set.hpp"
 
 /// @file
 /// Conversion of the structs of the interface: from and to older or newer callers, and from and to C++.
@@ -93,6 +94,10 @@ void write_struct(const S& own, S* to) noexcept {
 
 inline void put(const Vec3& vector, double* to) noexcept {
   for (int axis = 0; axis < 3; ++axis) to[axis] = vector[axis];
+}
+
+inline void put(const MaterialSet& set, std::uint64_t* to) noexcept {
+  std::copy(set.words.begin(), set.words.end(), to);
 }
 
 inline void put(const Pose& pose, hapticut_pose& to) noexcept {

@@ -194,6 +194,7 @@ void SimulationModel::fill_in(LoopSnapshot& snapshot) const noexcept {
   snapshot.tool = tool_;
   snapshot.tool.undo_marks = simulation_->undo_marks();
   snapshot.tool.redo_marks = simulation_->redo_marks();
+  snapshot.tool.touched = simulation_->touched();
   snapshot.tool.undoing = restoring_ == Restoring::undo;
   snapshot.tool.redoing = restoring_ == Restoring::redo;
 }

@@ -14,6 +14,7 @@
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/head.hpp"
+#include "hapticut/workpiece/material_set.hpp"
 #include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "kernels/kernels.hpp"
@@ -100,6 +101,11 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                         RemovalRecord& removal) noexcept;
 
+  /// The materials in contact with the head, except those that are known. Free of cost when all are known; else O(512)
+  /// for each block that holds several materials or empty voxels.
+  [[nodiscard]] MaterialSet find_touched(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                         const MaterialSet& known) noexcept;
+
   /// Returns what `press_and_cut` would return, without a change to any block.
   /// @param stiffness_T  of the contact about To, in T; zero when the law reports none: see `knows_stiffness`
   [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
@@ -160,6 +166,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
  private:
   static constexpr std::size_t kBlocksAtOnce = 8;  // blocks that share single-precision sums
 
+  void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
   [[nodiscard]] Encounter meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
                                Stiffness* stiffness_T) noexcept;
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
@@ -206,7 +213,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   ChangedBlocks changed_blocks_;       // as the user sees it
   std::vector<CuttableBlock> blocks_;  // found by find_blocks
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
-  ContactBlock contact_;               // scratch of ask_law
+  ContactBlock contact_;               // scratch of ask_law and find_touched
   std::array<kernels::PressTask, kBlocksAtOnce> tasks_;
   std::array<ContactBlock::Array<float>, kBlocksAtOnce> new_fills_;  // of blocks that are not written in place
 };

@@ -154,6 +154,7 @@ void VirtualCoupling::begin_tick() noexcept {
   result_.removed_voxels = {};
   result_.removed_volume = 0;
   result_.changed_blocks = {};
+  result_.first_touched = {};
   result_.parts = result_.newton_steps = 0;
   result_.level_of_detail = 1;
   result_.status = StepStatus::ok;
@@ -207,6 +208,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
 /// Adds what a part of a tick has changed to the lists of the tick.
 void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.removed_volume += stepped.removed_volume;
+  result_.first_touched.insert(simulation_->first_touched());
   for (const RemovedVoxel& voxel : stepped.removed_voxels) {
     if (lists_.removed.size() == lists_.removed.capacity()) {
       result_.status |= StepStatus::removed_list_full;

@@ -111,6 +111,12 @@ void Simulation::remove_observer(StepObserver& observer) noexcept {
 
 const ByMaterial<double>& Simulation::removed_volume_by_material() const { return state_->removal.total_by_material(); }
 
+const MaterialSet& Simulation::first_touched() const noexcept { return state_->first_touched; }
+const MaterialSet& Simulation::touched() const noexcept { return state_->touched; }
+const ByMaterial<std::uint64_t>& Simulation::first_touch_by_material() const noexcept {
+  return state_->first_touch_step;
+}
+
 WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
 
 const StageTimes& Simulation::stage_times() const { return state_->times; }

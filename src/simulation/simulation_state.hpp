@@ -9,6 +9,7 @@
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/limit_surface.hpp"
 #include "hapticut/simulation/simulation.hpp"
+#include "hapticut/workpiece/material_set.hpp"
 #include "simulation/contact_stages.hpp"
 #include "simulation/stage_timer.hpp"
 
@@ -84,6 +85,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void update_cutting_share() noexcept;
   [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
+  void note_touches(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
   void remove_emptied() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
@@ -163,7 +165,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   Observers observers;
 
   RemovalRecord removal;
-  ByMaterial<double> detached_volume = {};  // [m^3] by MaterialId
+  ByMaterial<double> detached_volume = {};          // [m^3] by MaterialId
+  MaterialSet touched, first_touched;               // since construction or reset; for the first time, in the last step
+  ByMaterial<std::uint64_t> first_touch_step = {};  // `steps` in which a material was first touched; 0: not yet
   StepResult result;
   mutable StageTimes times;
 };

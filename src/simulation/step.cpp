@@ -65,6 +65,7 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
   after_set = std::exchange(set_since, false);
   removal.clear();
   contact_stages.forget_changes();
+  first_touched = {};
   times = {};
   result.model = {};
   result.removed_voxels = {};
@@ -218,6 +219,7 @@ std::span<const CuttableBlock> Simulation::State::find_blocks(const SubStep& sub
 
 Encounter Simulation::State::press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::press_and_cut);
+  note_touches(blocks, sub_step);
   Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);
   if (motor.stalled()) book_stalled(sub_step, encounter);
   return encounter;

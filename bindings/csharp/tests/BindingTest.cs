@@ -53,9 +53,9 @@ spindle_rpm = 40000
   // The structs have the same sizes as in C: tests/unit/c/c_structs_test.cpp.
   static void Sizes() {
     Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo),
-                     typeof(StepInput), typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
+                     typeof(StepInput), typeof(StepResult), typeof(RayHit), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
                      typeof(Vertex), typeof(SoundInput), typeof(RecordingReport) };
-    int[] sizes = { 96, 16, 336, 88, 160, 272, 240, 160, 440, 1344, 12, 32, 24 };
+    int[] sizes = { 96, 16, 336, 88, 160, 304, 64, 240, 160, 472, 1344, 12, 32, 24 };
     for (int n = 0; n < types.Length; ++n)
       Require(Marshal.SizeOf(types[n]) == sizes[n], types[n].Name + " has " + Marshal.SizeOf(types[n]) + " bytes");
   }
@@ -84,11 +84,14 @@ spindle_rpm = 40000
       Require(Math.Abs(scene.X_HT.position.z + 20e-3) < 1e-12, "the head's place");
       simulation.SetUndoMark();
       double removed = 0;
+      int firstTouches = 0;
       StepResult result = new StepResult();
       for (int n = 1; n <= 400; ++n) {
         result = simulation.Step(Above(2e-6 * n));
+        if (result.firstTouched.Has(1)) ++firstTouches;
         removed += result.removedVolume;
       }
+      Require(firstTouches == 1, "the first touch");
       Require(result.force.z > 1 && removed > 0 && (result.status & 15) == 0,
               "a step: " + result.force + " " + result.status);
       MaterialInfo bone = simulation.Material(1);
@@ -96,6 +99,12 @@ spindle_rpm = 40000
       Require(simulation.Touches(Above(2e-3).X_WH) && !simulation.Touches(Above(-1e-3).X_WH), "what touches");
       Require(simulation.Undo() && !simulation.Undo() && simulation.Material(1).volume > bone.volume, "undo");
       using (Snapshot snapshot = simulation.TakeSnapshot()) simulation.Restore(snapshot);
+      double distance;
+      Require(simulation.DistanceTo(1, Above(-2e-3).X_WH, out distance) && Math.Abs(distance - 2e-3) < 0.05e-3 &&
+              !simulation.DistanceTo(1, Above(-2e-3).X_WH, out distance, 1e-3), "the distance to the material");
+      RayHit hit;
+      Require(simulation.FirstHit(new Vec3(1e-3, 1e-3, 8e-3), new Vec3(0, 0, -1), out hit) && hit.material == 1 &&
+              Math.Abs(hit.distance - 5e-3) < 0.05e-3 && hit.normal.z > 0.9, "a ray");
       Pose pose;
       Require(!simulation.PathPose(0, out pose), "there is no path");
       StepInput wrong = Above(0);

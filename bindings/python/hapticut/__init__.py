@@ -102,6 +102,7 @@ from ._hapticut import (
     Material as Material,
     MaterialAmount as MaterialAmount,
     MaterialTable as MaterialTable,
+    RayHit as RayHit,
     Workpiece as Workpiece,
     WorkpieceSnapshot as WorkpieceSnapshot,
     WorkpieceSurface as WorkpieceSurface,

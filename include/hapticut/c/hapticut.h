@@ -26,8 +26,8 @@
  * `hapticut_loop_stop`. Emergency stop and reset never fail while a loop runs. There are no callbacks: no code of the
  * caller runs in the 1 kHz thread.
  *
- * Real time. hapticut_step, _probe, _touches, _coupling_step, _loop_latest, _loop_send and _sound_render neither
- * allocate nor lock when they succeed. All other functions are for set-up.
+ * Real time. hapticut_step, _probe, _touches, _distance_to, _first_hit, _coupling_step, _loop_latest, _loop_send and
+ * _sound_render neither allocate nor lock when they succeed. All other functions are for set-up.
  *
  * Process. Nothing is process-wide unless hapticut_loop_options requests it: no signal handlers, no locked memory.
  *
@@ -106,6 +106,23 @@ HAPTICUT_C_API int hapticut_probe(hapticut_simulation simulation, const hapticut
 /** Whether the head would be in material.
  * @param touches  1: in material; 0: free */
 HAPTICUT_C_API int hapticut_touches(hapticut_simulation simulation, const hapticut_pose* X_WH, int* touches);
+
+/** The distance between the head, with the handle at a pose, and what is left of a material: Simulation::distance_to.
+ * @param material      id, 1 ... hapticut_scene_info.materials; 0: any material
+ * @param max_distance  [m] of the search; 0: no limit
+ * @param distance      [m] 0 where the head is in the material
+ * NOTHING: nothing of the material is left within max_distance */
+HAPTICUT_C_API int hapticut_distance_to(hapticut_simulation simulation, uint32_t material, const hapticut_pose* X_WH,
+                                        double max_distance, double* distance);
+
+/** The first place on a ray that is in material: Workpiece::first_hit.
+ * @param origin_W     [m] [3] in W
+ * @param direction_W  [3] in W, of any length but 0
+ * @param max_length   [m] of the ray; 0: no limit
+ * @param material     id, 1 ... hapticut_scene_info.materials; 0: any material
+ * NOTHING: there is no such material within the length */
+HAPTICUT_C_API int hapticut_first_hit(hapticut_simulation simulation, const double* origin_W, const double* direction_W,
+                                      double max_length, uint32_t material, hapticut_ray_hit* hit);
 
 /** The energy ledger since the simulation was made. */
 HAPTICUT_C_API int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledger);

@@ -109,6 +109,8 @@ typedef struct hapticut_step_result {
                                  without a contact */
   double contact_area;        /**< [m^2] area of the head's surface in material */
   double contact_pressure;    /**< [Pa] mean over that area */
+  uint64_t first_touched[4];  /**< set of the materials that were touched for the first time since the simulation was
+                                 made: HAPTICUT_HAS_MATERIAL */
 } hapticut_step_result;
 
 typedef struct hapticut_probe_result {
@@ -119,6 +121,17 @@ typedef struct hapticut_probe_result {
   double stiffness[36]; /**< [N/m, N/rad; N, N m/rad] row by row; force, torque over translation, rotation of Ho in W */
   double contact_depth; /**< [m] */
 } hapticut_probe_result;
+
+/** 1 if a set of materials, four words of 64 bits, has the material with an id, else 0. */
+#define HAPTICUT_HAS_MATERIAL(set, id) ((int)(((set)[(id) / 64] >> ((id) % 64)) & 1))
+
+typedef struct hapticut_ray_hit {
+  uint32_t struct_size;
+  uint32_t material;  /**< id of the material that was met */
+  double distance;    /**< [m] from the origin of the ray; 0 if the origin is in the material */
+  double point_W[3];  /**< [m] in W */
+  double normal_W[3]; /**< [1] unit vector out of the material, in W; zero deep inside the material */
+} hapticut_ray_hit;
 
 typedef struct hapticut_energy_ledger {
   uint32_t struct_size;
@@ -247,6 +260,8 @@ typedef struct hapticut_loop_state {
   uint64_t commands_dropped; /**< commands that found the queue full */
   uint64_t commands_refused; /**< commands that did not suit the objects in place */
   double contact_point_W[3]; /**< [m] in W, point for a force arrow; zero without a contact */
+  uint64_t touched[4];       /**< set of the materials that were touched since the simulation was made:
+                                HAPTICUT_HAS_MATERIAL */
 } hapticut_loop_state;
 
 /** A kind is the position of a command in hapticut::LoopCommand, from 1. The commands 11 to 15 (friction, effects,

@@ -7,6 +7,7 @@
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/workpiece/material_set.hpp"
 
 namespace hapticut {
 
@@ -37,6 +38,7 @@ struct ToolSnapshot {
   bool undoing = false;         ///< an undo is in progress: nothing is felt or cut, and the values of a step are 0
   bool redoing = false;         ///< a redo is in progress, with the same effect
   bool force_held = false;      ///< by HoldForce
+  MaterialSet touched;          ///< since the simulation was made or reset: Simulation::touched. A new one is an event
   std::uint32_t workpiece = 0;  ///< number of exchanges since the loop began: ChangedBlock::workpiece
 };
 

@@ -108,6 +108,7 @@ struct CoupledResult {
   int newton_steps = 0;                          ///< in all of them
   int level_of_detail = 1;                       ///< the maximum Contact::level_of_detail of these steps
   StepStatus status = StepStatus::ok;            ///< of the simulation's steps
+  MaterialSet first_touched;                     ///< in this tick: Simulation::first_touched of all its steps
   CouplingEnergy energy;
 };
 

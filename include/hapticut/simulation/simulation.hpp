@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/tool.hpp"
+#include "hapticut/workpiece/material_set.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {
@@ -75,6 +77,18 @@ class Simulation {
   /// @realtime no allocation, no lock; evaluates the contact once
   [[nodiscard]] bool touches(const Pose& X_WH) const noexcept;
 
+  /// [m] The distance between the head, with the handle at a pose, and what is left of a material: 0 where the head is
+  /// in it, infinity when nothing of it is left within `max_distance`, NaN when the pose is not a rigid transform.
+  ///
+  /// Other materials in between do not matter. The head's surface is exact. The surface of the material is that of the
+  /// contact of the default law, which begins where the distance becomes 0: up to 0.2 voxels early at a surface against
+  /// empty space, up to 1.2 voxels early at a border between two materials, where each voxel has one material.
+  /// @param material      kEmpty: of any material
+  /// @param max_distance  [m] >= 0; the smaller, the faster is the search
+  /// @realtime no allocation, no lock; O(blocks within the distance), see docs/other-scenes.md
+  [[nodiscard]] double distance_to(MaterialId material, const Pose& X_WH,
+                                   double max_distance = std::numeric_limits<double>::infinity()) const noexcept;
+
   /// Whether the next step will be the first of the tool: before the first one, and after `restore`, `undo`, `redo`,
   /// `set_tool`, `set_materials`, `exchange` and `reset`. After these calls, the material that the tool is in is
   /// neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing. Exceptions are
@@ -129,6 +143,18 @@ class Simulation {
 
   /// [m^3] removed by `remove_voxels` since construction or reset, by MaterialId.
   [[nodiscard]] const ByMaterial<double>& detached_volume_by_material() const noexcept;
+
+  /// The materials that the last step touched for the first time since construction or `reset`: an event, for example
+  /// of the pulp of a tooth.  @realtime no allocation, no lock; O(1)
+  [[nodiscard]] const MaterialSet& first_touched() const noexcept;
+
+  /// The materials that were touched since construction or `reset`, by steps that were not refused.
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] const MaterialSet& touched() const noexcept;
+
+  /// By MaterialId, the value of `steps()` after the step that touched a material for the first time since construction
+  /// or `reset`; 0: not yet.
+  [[nodiscard]] const ByMaterial<std::uint64_t>& first_touch_by_material() const noexcept;
 
   /// Times of the stages of the last step; see SimulationConfig::stage_times.
   [[nodiscard]] const StageTimes& stage_times() const;

@@ -73,7 +73,9 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
 }
 
 Json to_json(const LoopReport& r) {
-  Json events = Json::object(), log = Json::array(), status = Json::array();
+  Json events = Json::object(), log = Json::array(), status = Json::array(), touched = Json::array();
+  r.seen.last.tool.touched.for_each(
+      [&](MaterialId id) { touched.push_back(r.simulation.workpiece().materials()[id].name); });
   for_each_bit<StepStatus>([&](StepStatus bit, const char* name) {
     if (has_any(r.seen.last.tool.status_seen, bit)) status.push_back(name);
   });
@@ -101,6 +103,7 @@ Json to_json(const LoopReport& r) {
       {"safety_log", log},
       {"steps", r.seen.last.tool.steps},
       {"status_seen", status},
+      {"touched", touched},
       {"max_per_tick",
        {{"parts", r.seen.last.tool.max_effort.parts},
         {"newton_steps", r.seen.last.tool.max_effort.newton_steps},

@@ -21,6 +21,29 @@ Json by_material(const MaterialTable& materials, const ByMaterial<double>& volum
   return json;
 }
 
+/// [s] When a material was first touched, by its name, in the order of the ids; without materials that were not.
+std::vector<std::pair<std::string, double>> first_touches(const Simulation& simulation, double rate) {
+  std::vector<std::pair<std::string, double>> touches;
+  simulation.touched().for_each([&](MaterialId id) {
+    touches.emplace_back(simulation.workpiece().materials()[id].name,
+                         double(simulation.first_touch_by_material()[id]) / rate);
+  });
+  return touches;
+}
+
+Json first_touch_json(const Simulation& simulation, double rate) {
+  Json json = Json::object();
+  for (const auto& [name, time] : first_touches(simulation, rate)) json[name] = time;
+  return json;
+}
+
+std::string first_touch_text(const Simulation& simulation, double rate) {
+  std::string text;
+  for (const auto& [name, time] : first_touches(simulation, rate))
+    text += (text.empty() ? "" : ", ") + name + " at " + rounded(time, 6) + " s";
+  return text.empty() ? "nothing" : text;
+}
+
 Json to_json(const EnergyLedger& e) {
   Json json = Json::object();
   for_each_field<EnergyLedger>([&](const auto& field) { json[field.name] = e.*field.member; });
@@ -109,6 +132,7 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
       {"rate_Hz", report.rate},
       {"steps_in_contact", r.steps_in_contact},
       {"steps_cutting", r.steps_cutting},
+      {"first_touch_s", first_touch_json(simulation, report.rate)},
       {"removed_volume_mm3",
        {{"total", r.removed_volume / units::mm3},
         {"by_material", by_material(materials, simulation.removed_volume_by_material())}}},
@@ -141,6 +165,7 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   const auto& volumes = simulation.removed_volume_by_material();
   for (int id = 1; id <= materials.size() && materials.size() <= kFewMaterials; ++id)
     table.add("  " + materials[MaterialId(id)].name, rounded(volumes[std::size_t(id)] / units::mm3) + " mm^3");
+  table.add("first touched", first_touch_text(simulation, report.rate));
   table.add("force", "max " + rounded(r.max_force) + " N, mean " + rounded(r.mean_force) + " N in contact");
   table.add("torque", "max " + rounded(r.max_torque / units::N_mm) + " Nmm, mean " +
                           rounded(r.mean_torque / units::N_mm) + " Nmm about the hand");

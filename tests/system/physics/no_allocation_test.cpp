@@ -104,6 +104,27 @@ TEST(NoAllocation, WhileCollectedHeatAndChangedBlocksAreNotRead) {
   EXPECT_TRUE(collector.receive(pulse));
 }
 
+TEST(NoAllocation, WhileDistancesAreMeasuredAndMaterialsAreFirstTouched) {
+  const Box box{Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm};
+  std::vector<Layer> layers;
+  for (int n = 0; n < 20; ++n) layers.push_back({test::named("layer " + std::to_string(n)), 0.1 * units::mm});
+  Simulation simulation(build_layered_slab(box, 0.1 * units::mm, layers),
+                        test::tool_of(SphereHead{0.5 * units::mm}, test::kSpin));
+  double sum = 0;
+  int hits = 0;
+  expect_no_calls([&] {
+    for (int n = 0; n < 500; ++n) {
+      const Pose X_WH = Pose::from_translation(Vec3(0, 0, 0.55 * units::mm - 2e-6 * n));
+      (void)simulation.step(X_WH, {Vec3(0, 0, -2e-3), Vec3::Zero()}, 1e-3);
+      sum += simulation.distance_to(20, X_WH) + simulation.distance_to(kEmpty, X_WH, 1 * units::mm);
+      hits += simulation.workpiece().first_hit(X_WH.translation, Vec3(0.1, 0.2, -1), 1, 20).has_value() ? 1 : 0;
+    }
+  });
+  EXPECT_GT(sum, 0);
+  EXPECT_EQ(hits, 500);
+  EXPECT_GT(simulation.touched().size(), 5);
+}
+
 TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
   const double voxel = 0.1 * units::mm;
   Workpiece bar = build_block({Vec3::Zero(), voxel * Vec3(24, 24, 80)}, voxel, test::named("bone"));

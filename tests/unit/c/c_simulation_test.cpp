@@ -80,6 +80,60 @@ TEST(CInterface, GivesEveryStepBitByBitAsCppDoes) {
   EXPECT_EQ(touches, 1);
 }
 
+TEST(CInterface, MeasuresDistancesAsCppDoes) {
+  const Simulation expected = in_cpp();
+  const Owned simulation(simulation_of());
+  const hapticut_step_input input = above(-1.3e-3);
+  double distance = -1;
+  for (const std::uint32_t material : {0U, 1U}) {
+    ASSERT_EQ(hapticut_distance_to(simulation.get(), material, &input.X_WH, 0, &distance), HAPTICUT_OK);
+    EXPECT_EQ(distance, expected.distance_to(MaterialId(material), pose_of(input)));
+  }
+  EXPECT_NEAR(distance, 1.3e-3, 0.2 * 0.2e-3);
+  distance = -1;
+  EXPECT_EQ(hapticut_distance_to(simulation.get(), 1, &input.X_WH, 1e-3, &distance), HAPTICUT_NOTHING);
+  EXPECT_EQ(distance, -1) << "the output is unchanged";
+  const double origin[3] = {1e-3, 2e-3, 9e-3}, down[3] = {0, 0.1, -2}, zero[3] = {0, 0, 0};
+  auto hit = sized<hapticut_ray_hit>();
+  ASSERT_EQ(hapticut_first_hit(simulation.get(), origin, down, 0, 0, &hit), HAPTICUT_OK);
+  const std::optional<RayHit> same = expected.workpiece().first_hit(Vec3(origin), Vec3(down));
+  EXPECT_EQ(hit.distance, same->distance);
+  EXPECT_EQ(hit.material, 1U);
+  EXPECT_EQ(Vec3(hit.point_W), same->point_W);
+  EXPECT_EQ(Vec3(hit.normal_W), same->normal_W);
+  EXPECT_EQ(hapticut_first_hit(simulation.get(), origin, down, 1e-3, 1, &hit), HAPTICUT_NOTHING);
+
+  const auto refuses = [](int code, const std::string& words) {
+    EXPECT_EQ(code, HAPTICUT_ERROR_ARGUMENT);
+    EXPECT_NE(std::string(hapticut_last_error()).find(words), std::string::npos) << hapticut_last_error();
+  };
+  hapticut_pose mirrored = input.X_WH;
+  mirrored.rotation[0] = -1;
+  refuses(hapticut_distance_to(simulation.get(), 1, &mirrored, 0, &distance), "X_WH is not a rigid transform");
+  refuses(hapticut_distance_to(simulation.get(), 2, &input.X_WH, 0, &distance), "material = 2");
+  refuses(hapticut_distance_to(simulation.get(), 1, &input.X_WH, -1, &distance), "max_distance = -1");
+  refuses(hapticut_distance_to(simulation.get(), 1, nullptr, 0, &distance), "X_WH");
+  refuses(hapticut_first_hit(simulation.get(), origin, zero, 0, 0, &hit), "is not a ray");
+  refuses(hapticut_first_hit(simulation.get(), origin, down, 0, 300, &hit), "material = 300");
+  refuses(hapticut_first_hit(simulation.get(), origin, nullptr, 0, 0, &hit), "direction_W");
+}
+
+TEST(CInterface, TellsOnceThatAMaterialIsTouchedForTheFirstTime) {
+  const Owned simulation(simulation_of());
+  auto result = sized<hapticut_step_result>();
+  int events = 0;
+  for (int n = -50; n <= 50; ++n) {
+    const hapticut_step_input input = above(2e-6 * n);
+    ASSERT_EQ(hapticut_step(simulation.get(), &input, &result), HAPTICUT_OK) << hapticut_last_error();
+    events += HAPTICUT_HAS_MATERIAL(result.first_touched, 1);
+    if (result.contact_voxels > 0) {
+      EXPECT_EQ(events, 1) << n;
+    }
+  }
+  EXPECT_EQ(events, 1);
+  EXPECT_EQ(HAPTICUT_HAS_MATERIAL(result.first_touched, 255), 0);
+}
+
 TEST(CInterface, CouplesAHandAsCppDoes) {
   Simulation expected = in_cpp(true);
   CouplingGains gains;

@@ -37,7 +37,9 @@ struct layout {
     FIELD(hapticut_step_result, contact_voxels) FIELD(hapticut_step_result, sub_steps) \
     FIELD(hapticut_step_result, X_WH) FIELD(hapticut_step_result, contact_point_W) \
     FIELD(hapticut_step_result, contact_normal_W) FIELD(hapticut_step_result, contact_area) \
-    FIELD(hapticut_step_result, contact_pressure) \
+    FIELD(hapticut_step_result, contact_pressure) FIELD(hapticut_step_result, first_touched) \
+  STRUCT(hapticut_ray_hit) FIELD(hapticut_ray_hit, struct_size) FIELD(hapticut_ray_hit, material) \
+    FIELD(hapticut_ray_hit, distance) FIELD(hapticut_ray_hit, point_W) FIELD(hapticut_ray_hit, normal_W) \
   STRUCT(hapticut_probe_result) FIELD(hapticut_probe_result, struct_size) \
     FIELD(hapticut_probe_result, contact_voxels) FIELD(hapticut_probe_result, force) \
     FIELD(hapticut_probe_result, torque) FIELD(hapticut_probe_result, stiffness) \
@@ -83,6 +85,7 @@ struct layout {
     FIELD(hapticut_loop_state, undo_marks) FIELD(hapticut_loop_state, redo_marks) \
     FIELD(hapticut_loop_state, unused) FIELD(hapticut_loop_state, commands_dropped) \
     FIELD(hapticut_loop_state, commands_refused) FIELD(hapticut_loop_state, contact_point_W) \
+    FIELD(hapticut_loop_state, touched) \
   STRUCT(hapticut_command) FIELD(hapticut_command, struct_size) FIELD(hapticut_command, kind) \
     FIELD(hapticut_command, value) \
   STRUCT(hapticut_loop_report) FIELD(hapticut_loop_report, struct_size) FIELD(hapticut_loop_report, fault) \

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "hapticut/tool/head.hpp"
+
+namespace hapticut {
+
+/// The surface of a head, for distances from outside. `ToolHead::spring_at` gives depths inside, and outside only near
+/// the surface; this gives the exact distance of any point, for any shape.
+///
+/// A head is a body of revolution, so the nearest point of its surface lies in the meridian plane of the point: the
+/// distance is that of a point from a few lines and arcs.
+class HeadOutline {
+ public:
+  /// @param head  must outlive the outline
+  explicit HeadOutline(const ToolHead& head) noexcept {
+    if (const auto* ball = std::get_if<SphereHead>(&head.shape())) {
+      ball_radius_ = ball->radius;
+    } else if (const auto* cone = std::get_if<ConeHead>(&head.shape())) {
+      const double base = cone->height * std::tan(cone->half_angle);
+      add({0, 0}, {base, cone->height});
+      add({base, cone->height}, {0, cone->height});
+    } else if (const auto* flat = std::get_if<FlatHead>(&head.shape())) {
+      add({0, 0}, {flat->radius, 0});
+      add({flat->radius, 0}, {flat->radius, flat->height});
+      add({flat->radius, flat->height}, {0, flat->height});
+    } else {
+      profile_ = std::get<ProfileHead>(head.shape()).table().exact_pieces;
+    }
+  }
+
+  /// A point seen from the head.
+  struct Place {
+    double distance;  ///< [m] from the surface, negative inside
+    double n_radial;  ///< [1] component away from the axis of n, the unit vector from the head through the point
+    double n_axial;   ///< [1] component of n along +z of T
+  };
+
+  /// [m] Distance of a point from the surface, negative inside.
+  /// @realtime no allocation, no lock; O(edges of the profile)
+  [[nodiscard]] double distance(double rho, double z) const noexcept {
+    if (ball_radius_ > 0) return std::sqrt(rho * rho + z * z) - ball_radius_;
+    return place(rho, z).distance;
+  }
+
+  /// Distance of a point and the direction of its growth.
+  /// @realtime no allocation, no lock; O(edges of the profile)
+  [[nodiscard]] Place place(double rho, double z) const noexcept {
+    if (ball_radius_ > 0) {
+      const double from_center = std::sqrt(rho * rho + z * z);
+      if (!(from_center > 0)) return {-ball_radius_, 0, 1};
+      return {from_center - ball_radius_, rho / from_center, z / from_center};
+    }
+    Nearest nearest;
+    bool inside = false;
+    for (const ProfilePiece<double>& piece : pieces()) {
+      const Nearest here = nearest_on(piece, rho, z);
+      if (here.distance < nearest.distance) nearest = here;
+      if ((piece.z_0 <= z) != (piece.z_1 <= z)) inside ^= ProfileSprings<double>::crossing(piece, z) > rho;
+    }
+    // Next to the surface the direction of the difference is lost in rounding, so the normal is used.
+    constexpr double kOnSurface = 1e-10;  // [m]
+    if (nearest.distance < kOnSurface) return {0, nearest.normal_rho, nearest.normal_z};
+    const double outward = inside ? -1 : 1;
+    const double scale = outward / nearest.distance;
+    return {outward * nearest.distance, scale * (rho - nearest.rho), scale * (z - nearest.z)};
+  }
+
+ private:
+  struct End {
+    double rho, z;
+  };
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    double rho = 0, z = 0;                // [m] point of the piece
+    double normal_rho = 0, normal_z = 1;  // [1] out of the head
+  };
+
+  void add(const End& from, const End& to) noexcept {
+    straight_[count_++] = {from.rho, from.z, to.rho, to.z, 0, 0, 0, 0, 0};
+  }
+  [[nodiscard]] std::span<const ProfilePiece<double>> pieces() const noexcept {
+    return count_ > 0 ? std::span<const ProfilePiece<double>>(straight_.data(), count_) : profile_;
+  }
+
+  [[nodiscard]] static Nearest nearest_on(const ProfilePiece<double>& p, double rho, double z) noexcept {
+    Nearest found;
+    if (p.radius == 0) {
+      const double along_rho = p.rho_1 - p.rho_0, along_z = p.z_1 - p.z_0;
+      const double squared = along_rho * along_rho + along_z * along_z;
+      const double s = std::clamp(((rho - p.rho_0) * along_rho + (z - p.z_0) * along_z) / squared, 0.0, 1.0);
+      found.rho = p.rho_0 + s * along_rho, found.z = p.z_0 + s * along_z;
+      const double length = std::sqrt(squared);  // the body is to the left of the piece
+      found.normal_rho = along_z / length, found.normal_z = -along_rho / length;
+    } else {
+      const double v_rho = rho - p.center_rho, v_z = z - p.center_z;
+      const double after = (p.rho_0 - p.center_rho) * v_z - (p.z_0 - p.center_z) * v_rho;
+      const double before = v_rho * (p.z_1 - p.center_z) - v_z * (p.rho_1 - p.center_rho);
+      const double from_center = std::sqrt(v_rho * v_rho + v_z * v_z);
+      if (from_center > 0 && p.sense * after >= 0 && p.sense * before >= 0) {
+        found.rho = p.center_rho + p.radius / from_center * v_rho;
+        found.z = p.center_z + p.radius / from_center * v_z;
+      } else {
+        const bool first = std::hypot(rho - p.rho_0, z - p.z_0) <= std::hypot(rho - p.rho_1, z - p.z_1);
+        found.rho = first ? p.rho_0 : p.rho_1, found.z = first ? p.z_0 : p.z_1;
+      }
+      found.normal_rho = p.sense * (found.rho - p.center_rho) / p.radius;
+      found.normal_z = p.sense * (found.z - p.center_z) / p.radius;
+    }
+    found.distance = std::sqrt((rho - found.rho) * (rho - found.rho) + (z - found.z) * (z - found.z));
+    return found;
+  }
+
+  double ball_radius_ = 0;                             // [m] 0: not a ball
+  std::array<ProfilePiece<double>, 3> straight_ = {};  // of a cone or a flat head
+  std::size_t count_ = 0;                              // of `straight_`
+  std::span<const ProfilePiece<double>> profile_;      // of a profile
+};
+
+}  // namespace hapticut
