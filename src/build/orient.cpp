@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "build/winding_number.hpp"
+#include "core/interruption.hpp"
 
 namespace hapticut {
 namespace {
@@ -138,7 +139,10 @@ std::vector<std::size_t> pieces_in(const TriangleMesh& mesh, const std::vector<P
     part.triangles.push_back({first, first + 1, first + 2});
   }
   const WindingNumber alone(part);
-  std::erase_if(within, [&](std::size_t n) { return !encloses(alone, pieces[n]); });
+  std::erase_if(within, [&](std::size_t n) {
+    look_for_interruption();
+    return !encloses(alone, pieces[n]);
+  });
   return within;
 }
 
@@ -183,6 +187,7 @@ void orient_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour
   const WindingNumber all(mesh);
   std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
+    look_for_interruption();
     if (!faces_inwards(pieces[n]) || encloses(all, pieces[n])) continue;
     flips[n] = true;
     for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) flips[within] = true;
