@@ -65,7 +65,7 @@ void bind_models(py::module_& m) {
 void bind_runs(py::module_& m) {
   bind_described<RunOptions>(m, "RunOptions");
   using R = RunReport;
-  auto report =
+  auto report_class =
       bind_part_of_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks),
                              member("missed", &R::missed), member("wake_up", &R::wake_up),
                              member("compute", &R::compute), member("end", &R::end), member("fault", &R::fault),
