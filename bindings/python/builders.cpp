@@ -42,7 +42,9 @@ void bind_molar(py::module_& m) {
 }
 
 void bind_meshes(py::module_& m) {
-  py::class_<MeshShell>(m, "MeshShell", doc("MeshShell"))
+  py::class_<MeshShell> shell_class(m, "MeshShell", doc("MeshShell"));
+  pickled_by_members(shell_class, &MeshShell::mesh, &MeshShell::material);
+  shell_class
       .def(py::init([](const TriangleMesh& mesh, MaterialId material) {
              return MeshShell{mesh, material};
            }),

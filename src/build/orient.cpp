@@ -12,6 +12,7 @@
 
 #include "build/repeated_faces.hpp"
 #include "build/winding_number.hpp"
+#include "core/interruption.hpp"
 
 namespace hapticut {
 namespace {
@@ -145,7 +146,10 @@ std::vector<std::size_t> pieces_in(const TriangleMesh& mesh, const std::vector<P
     part.triangles.push_back({first, first + 1, first + 2});
   }
   const WindingNumber alone(part);
-  std::erase_if(within, [&](std::size_t n) { return !encloses(alone, pieces[n]); });
+  std::erase_if(within, [&](std::size_t n) {
+    look_for_interruption();
+    return !encloses(alone, pieces[n]);
+  });
   return within;
 }
 
@@ -191,6 +195,7 @@ void orient_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour
   const WindingNumber all(mesh);
   std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
+    look_for_interruption();
     if (!pieces[n].closed || !faces_inwards(pieces[n])) continue;
     if (all_closed ? encloses(all, pieces[n]) : !is_clear_of(all, pieces[n])) continue;
     flips[n] = true;

@@ -12,6 +12,7 @@
 
 #include "build/boxes.hpp"
 #include "build/volume_fields.hpp"
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/coverage.hpp"
@@ -106,9 +107,11 @@ template <class Value, class Visit>
 void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Visit& visit) {
   const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
   tbb::parallel_for(rows, [&](const tbb::blocked_range<int>& slices) {
-    for (int k = slices.begin(); k != slices.end(); ++k)
+    for (int k = slices.begin(); k != slices.end(); ++k) {
+      look_for_interruption();
       for (int j = samples.min[1]; j <= samples.max[1]; ++j)
         visit(&volume.at(samples.min[0], j, k), samples.max[0] - samples.min[0] + 1);
+    }
   });
 }
 

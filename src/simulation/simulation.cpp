@@ -69,6 +69,7 @@ Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) 
   state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
 }
 
+Simulation::Simulation(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;

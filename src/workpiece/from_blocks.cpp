@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
@@ -150,6 +151,7 @@ Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame,
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       BlockContent content;
       for (std::size_t n = range.begin(); n != range.end(); ++n) {
+        look_for_interruption();
         const VoxelIndex origin = branch.origin_of(n);
         const bool is_outside = overlap(voxels_of_block(origin), domain).empty();
         blocks[n] = is_outside ? BuiltBlock{} : build_block(origin, domain, materials, fill_block, content);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/state.hpp"
@@ -176,6 +177,7 @@ CentroidOffset Workpiece::centroid_at(const VoxelIndex& index) const {
 
 void Workpiece::for_each_block(const std::function<void(const BlockView&)>& function) const {
   const auto visit = [&](const VoxelIndex& block_origin) {
+    look_for_interruption();
     const BlockView view = block(block_origin);
     if (!view.empty()) function(view);
   };

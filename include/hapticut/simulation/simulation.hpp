@@ -268,7 +268,9 @@ class Simulation {
   void reset(Workpiece workpiece);
 
  private:
+  friend struct SimulationMemory;
   struct State;
+  explicit Simulation(std::unique_ptr<State> state) noexcept;
   std::unique_ptr<State> state_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/interruption.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/recording/recording_file.hpp"
 
@@ -103,6 +104,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
   auto next_effects = recording.effects().begin() + 1;
   for (std::uint64_t first = 0; first < steps; first += kStepsPerRead) {
     for (const RecordedStep& recorded : recording.read(first, std::min(kStepsPerRead, steps - first))) {
+      look_for_interruption();
       if (next_effects != recording.effects().end() && next_effects->first_step == recorded.number)
         simulation.set_effects((next_effects++)->effects);
       prepare(simulation, recorded);

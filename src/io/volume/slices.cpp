@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/text_lines.hpp"
@@ -96,6 +97,7 @@ std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
   std::array<int, 3> dims{};
   std::optional<PictureFile> first;
   for (const SliceFile& file : files) {
+    look_for_interruption();
     PictureFile picture = read_picture(file);
     if (!first) {
       first = PictureFile{picture.dims, picture.channels, picture.type, {}};

@@ -73,6 +73,7 @@ class VibrationPhase {
   }
 
  private:
+  friend struct SimulationMemory;
   double phase_ = 0;  // [rad]
 };
 
