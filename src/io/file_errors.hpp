@@ -34,7 +34,7 @@ auto naming(const std::filesystem::path& path, const Work& work) {
 }
 
 /// Size of a regular file that can be opened for reading.
-/// @throws Error for anything else: a pipe or a device may have no end
+/// @throws Error for anything else: a pipe or a device may have no end; and for an empty file
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, up to `count`.
