@@ -159,8 +159,8 @@ namespace {
 Workpiece not_empty(Workpiece workpiece) {
   if (workpiece.solid_voxels() == 0)
     throw Error(
-        "no voxel is left: none of its values belongs to a material. Run hapticut inspect on the file to see its "
-        "values.");
+        "no voxel is left: none of its values belongs to a material, or its parts are too thin for the voxels. Run "
+        "hapticut inspect on the file to see its values, and choose smaller voxels.");
   return workpiece;
 }
 
