@@ -83,6 +83,7 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
       .def_readonly("spacing", &V::spacing, doc("Volume::spacing"))
       .def_readonly("X_WG", &V::X_WG, doc("Volume::X_WG"))
       .def_readonly("padding", &V::padding, doc("Volume::padding"))
+      .def_readonly("remarks", &V::remarks, doc("Volume::remarks"))
       .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) position of a sample, in W.");
 }
 

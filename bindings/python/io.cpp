@@ -8,6 +8,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "interruption.hpp"
 #include "structs.hpp"
+#include "warned.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
 #include "hapticut/io/mesh/meshes.hpp"
@@ -119,10 +120,18 @@ void bind_volume_files(py::module_& m) {
   m.attr("kMaxVolumeSamples") = kMaxVolumeSamples;
   bind_struct<VolumeReadOptions>(m, "VolumeReadOptions", field("spacing", &VolumeReadOptions::spacing),
                                  field("dicom_series", &VolumeReadOptions::dicom_series));
-  m.def("read_grey_volume", &read_grey_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
-        doc("read_grey_volume"), Released());
-  m.def("read_label_volume", &read_label_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
-        doc("read_label_volume"), Released());
+  m.def(
+      "read_grey_volume",
+      [](const Path& path, const VolumeReadOptions& options) {
+        return read_with_warnings([&] { return read_grey_volume(path, options); });
+      },
+      py::arg("path"), py::arg("options") = VolumeReadOptions{}, doc("read_grey_volume"));
+  m.def(
+      "read_label_volume",
+      [](const Path& path, const VolumeReadOptions& options) {
+        return read_with_warnings([&] { return read_label_volume(path, options); });
+      },
+      py::arg("path"), py::arg("options") = VolumeReadOptions{}, doc("read_label_volume"));
   m.def(
       "read_color_slices",
       [](const Path& folder, const py::dict& label_of, const Vec3& spacing) {

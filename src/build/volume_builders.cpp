@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "build/boxes.hpp"
+#include "build/label_amounts.hpp"
 #include "build/volume_fields.hpp"
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
@@ -85,6 +86,14 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
       throw Error("VolumeBuildOptions::crop does not meet the volume; check its units and pose.");
   }
   return layout;
+}
+
+/// [samples] The box of the voxels, lower and upper corner; sample n reaches from n - 1/2 to n + 1/2.
+std::array<Vec3, 2> box_of_voxels(const Layout& layout) {
+  const auto corner = [&](const VoxelIndex& voxel, double side) {
+    return Vec3(layout.first + (Vec3(voxel[0], voxel[1], voxel[2]).array() + side).matrix().cwiseProduct(layout.step));
+  };
+  return {corner(layout.voxels.min, -0.5), corner(layout.voxels.max, 0.5)};
 }
 
 /// Estimates the work, calls the observer, and checks the limits. The number of voxels that a surface cuts is not known
@@ -204,7 +213,11 @@ Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMa
   }
   if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
   const LabelField field(material_of);
-  if (!layout.one_to_one) return build(volume, field, layout, table, options);
+  if (!layout.one_to_one) {
+    Workpiece workpiece = build(volume, field, layout, table, options);
+    compare_with_labels(workpiece, volume, material_of, layout.samples, box_of_voxels(layout), options.warn);
+    return workpiece;
+  }
   return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(table),
                                 [&](const VoxelIndex& origin, BlockContent& content) {
                                   return copy_labels(volume, field, layout.samples, origin, content);
@@ -218,8 +231,8 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
   std::vector<GreyField::Bounds> bounds;
   for (const GreyRange& range : ranges) {
     if (!(range.from < range.to))
-      throw Error("the grey range of '" + range.material.name + "' is " + format_number(range.from) + " ... " +
-                  format_number(range.to) + "; `from` must be less than `to`.");
+      throw Error("the grey range of '" + range.material.name + "' is " + format_number(range.from, range.to) +
+                  " ... " + format_number(range.to, range.from) + "; `from` must be less than `to`.");
     bounds.push_back({float(range.from), float(range.to), table.add(range.material)});
   }
   std::sort(bounds.begin(), bounds.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
@@ -233,8 +246,8 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
 
 std::vector<Material> materials_of(const Grade& grade) {
   if (!std::isfinite(grade.low) || !std::isfinite(grade.high) || !(grade.low < grade.high))
-    throw Error("the grade goes from grey value " + format_number(grade.low) + " to " + format_number(grade.high) +
-                "; both must be finite and `low` less than `high`.");
+    throw Error("the grade goes from grey value " + format_number(grade.low, grade.high) + " to " +
+                format_number(grade.high, grade.low) + "; both must be finite and `low` less than `high`.");
   require_between(grade.steps, 1, 200, "Grade::steps");
   validate(grade.at_low);
   validate(grade.at_high);

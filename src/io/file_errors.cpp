@@ -20,6 +20,7 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
   const auto size = std::filesystem::file_size(path, code);
   if (code) cannot_read(path, code.message() + ".");
+  if (size == 0) cannot_read(path, "it is empty. Get a complete copy.");
   return size;
 }
 

@@ -87,7 +87,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
   const double needed = min_force_growth(stiffness, options.max_contact_speed);
   slew_ = or_default(options.slew, default_growth(stiffness, options.max_contact_speed, max_force_));
   if (slew_ < needed)
-    throw Error("GuardOptions::slew [N/s] = " + format_number(options.slew) + "; must be >= " + format_number(needed) +
+    throw Error("GuardOptions::slew [N/s] = " + format_number(slew_, needed) +
+                "; must be >= " + format_number(needed, slew_) +
                 " = 1.25 x stiffness x max_contact_speed, or a wall of that stiffness gains energy; raise it or lower "
                 "GuardOptions::stiffness.");
   torque_slew_ =

@@ -100,7 +100,7 @@ class PoseFile {
       const auto& q = *quaternion_;
       const Eigen::Quaterniond given(number(q[0]), number(q[1]), number(q[2]), number(q[3]));
       if (std::abs(given.norm() - 1) > kRotationTolerance)
-        fail("the quaternion has length " + format_number(given.norm()) + "; must be 1.");
+        fail("the quaternion has length " + format_number(given.norm(), 1) + "; must be 1.");
       return given.normalized().toRotationMatrix();
     }
     if (!matrix_) return rotation_;

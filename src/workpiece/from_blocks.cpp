@@ -63,7 +63,8 @@ void check_voxel(MaterialId id, float fill, const MaterialTable& materials) {
     throw Error("a voxel has material id " + std::to_string(int(id)) + ", but the workpiece has only materials 1 to " +
                 std::to_string(materials.size()) + ". Add the material to the table or map the id to an existing one.");
   if (!(fill >= 0 && fill <= 1))
-    throw Error("a voxel has fill " + format_number(double(fill)) + "; a filled fraction must be within 0 ... 1.");
+    throw Error("a voxel has fill " + format_number(double(fill), fill > 1 ? 1 : 0) +
+                "; a filled fraction must be within 0 ... 1.");
 }
 
 BuiltBlock make_block(const VoxelIndex& origin, const BlockContent& content, const MaterialTable& materials) {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 
 import numpy as np
 import pytest
@@ -29,6 +30,21 @@ def test_meshes_and_pictures_go_to_files(block, tmp_path):
     h.io.write_picture([colored], h.io.PictureOptions(width=200, height=150), tmp_path / "a.png")
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
     assert isinstance(h.io.material_color("enamel"), h.Color)
+
+
+@needs_io
+def test_what_a_file_does_not_say_is_a_remark_and_a_warning(tmp_path):
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, 2, 2, 2, 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, 2, 8)  # unsigned bytes
+    struct.pack_into("<4f", header, 76, 1, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352)
+    header[344:347] = b"n+1"
+    (tmp_path / "a.nii").write_bytes(bytes(header) + bytes(8))
+    with pytest.warns(UserWarning, match="does not say how its axes lie in the patient"):
+        volume = h.io.read_label_volume(tmp_path / "a.nii")
+    assert len(volume.remarks) == 1
 
 
 @needs_io

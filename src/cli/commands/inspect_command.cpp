@@ -70,7 +70,8 @@ void inspect_volume(const InspectSettings& s, Delivery& delivery) {
                  {"lowest", v.lowest},
                  {"highest", v.highest},
                  {"not_a_number", v.not_a_number},
-                 {"padding", v.padding}};
+                 {"padding", v.padding},
+                 {"remarks", v.remarks}};
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("size", size_text(size));
   table.add("samples", dims_text(v.dims));
@@ -82,6 +83,7 @@ void inspect_volume(const InspectSettings& s, Delivery& delivery) {
   if (v.padding > 0)
     table.add("padding",
               std::to_string(v.padding) + " samples of the file lie outside the field of view; treated as air");
+  for (const std::string& remark : v.remarks) table.add("remark", remark);
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
     const std::string name = "label " + std::to_string(label);
