@@ -38,7 +38,7 @@ auto naming(const std::filesystem::path& path, const Work& work) {
 inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/v1";
 
 /// Size of a regular file that can be opened for reading.
-/// @throws Error for anything else: a pipe or a device may have no end; an empty file; a Git LFS pointer is not the file
+/// @throws Error for anything else (a pipe or a device may have no end), an empty file and a Git LFS pointer
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, up to `count`.
