@@ -39,6 +39,8 @@ void visit_parts(Archive& archive, T& value) {
     archive(value.torque, value.hand_speed, value.first_torque, value.first_speed, value.settled);
   } else if constexpr (std::is_same_v<T, IndexBox>) {
     archive(value.min, value.max);
+  } else if constexpr (std::is_same_v<T, MaterialSet>) {
+    archive(value.words);
   } else if constexpr (Matrix<T>) {
     for (Eigen::Index n = 0; n < value.size(); ++n) archive(value.data()[n]);
   } else if constexpr (Described<T>) {
@@ -141,7 +143,9 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   Output& output = s.output;
   archive(output.vibration_.phase_, output.unlimited_force_, output.full_, output.given_, output.running_);
   archive(s.input, s.steps, s.free_blocks, s.hand_released_since, s.after_release, s.held, s.held_setting,
-          s.halted_since, s.after_halt, s.output_path, s.hand, s.exchanges, s.replacements);
+          s.halted_since, s.after_halt, s.set_since, s.after_set, s.altered, s.output_path, s.hand, s.exchanges,
+          s.replacements);
+  archive(s.touched, s.first_touched, s.first_touch_step);
   RemovalRecord& removal = s.removal;
   archive(removal.voxels_, removal.volume_, removal.overflowed_, removal.total_by_material_, s.detached_volume);
   bool lists_removed = !s.result.removed_voxels.empty();

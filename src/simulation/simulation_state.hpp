@@ -130,8 +130,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   double voxel_volume = 0;    // [m^3]
   double head_stiffness = 0;  // [N/m^4] stiffness_for_head
 
-  // What one step hands to the next. A recording holds or repeats all of it: a new member that a step depends on needs
-  // a line in the table of src/io/recording/recorder.cpp.
+  // What one step hands to the next. A recording holds or repeats all of it, and a copy has it: a new member that a
+  // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.
   bool has_pose = false;
   bool other_cutter = false;          // the materials are for another kind of cutter
   bool parted = false;                // the tool from its hand, by an exchange

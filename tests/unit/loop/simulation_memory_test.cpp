@@ -31,6 +31,9 @@ TEST(SimulationMemory, ACopyOfAnySceneHasTheSameMemoryAfterTheSameSteps) {
       make_steps(simulation, scene, made, kAfter);
       ASSERT_EQ(copy.last_result().force, simulation.last_result().force);
       ASSERT_EQ(copy.workpiece().hash(), simulation.workpiece().hash());
+      ASSERT_EQ(copy.touched(), simulation.touched());
+      ASSERT_EQ(copy.first_touch_by_material(), simulation.first_touch_by_material());
+      ASSERT_FALSE(copy.is_fresh());
       ASSERT_EQ(SimulationMemory::bytes_of(copy), SimulationMemory::bytes_of(simulation));
     }
   }
