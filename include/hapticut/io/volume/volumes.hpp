@@ -19,8 +19,8 @@
 ///
 /// The world axes are x to the patient's left, y to the back, z to the head (LPS), for any convention of the file.
 /// Origin and direction of the file become `Volume::X_WG`. A left-handed grid is reversed along its last axis: the pose
-/// becomes right-handed, and every sample keeps its place. `Volume::remarks` says which files of a folder were left out,
-/// and whether the directions of the axes were assumed.
+/// becomes right-handed, and every sample keeps its place. `Volume::remarks` says which files of a folder were left
+/// out, and whether the directions of the axes were assumed.
 ///
 /// Every function throws an Error that names the file when it cannot be opened, has another format than its name says,
 /// is truncated, does not have three dimensions and one value per sample, has sheared axes, or claims more samples than
