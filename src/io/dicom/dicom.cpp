@@ -78,12 +78,12 @@ bool is_directory_file(const WithoutPicture& file) {
 }
 
 /// Adds the files that were meant to be slices and are none to the unread ones. Reports, previews and notes are not.
-void add_lost_slices(const SliceNames& names, const std::set<std::string>& kinds,
+void add_lost_slices(const SliceNames& names, const std::set<std::string>& classes,
                      const std::vector<WithoutPicture>& without_picture, const std::vector<fs::path>& others,
                      DicomFolder& found) {
   constexpr const char* kCure = " Get a complete copy of it.";
   for (const WithoutPicture& file : without_picture)
-    if (!is_directory_file(file) && (file.has_rows || file.kind.empty() || kinds.contains(file.kind)))
+    if (!is_directory_file(file) && (file.has_rows || file.kind.empty() || classes.contains(file.kind)))
       found.unread.push_back({file.path, file.series.empty() ? std::nullopt : std::optional(file.series),
                               std::string("it ends before its picture.") + kCure});
   for (const fs::path& path : others) {
@@ -99,15 +99,20 @@ DicomFolder pictures_in(const fs::path& folder) {
   std::vector<fs::path> files, others;
   std::error_code code, ignored;
   for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(ignored) && !entry.path().filename().string().starts_with('.'))
-      (is_dicom_file(entry.path()) ? files : others).push_back(entry.path());
+    if (entry.is_regular_file(ignored)) {
+      const bool hidden = entry.path().filename().string().starts_with('.');
+      if (is_dicom_file(entry.path()))
+        files.push_back(entry.path());
+      else if (!hidden)
+        others.push_back(entry.path());
+    }
   if (code) cannot_read(folder, code.message() + ".");
   std::sort(files.begin(), files.end());
   std::sort(others.begin(), others.end());
   DicomFolder found;
   SliceNames names;
   for (const char* usual : {"a.dcm", "a.ima"}) names.add(usual);
-  std::set<std::string> kinds;
+  std::set<std::string> classes;
   std::vector<WithoutPicture> without_picture;
   std::map<std::string, std::vector<AlikeSlices>> by_uid;
   for (const fs::path& path : files) {
@@ -127,13 +132,13 @@ DicomFolder pictures_in(const fs::path& folder) {
       });
       if (kind == of_series.end()) kind = of_series.insert(kind, AlikeSlices{slice.picture.series, {}});
       names.add(path);
-      kinds.insert(slice.picture.kind);
+      classes.insert(slice.picture.kind);
       kind->slices.push_back(std::move(slice));
     } catch (const Error& error) {
       found.unread.push_back({path, uid, error.what()});
     }
   }
-  add_lost_slices(names, kinds, without_picture, others, found);
+  add_lost_slices(names, classes, without_picture, others, found);
   for (auto& [uid, kinds] : by_uid) {
     std::stable_sort(kinds.begin(), kinds.end(),
                      [](const auto& a, const auto& b) { return a.slices.size() > b.slices.size(); });

@@ -88,7 +88,8 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
     // Offsets that begin with the height of the first frame are heights, else distances along the normal (PS3.3
     // C.8.8.3.2).
     const Vec3& origin = geometry.origin_mm;
-    const bool heights = frames > 1 && offsets->front() != 0 && std::abs(offsets->front() - origin.z()) <= 1e-3;
+    const bool heights = frames > 1 && offsets->front() != 0 && std::abs(offsets->front() - origin.z()) <= 1e-3 &&
+                         geometry.direction.col(2).head<2>().norm() <= kMaxRounding;  // axial
     for (const double offset : *offsets)
       places.emplace_back(heights ? Vec3(origin.x(), origin.y(), offset)
                                   : Vec3(origin + (offset - offsets->front()) * geometry.direction.col(2)));
@@ -128,8 +129,7 @@ void stack_frames(const DicomFile& file, DicomPicture& picture) {
     picture.order = stack_planes(places, "frames", name, geometry);
     return;
   }
-  // The thickness of slices is not their distance. A negative distance stacks the frames against the normal (PS3.3
-  // C.8.4.15).
+  // Not the thickness of the slices. Negative: the frames are stacked against the normal (PS3.3 C.8.4.15).
   const std::vector<double> between = numbers_of(file, 0, kMeasures, kBetweenSlices, 1, "spacing between slices");
   geometry.spacing_mm.z() = between.empty() ? 0 : between[0];
 }
