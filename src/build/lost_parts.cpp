@@ -16,7 +16,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kBounding = 0.5;
-constexpr double kBeside = 1e-3;        // [edges of a face] distance of a point from the face that it belongs to
+constexpr double kBeside = 1e-6;        // [edges of a face] distance of a point from the face that it belongs to
 constexpr double kThin = 2;             // [voxels]
 constexpr std::size_t kFewFaces = 4;    // a body has at least so many
 constexpr std::size_t kMaxFaces = 256;  // that are looked at in a part
