@@ -23,6 +23,9 @@ EXPECTED = {
     "07_sweep_and_response_surface": (r"enamel: thrust ~ feed\^0\.[45]\d speed\^-0\.[45]\d, R\^2 = (0\.9\d+|1\.0+)",
                                       ["response_surface.png"], ["48"]),
     "09_device_in_the_loop": (r"600\d ticks \(its time was up\), guard on, removed [\d.]+ mm.*undone: 9000 mm", [], []),
+    "11_warn_before_the_pulp": (r"enamel at z = .* mm below\nenamel first touched.*\ndentin first touched after \d+ ms\n"
+                                r"stopped 0\.[5-7]\d mm from the pulp.*\nthinnest wall that \d+ rays found: 0\.\d+ mm",
+                                [], []),
     "10_moving_picture": (r"4 frames, max force [\d.]+ N, removed 1\d\.\d mm\^3", ["drilling.webp"], ["4", "0.4"]),
     "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
 }

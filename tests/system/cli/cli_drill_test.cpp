@@ -20,6 +20,7 @@ using Drill = Program;
 TEST_F(Drill, ReportsEveryField) {
   const nlohmann::json report = drill(kBlock + kBall + kGroove);
   for (const char* pointer : {"/steps",
+                              "/first_touch_s/cortical_bone",
                               "/removed_volume_mm3/total",
                               "/removed_volume_mm3/by_material/cortical_bone",
                               "/removed_voxels",
@@ -184,10 +185,22 @@ TEST_F(Drill, EntersAndLeavesAlongTheToolAxis) {
   EXPECT_NEAR(columns.at("z_mm")[649], 2.5 + kRadius + 2, 1e-6);
 }
 
+TEST_F(Drill, ReportsWhenEachMaterialIsFirstTouched) {
+  const std::string down = kBall + "--path line --from_mm 3,3,5 --to_mm 3,3,1 --feed_mm_per_s 4 --point head ";
+  const auto columns = steps(kBlock + down);  // the head's lowest point meets the top, at 3 mm, after 0.25 s
+  std::size_t first = 0;
+  while (columns.at("contact_voxels")[first] == 0) ++first;
+  const nlohmann::json report = drill(kBlock + down);
+  EXPECT_DOUBLE_EQ(report["first_touch_s"]["cortical_bone"], columns.at("t_s")[first]);
+  EXPECT_NEAR(report["first_touch_s"]["cortical_bone"], 0.25, 0.01);
+  EXPECT_NE(read_bytes(folder / "stdout").find("cortical_bone at 0.2"), std::string::npos);
+}
+
 TEST_F(Drill, WarnsWhenThePathNeverTouches) {
   const nlohmann::json report =
       drill(kBlock + kBall + "--path line --from_mm 0,0,50 --to_mm 5,0,50 --feed_mm_per_s 20");
   ASSERT_EQ(report["warnings"].size(), 1U);
+  EXPECT_TRUE(report["first_touch_s"].empty());
   EXPECT_NE(report["warnings"][0].get<std::string>().find("never touches"), std::string::npos);
   EXPECT_NE(read_bytes(folder / "stdout").find("never touches"), std::string::npos);
 }
