@@ -81,16 +81,15 @@ bool is_directory_file(const WithoutPicture& file) {
 void add_lost_slices(const SliceNames& names, const std::set<std::string>& classes,
                      const std::vector<WithoutPicture>& without_picture, const std::vector<fs::path>& others,
                      DicomFolder& found) {
-  constexpr const char* kCure = " Get a complete copy of it.";
   for (const WithoutPicture& file : without_picture)
     if (!is_directory_file(file) && (file.has_rows || file.kind.empty() || classes.contains(file.kind)))
       found.unread.push_back({file.path, file.series.empty() ? std::nullopt : std::optional(file.series),
-                              std::string("it ends before its picture.") + kCure});
+                              "it ends before its picture. Get a complete copy of it."});
   for (const fs::path& path : others) {
     const std::string begin = first_bytes(path, 133);
     const bool cut_preamble = begin.size() <= 132 && begin.find_first_not_of('\0') == std::string::npos;
     if (names.is_name_of_slice(path) || (cut_preamble && names.have_no_extension() && !path.has_extension()))
-      found.unread.push_back({path, std::nullopt, what_is_no_slice(path, "DICOM file") + "." + kCure});
+      found.unread.push_back({path, std::nullopt, what_is_no_slice(path, "DICOM file")});
   }
 }
 

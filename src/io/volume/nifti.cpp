@@ -55,7 +55,7 @@ class NiftiFields {
 double at_least(double offset, std::size_t least) { return offset < double(least) ? double(least) : offset; }
 
 NiftiHeader parse_nifti_header(std::string_view bytes) {
-  if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header.");
+  if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header. Get a complete copy.");
   for (const bool swapped : {false, true}) {
     const NiftiFields fields(bytes, swapped);
     NiftiHeader h;

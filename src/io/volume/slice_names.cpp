@@ -57,9 +57,9 @@ bool SliceNames::is_slice_of_other_format(const std::filesystem::path& file) con
 
 std::string what_is_no_slice(const std::filesystem::path& file, const std::string& format) {
   std::error_code code;
-  if (std::filesystem::file_size(file, code) == 0 && !code) return "it is empty";
-  if (first_bytes(file, 2) == "\x1f\x8b") return "it is compressed by gzip";
-  return "it is no " + format;
+  if (std::filesystem::file_size(file, code) == 0 && !code) return "it is empty. Get a complete copy of it.";
+  if (first_bytes(file, 2) == "\x1f\x8b") return "it is compressed by gzip. Unpack it.";
+  return "it is no " + format + ". Get a complete copy of it.";
 }
 
 }  // namespace hapticut

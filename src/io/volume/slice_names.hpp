@@ -27,7 +27,7 @@ class SliceNames {
   std::set<std::string> names_, patterns_, extensions_, stems_, stem_patterns_;
 };
 
-/// What a file is that should be a slice: "it is empty", "it is compressed by gzip" or "it is no " and a format.
+/// What a file is that should be a slice, and what to do: "it is empty. Get a complete copy of it."
 [[nodiscard]] std::string what_is_no_slice(const std::filesystem::path& file, const std::string& format);
 
 }  // namespace hapticut

@@ -75,7 +75,7 @@ void require_no_lost_slices(const fs::path& folder, const std::vector<SliceFile>
     if (names.is_name_of_slice(path) || names.is_slice_of_other_format(path))
       cannot_read(folder, "'" + path.filename().string() + "' has the name of a slice, but " +
                               what_is_no_slice(path, "PNG or TIFF file") +
-                              ". Save it as its neighbours, or remove it from the folder.");
+                              " Save it in the format of its neighbours, or remove it from the folder.");
 }
 
 /// The slices of a folder, ordered by the last number in their names that differs between them. The numbers need no

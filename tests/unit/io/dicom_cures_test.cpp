@@ -59,7 +59,7 @@ TEST(CuresOfDicom, ASliceThatIsEmptyOrCutIsNamedAndTheSeriesIsReadWithACompleteO
       {"it is empty. Get a complete copy of it. If it is not of the series, remove it", ""},
       {"it is no DICOM file. Get a complete copy of it. If it is not of the series, remove it", whole.substr(0, 100)},
       {"it is no DICOM file", "<html>404</html>"},
-      {"it is compressed by gzip", packed},
+      {"it is compressed by gzip. Unpack it.", packed},
       {"it ends too early", whole.substr(0, whole.size() - 10)},
       {"", whole.substr(0, 200)},
       {"it ends before its picture. Get a complete copy of it.", cut_before(0x7fe00010)},

@@ -90,7 +90,7 @@ TEST(CuresOfVolumes, ACutFileIsCalledSoAndACompleteCopyIsRead) {
                                                                      {"v.nii.gz", "damaged or truncated", packed},
                                                                      {"v.inv3", "damaged", archive}};
   for (const auto& [name, part, whole] : files)
-    expect_cured({part, name, {{name, whole.substr(0, whole.size() - 20)}}, {{name, whole}}});
+    expect_cured({part, name, {{name, whole.substr(0, whole.size() - (whole == packed ? 8 : 20))}}, {{name, whole}}});
 }
 
 TEST(CuresOfVolumes, AGeometryThatIsMissingOrWrongIsReadOnceItIsWritten) {
