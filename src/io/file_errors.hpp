@@ -37,8 +37,14 @@ auto naming(const std::filesystem::path& path, const Work& work) {
 /// The first line of the small text that Git stores in place of a large file.
 inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/v1";
 
+/// What a download or a copy of a repository may have left in place of a file, and what to do: "it is a Git LFS pointer
+/// ...", "it is a web page ...". Empty for anything else.
+/// @param head  the first bytes of the file, 200 or all
+[[nodiscard]] std::string not_the_file(std::string_view head);
+
 /// Size of a regular file that can be opened for reading.
-/// @throws Error for anything else (a pipe or a device may have no end), an empty file and a Git LFS pointer
+/// @throws Error for anything else (a pipe or a device may have no end), an empty file, a Git LFS pointer and a web
+/// page
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, up to `count`.
