@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D NPM=... -D NODE=... -D WEB=... -D TARGET=... -P BuildPage.cmake
+# cmake -D WEB=... -D TARGET=... -P BuildPage.cmake
 # Builds the page in web/build if its sources have changed, and copies it to TARGET. web/node_modules keeps npm's
 # downloads. Without npm or a network, the rest of the build continues.
 file(MAKE_DIRECTORY "${WEB}/build")
@@ -28,9 +28,15 @@ function(give_up why)
   message(NOTICE "The page of hapticut view was not built: ${why} Everything else is complete.")
 endfunction()
 
+include("${CMAKE_CURRENT_LIST_DIR}/PageTools.cmake")
+if(NOT HAPTICUT_NPM OR NOT HAPTICUT_NODE)
+  give_up("npm is missing: sudo apt-get install nodejs npm.")
+  return()
+endif()
+
 read_stamp("${WEB}/node_modules/.hapticut-packages" installed)
 if(NOT installed STREQUAL packages)
-  execute_process(COMMAND "${NPM}" ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY "${WEB}"
+  execute_process(COMMAND "${HAPTICUT_NPM}" ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY "${WEB}"
     RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(failed)
     give_up("`npm ci` in ${WEB} failed. It needs a network once; run it there to see why.")
@@ -42,7 +48,7 @@ endif()
 read_stamp("${WEB}/build/page/stamp" built)
 if(NOT built STREQUAL stamp)
   file(REMOVE_RECURSE "${WEB}/build/page")
-  execute_process(COMMAND "${NODE}" build.mjs WORKING_DIRECTORY "${WEB}" RESULT_VARIABLE failed ERROR_VARIABLE output)
+  execute_process(COMMAND "${HAPTICUT_NODE}" build.mjs WORKING_DIRECTORY "${WEB}" RESULT_VARIABLE failed ERROR_VARIABLE output)
   if(failed)
     message(FATAL_ERROR "the page cannot be built:\n${output}")
   endif()

@@ -8,7 +8,8 @@ include(CMakePackageConfigHelpers)
 
 set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 
-# Builds missing targets first, e.g. after scripts/demo.sh, which builds only the targets that it needs.
+# Refuses to install a part of the targets, e.g. after scripts/demo.sh, which builds only those that it needs: files of
+# the package would name libraries that do not exist.
 set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
 list(TRANSFORM HAPTICUT_COMPONENTS_WITH_CORE PREPEND hapticut_ OUTPUT_VARIABLE _with_core)
 string(TOLOWER "${HAPTICUT_VENDORS}" _vendors)
@@ -19,16 +20,23 @@ foreach(_target hapticut ${_with_core} ${_libraries} ${_programs})
     install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${_target}>\")\n  list(APPEND hapticut_absent ${_target})\nendif()")
   endif()
 endforeach()
-install(CODE "if(hapticut_absent)
-  string(REPLACE \";\" \" \" hapticut_names \"\${hapticut_absent}\")
-  message(STATUS \"Not built yet, built before installation: \${hapticut_names}\")
-  execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --config \"\${CMAKE_INSTALL_CONFIG_NAME}\"
-    --target \${hapticut_absent} RESULT_VARIABLE hapticut_failed)
-  if(hapticut_failed)
-    message(FATAL_ERROR \"hapticut cannot be built, so nothing was installed; see the messages above.\")
-  endif()
-endif()")
+install(CODE "set(hapticut_build \"cmake --build ${CMAKE_BINARY_DIR} -t\")")
+install(CODE [[
+if(hapticut_absent)
+  list(JOIN hapticut_absent " " hapticut_absent)
+  message(FATAL_ERROR "Nothing is installed, because a part of hapticut is not built. Build it first:\n\
+  ${hapticut_build} ${hapticut_absent}")
+endif()]])
 
+if(TARGET hapticut_page)
+  install(CODE "set(page \"${PROJECT_BINARY_DIR}/web/page/index.html\")
+set(build_page \"cmake --build ${PROJECT_BINARY_DIR} -t hapticut_page\")")
+  install(CODE [[
+if(NOT EXISTS "${page}")
+  message(STATUS "The page of `hapticut view` is not built, so it is not installed. To have it: ${build_page}")
+endif()]])
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/web/page/" DESTINATION "${CMAKE_INSTALL_DATADIR}/hapticut/web" OPTIONAL)
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/hapticut" "${PROJECT_BINARY_DIR}/include/hapticut"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"

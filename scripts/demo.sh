@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Drills a real skull CT and the built-in molar at a simulated 1 kHz. Installs missing packages, builds the command line
-# program, prints one table per run and writes out/demo/{skull,molar}.{json,csv,vdb,stl,png}.
+# program and its page, prints one table per run and writes out/demo/{skull,molar}.{json,csv,vdb,stl,png}.
 #
 #   scripts/demo.sh [--no-install] [--jobs N] [--view]
 #
@@ -36,22 +36,19 @@ done
 if $install; then
   scripts/install-deps.sh --for demo
 fi
-more=()
-targets=()
 if $view; then
   command -v npm >/dev/null || { echo "demo.sh: --view builds a page, which needs npm: sudo apt-get install nodejs npm" >&2; exit 1; }
-  more=(-DHAPTICUT_WITH_VIEW=ON)
-  targets=(hapticut_page)
 fi
 mkdir -p out/demo
 log=out/demo/build.log
 echo "building (see $log)"
-if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_KERNELS=NATIVE "${more[@]}" &&
-  cmake --build --preset release -j "$jobs" -t hapticut_cli "${targets[@]}"; } >"$log" 2>&1; then
+if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_VIEW=ON -DHAPTICUT_KERNELS=NATIVE &&
+  cmake --build --preset release -j "$jobs" -t hapticut_cli hapticut_page; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   echo "demo.sh: the build failed; the output is in $log." >&2
   exit 1
 fi
+grep "^The page of hapticut view was not built" "$log" || true
 
 if $view; then
   exec build/release/src/cli/hapticut view molar

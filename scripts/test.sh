@@ -14,7 +14,7 @@
 #                          addresses and undefined behaviour; also compiles library, program, examples and benchmarks
 #                 threads  the tests of data exchange between threads, with the thread sanitizer
 #                 lint     clang-tidy on every source of the library
-#                 package  the package in external projects, also as shared libraries with clang++, and for ARM
+#                 package  the package in external projects, with each part off, as shared libraries with clang++, for ARM
 #                 python   the Python package installed by pip, and its tests
 #                 fuzz     20 000 damaged files, and 20 s of the fuzzer of each format
 #   --no-install  do not install packages

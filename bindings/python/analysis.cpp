@@ -6,6 +6,7 @@
 #include "hapticut/analysis/pressed_ball.hpp"
 #include "hapticut/analysis/stability.hpp"
 #include "hapticut/device/simulated/mock.hpp"
+#include "interruption.hpp"
 #include "models.hpp"
 #include "structs.hpp"
 
@@ -40,7 +41,9 @@ void bind_plant(py::module_& m) {
 
 void bind_closed_loop(py::module_& m) {
   using W = LinearWall;
-  py::class_<W>(m, "LinearWall", doc("LinearWall"))
+  py::class_<W> wall_class(m, "LinearWall", doc("LinearWall"));
+  pickled_by_bytes(wall_class);
+  wall_class
       .def(py::init([](double stiffness, double damping, double filter, bool one_sided, double height) {
              W wall;
              wall.stiffness = stiffness;
@@ -92,7 +95,7 @@ void bind_stability(py::module_& m) {
       "is_stable",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const S& search) {
         const ModelFactory make = factory_from(factory);
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return is_stable(config, make, stiffness, search);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("search") = S{}, doc("is_stable"));
@@ -100,7 +103,7 @@ void bind_stability(py::module_& m) {
       "max_stable_stiffness",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, const S& search) {
         const ModelFactory make = factory_from(factory);
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return max_stable_stiffness(config, make, search);
       },
       py::arg("config"), py::arg("factory"), py::arg("search") = S{}, doc("max_stable_stiffness"));
@@ -114,7 +117,7 @@ void bind_stability(py::module_& m) {
       "measure_bounce",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const T& test) {
         const ModelFactory make = factory_from(factory);
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return measure_bounce(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = T{},
@@ -130,7 +133,7 @@ void bind_stability(py::module_& m) {
       "measure_buzz",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const P& test) {
         const ModelFactory make = factory_from(factory);
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return measure_buzz(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = P{},
@@ -171,7 +174,7 @@ void bind_faults(py::module_& m) {
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const GuardOptions& options,
          InjectedFault fault, double height) {
         const ModelFactory make = factory_from(factory);
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return measure_fault_response(config, make, stiffness, options, fault, height);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("options"), py::arg("fault"),

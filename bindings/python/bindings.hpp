@@ -17,6 +17,7 @@ void bind_effects(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
 void bind_distances(pybind11::module_& m);
+void bind_copies(pybind11::module_& m);
 void bind_coupling(pybind11::module_& m);
 void bind_io(pybind11::module_& m);
 void bind_device(pybind11::module_& m);

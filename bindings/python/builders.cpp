@@ -8,6 +8,7 @@
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/volume.hpp"
 #include "structs.hpp"
+#include "warned.hpp"
 #include "workpiece.hpp"
 
 namespace hapticut::python {
@@ -42,7 +43,9 @@ void bind_molar(py::module_& m) {
 }
 
 void bind_meshes(py::module_& m) {
-  py::class_<MeshShell>(m, "MeshShell", doc("MeshShell"))
+  py::class_<MeshShell> shell_class(m, "MeshShell", doc("MeshShell"));
+  pickled_by_members(shell_class, &MeshShell::mesh, &MeshShell::material);
+  shell_class
       .def(py::init([](const TriangleMesh& mesh, MaterialId material) {
              return MeshShell{mesh, material};
            }),
@@ -60,7 +63,7 @@ void bind_meshes(py::module_& m) {
 void bind_volumes(py::module_& m) {
   bind_struct<LabelMaterial>(m, "LabelMaterial", required("labels", &LabelMaterial::labels),
                              required("material", &LabelMaterial::material));
-  m.def("build_from_labels", making(&build_from_labels), py::arg("volume"), py::arg("materials"),
+  m.def("build_from_labels", &build_labels_with_warnings, py::arg("volume"), py::arg("materials"),
         py::arg("options") = VolumeBuildOptions{}, py::arg("unclaimed") = UnclaimedLabels::refuse,
         doc("build_from_labels"));
   m.def("materials_of", &materials_of, py::arg("grade"), doc("materials_of"));

@@ -18,7 +18,7 @@ std::vector<Vec3> points_from(py::handle array, const char* what) {
   return points;
 }
 
-TriangleMesh mesh_from(const Float64Array& vertices, const RealArray& triangles) {
+TriangleMesh mesh_from(const Float64Array& vertices, const FewNumbers& triangles) {
   TriangleMesh mesh{points_from(vertices, "vertices"), {}};
   const py::array any = py::array::ensure(triangles);
   const bool whole = any && (any.dtype().kind() == 'i' || any.dtype().kind() == 'u');
@@ -49,7 +49,21 @@ template <class Value>
 void bind_volume(py::module_& m, const char* name, const char* purpose) {
   using V = Volume<Value>;
   const std::string text = std::string(purpose) + "\n\n" + doc("Volume");
-  py::class_<V>(m, name, text.c_str())
+  py::class_<V> volume_class(m, name, text.c_str());
+  volume_class.def("__copy__", [](const V& v) { return V(v); });
+  volume_class.def(
+      "__deepcopy__", [](const V& v, const py::dict&) { return V(v); }, py::arg("memo"));
+  volume_class.def(py::pickle(
+      [](const py::object& self) {
+        return py::make_tuple(self.attr("values"), self.attr("spacing"), self.attr("X_WG"), self.attr("padding"));
+      },
+      [](const py::tuple& state) {
+        detail::require_parts(state, 4, "the volume");
+        V v = volume_from<Value>(state[0], state[1].cast<Vec3>(), state[2].cast<Pose>());
+        v.padding = state[3].cast<std::size_t>();
+        return v;
+      }));
+  volume_class
       .def(py::init([](const RealArray& values, const Vec3& spacing, const Pose& X_WG) {
              return volume_from<Value>(values, spacing, X_WG);
            }),
@@ -69,6 +83,7 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
       .def_readonly("spacing", &V::spacing, doc("Volume::spacing"))
       .def_readonly("X_WG", &V::X_WG, doc("Volume::X_WG"))
       .def_readonly("padding", &V::padding, doc("Volume::padding"))
+      .def_readonly("remarks", &V::remarks, doc("Volume::remarks"))
       .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) position of a sample, in W.");
 }
 
@@ -96,7 +111,9 @@ void bind_core(py::module_& m) {
   m.def("build_info", &build_info, "Version of the library and the machine that it runs on.");
   bind_spatial(m);
 
-  py::class_<TriangleMesh>(m, "TriangleMesh", doc("TriangleMesh"))
+  py::class_<TriangleMesh> mesh_class(m, "TriangleMesh", doc("TriangleMesh"));
+  pickled_by_constructor(mesh_class, {"vertices", "triangles"});
+  mesh_class
       .def(py::init(&mesh_from), py::arg("vertices"), py::arg("triangles"),
            "Copies vertices (n, 3) float64 [m] and triangles (m, 3) of whole numbers.")
       .def_property_readonly(
@@ -116,7 +133,9 @@ void bind_core(py::module_& m) {
           [](const Color& a, const py::object& b) { return py::isinstance<Color>(b) && a == b.cast<const Color&>(); },
           py::arg("other"))
       .def("__hash__", [](const Color& c) { return (c.red << 16) + (c.green << 8) + c.blue; });
-  py::class_<ColoredMesh>(m, "ColoredMesh", doc("ColoredMesh"))
+  py::class_<ColoredMesh> colored_class(m, "ColoredMesh", doc("ColoredMesh"));
+  pickled_by_members(colored_class, &ColoredMesh::mesh, &ColoredMesh::colors);
+  colored_class
       .def(py::init([](const TriangleMesh& mesh, const std::vector<Color>& colors) {
              return ColoredMesh{mesh, colors};
            }),

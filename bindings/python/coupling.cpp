@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bindings.hpp"
@@ -38,6 +39,32 @@ struct PythonCoupledResult {
         voxels(given.removed_voxels.begin(), given.removed_voxels.end()),
         changed(given.changed_blocks.origins.begin(), given.changed_blocks.origins.end()) {}
 };
+
+py::tuple pickled_coupled(const PythonCoupledResult& self) {
+  const CoupledResult& r = self.result;
+  std::vector<std::pair<VoxelIndex, MaterialId>> voxels;
+  for (const RemovedVoxel& voxel : self.voxels) voxels.emplace_back(voxel.index, voxel.material);
+  return py::make_tuple(r.hand, r.coupling, r.X_WH, r.V_WH, r.removed_volume, r.parts, r.newton_steps,
+                        r.level_of_detail, r.status, r.energy, voxels, self.changed, r.changed_blocks.complete);
+}
+
+PythonCoupledResult coupled_from(const py::tuple& state) {
+  detail::require_parts(state, 13, "the result");
+  CoupledResult result;
+  std::size_t i = 0;
+  const auto read = [&](auto& value) { value = state[i++].cast<std::remove_reference_t<decltype(value)>>(); };
+  const auto read_all = [&](auto&... values) { (read(values), ...); };
+  read_all(result.hand, result.coupling, result.X_WH, result.V_WH, result.removed_volume, result.parts,
+           result.newton_steps, result.level_of_detail, result.status, result.energy);
+  std::vector<std::pair<VoxelIndex, MaterialId>> voxels;
+  std::vector<VoxelIndex> changed;
+  read_all(voxels, changed, result.changed_blocks.complete);
+  std::vector<RemovedVoxel> removed;
+  for (const auto& [index, material] : voxels) removed.push_back({index, material});
+  result.removed_voxels = removed;
+  result.changed_blocks.origins = changed;
+  return PythonCoupledResult(result);
+}
 
 /// Calls `visit(name, value)` for each field of a row of VirtualCoupling.run's result.
 /// @param time  [s] at the end of the tick, since the run began
@@ -92,6 +119,7 @@ void bind_coupled_result(py::module_& m) {
   py::class_<R>(m, "CoupledResult",
                 "Result of one tick of the coupling. It owns its data and does not change when further ticks are "
                 "made.")
+      .def(py::pickle(&pickled_coupled, &coupled_from))
       .def_property_readonly("hand", of_result(&CoupledResult::hand), doc("CoupledResult::hand"))
       .def_property_readonly("coupling", of_result(&CoupledResult::coupling), doc("CoupledResult::coupling"))
       .def_property_readonly("X_WH", of_result(&CoupledResult::X_WH), doc("CoupledResult::X_WH"))

@@ -65,19 +65,22 @@ void bind_models(py::module_& m) {
 void bind_runs(py::module_& m) {
   bind_described<RunOptions>(m, "RunOptions");
   using R = RunReport;
-  bind_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks), member("missed", &R::missed),
-                 member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
-                 member("fault", &R::fault), member("arming", &R::arming), member("log", &R::log),
-                 member("warnings", &R::warnings))
-      .def_property_readonly(
-          "events",
-          [](const R& report) {
-            py::dict events;
-            for (std::size_t i = 0; i < kSafetyEvents; ++i)
-              if (report.events[i] > 0) events[py::str(std::string(name_of(SafetyEvent(i))))] = report.events[i];
-            return events;
-          },
-          "dict from the name of a SafetyEvent to the number of ticks that reported it.");
+  auto report_class =
+      bind_part_of_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks),
+                             member("missed", &R::missed), member("wake_up", &R::wake_up),
+                             member("compute", &R::compute), member("end", &R::end), member("fault", &R::fault),
+                             member("arming", &R::arming), member("log", &R::log), member("warnings", &R::warnings));
+  pickled_by_members(report_class, &R::period, &R::ticks, &R::missed, &R::wake_up, &R::compute, &R::end, &R::fault,
+                     &R::arming, &R::events, &R::log, &R::warnings);
+  report_class.def_property_readonly(
+      "events",
+      [](const R& report) {
+        py::dict events;
+        for (std::size_t i = 0; i < kSafetyEvents; ++i)
+          if (report.events[i] > 0) events[py::str(std::string(name_of(SafetyEvent(i))))] = report.events[i];
+        return events;
+      },
+      "dict from the name of a SafetyEvent to the number of ticks that reported it.");
 }
 
 void bind_devices(py::module_& m) {

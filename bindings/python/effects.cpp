@@ -21,8 +21,9 @@ void bind_effects(py::module_& m) {
   m.def("validate", py::overload_cast<const Effects&, double>(&validate), py::arg("effects"), py::arg("update_rate"),
         doc("validate"));
 
-  py::class_<VibrationPhase>(m, "VibrationPhase", doc("VibrationPhase"))
-      .def(py::init<>())
+  py::class_<VibrationPhase> phase_class(m, "VibrationPhase", doc("VibrationPhase"));
+  pickled_by_bytes(phase_class);
+  phase_class.def(py::init<>())
       .def("advance", &VibrationPhase::advance, py::arg("vibration"), py::arg("touching"), py::arg("power"),
            py::arg("dt"), doc("VibrationPhase::advance"));
   m.def("gravity_wrench", &gravity_wrench, py::arg("gravity"), py::arg("R_WH"), doc("gravity_wrench"));

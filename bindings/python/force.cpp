@@ -32,10 +32,9 @@ void bind_laws(py::module_& m) {
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
       .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));
   using Foundation = FoundationLaw;
-  LawBinding<Foundation>(m, "FoundationLaw", doc("FoundationLaw"))
-      .def(py::init<>())
-      .def("__repr__", [](const Foundation&) { return "FoundationLaw()"; })
-      .def("__reduce__", [](const py::object& self) { return py::make_tuple(py::type::of(self), py::tuple()); });
+  LawBinding<Foundation> foundation(m, "FoundationLaw", doc("FoundationLaw"));
+  foundation.def(py::init<>()).def("__repr__", [](const Foundation&) { return "FoundationLaw()"; });
+  pickled_by_constructor(foundation, {});
 
   LawBinding<ThesisLaw> thesis(m, "ThesisLaw", doc("ThesisLaw"));
   using Thesis = ThesisLaw::Constants;
@@ -46,16 +45,22 @@ void bind_laws(py::module_& m) {
   thesis.def(py::init<const Thesis&>(), py::arg("constants"), doc("ThesisLaw::ThesisLaw"))
       .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy,
                              "As passed to the constructor.");
+  pickled_by_constructor(thesis, {"constants"});
 
-  LawBinding<ContactMechanicsLaw>(m, "ContactMechanicsLaw", doc("ContactMechanicsLaw"))
-      .def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))
+  LawBinding<ContactMechanicsLaw> mechanics(m, "ContactMechanicsLaw", doc("ContactMechanicsLaw"));
+  pickled_by_constructor(mechanics, {"effective_modulus"});
+  mechanics.def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))
+      .def_property_readonly("effective_modulus", &ContactMechanicsLaw::effective_modulus,
+                             doc("ContactMechanicsLaw::effective_modulus"))
       .def("force", &ContactMechanicsLaw::force, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::force"))
       .def("energy", &ContactMechanicsLaw::energy, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::energy"))
       .def_static("depth_of", &ContactMechanicsLaw::depth_of, py::arg("head"), py::arg("volume"),
                   doc("ContactMechanicsLaw::depth_of"));
 
-  LawBinding<HertzianBurrLaw>(m, "HertzianBurrLaw", doc("HertzianBurrLaw"))
-      .def(py::init<double>(), py::arg("stiffness"), doc("HertzianBurrLaw::HertzianBurrLaw"))
+  LawBinding<HertzianBurrLaw> burr(m, "HertzianBurrLaw", doc("HertzianBurrLaw"));
+  pickled_by_constructor(burr, {"stiffness"});
+  burr.def(py::init<double>(), py::arg("stiffness"), doc("HertzianBurrLaw::HertzianBurrLaw"))
+      .def_property_readonly("stiffness", &HertzianBurrLaw::stiffness, doc("HertzianBurrLaw::stiffness"))
       .def("force", &HertzianBurrLaw::force, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::force"))
       .def("energy", &HertzianBurrLaw::energy, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::energy"));
 
@@ -63,13 +68,19 @@ void bind_laws(py::module_& m) {
   using Damping = DampingMatrixLaw::Constants;
   bind_struct<Damping>(damping, "Constants", "DampingMatrixLaw::Constants", field("resistance", &Damping::resistance),
                        field("friction", &Damping::friction));
-  damping.def(py::init<const Damping&>(), py::arg("constants"), doc("DampingMatrixLaw::DampingMatrixLaw"));
+  damping.def(py::init<const Damping&>(), py::arg("constants"), doc("DampingMatrixLaw::DampingMatrixLaw"))
+      .def_property_readonly("constants", &DampingMatrixLaw::constants, py::return_value_policy::copy,
+                             "As passed to the constructor.");
+  pickled_by_constructor(damping, {"constants"});
 
   LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", doc("TwistDrillLaw"));
   using Drill = TwistDrillLaw::Constants;
   bind_struct<Drill>(drill, "Constants", "TwistDrillLaw::Constants", field("specific_energy", &Drill::specific_energy),
                      field("max_feed_per_revolution", &Drill::max_feed_per_revolution));
+  pickled_by_constructor(drill, {"constants"});
   drill.def(py::init<const Drill&>(), py::arg("constants"), doc("TwistDrillLaw::TwistDrillLaw"))
+      .def_property_readonly("constants", &TwistDrillLaw::constants, py::return_value_policy::copy,
+                             "As passed to the constructor.")
       .def("thrust", &TwistDrillLaw::thrust, py::arg("diameter"), py::arg("a"), py::arg("point_angle"),
            doc("TwistDrillLaw::thrust"))
       .def("torque", &TwistDrillLaw::torque, py::arg("diameter"), py::arg("a"), doc("TwistDrillLaw::torque"))

@@ -34,8 +34,9 @@ void bind_states(py::module_& m) {
 void bind_log(py::module_& m) {
   bind_enum<SafetyEvent>(m, "SafetyEvent");
   using L = SafetyLogEntry;
-  py::class_<L>(m, "SafetyLogEntry", doc("SafetyLogEntry"))
-      .def_readonly("time", &L::time, doc("SafetyLogEntry::time"))
+  py::class_<L> entry_class(m, "SafetyLogEntry", doc("SafetyLogEntry"));
+  pickled_by_members(entry_class, &L::time, &L::sequence, &L::event, &L::value);
+  entry_class.def_readonly("time", &L::time, doc("SafetyLogEntry::time"))
       .def_readonly("sequence", &L::sequence, doc("SafetyLogEntry::sequence"))
       .def_readonly("event", &L::event, "The event.")
       .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
@@ -107,8 +108,9 @@ void bind_guard(py::module_& m) {
 
   bind_described<RealtimeOptions>(m, "RealtimeOptions");
   using H = LatencyHistogram;
-  py::class_<H>(m, "LatencyHistogram", doc("LatencyHistogram"))
-      .def(py::init<>())
+  py::class_<H> histogram_class(m, "LatencyHistogram", doc("LatencyHistogram"));
+  pickled_by_bytes(histogram_class);
+  histogram_class.def(py::init<>())
       .def("add", &H::add, py::arg("seconds"), doc("LatencyHistogram::add"))
       .def_property_readonly("count", &H::count, "How many durations were added.")
       .def_property_readonly("min", &H::min, doc("LatencyHistogram::min"))

@@ -7,6 +7,7 @@
 #include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/heat/heat_field.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
+#include "interruption.hpp"
 #include "simulation.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
@@ -89,10 +90,11 @@ void bind_heat(py::module_& m) {
       .def("imbalance", &HeatBalance::imbalance, doc("HeatBalance::imbalance"));
   m.def("cem43", &cem43, py::arg("temperature"), py::arg("time"), doc("cem43"));
   using F = HeatField;
+  using Interruptible = py::call_guard<SignalChecks>;
   py::class_<F>(m, "HeatField", doc("HeatField"))
       .def(py::init(
                [](const PythonWorkpiece& workpiece, const HeatConfig& config) { return F(workpiece.read(), config); }),
-           py::arg("workpiece"), py::arg("config") = HeatConfig{}, doc("HeatField::HeatField"))
+           py::arg("workpiece"), py::arg("config") = HeatConfig{}, doc("HeatField::HeatField"), Interruptible())
       .def("drain", &F::drain, py::arg("collector"), doc("HeatField::drain"))
       .def("add_heat", &F::add_heat, py::arg("p_WQ"), py::arg("heat"), py::arg("radius") = 0.0,
            doc("HeatField::add_heat"))
@@ -109,7 +111,7 @@ void bind_heat(py::module_& m) {
             self.update(block.origin, block.material.data(), block.fill.data());
           },
           py::arg("block"), doc("HeatField::update"))
-      .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"))
+      .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"), Interruptible())
       .def("set_irrigation", &F::set_irrigation, py::arg("coefficient"), doc("HeatField::set_irrigation"))
       .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of its configuration.")
       .def("structures", &F::structures, doc("HeatField::structures"))

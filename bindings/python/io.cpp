@@ -6,7 +6,9 @@
 #include "bindings.hpp"
 #include "hapticut/build/volume_operations.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
+#include "interruption.hpp"
 #include "structs.hpp"
+#include "warned.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
 #include "hapticut/io/mesh/meshes.hpp"
@@ -20,11 +22,12 @@ namespace hapticut::python {
 namespace {
 
 using Path = std::filesystem::path;
-using Released = py::call_guard<py::gil_scoped_release>;
+using Released = py::call_guard<ReleasedLock>;
 
 void bind_vdb(py::module_& m) {
   py::class_<VdbImport> import(m, "VdbImport", doc("VdbImport"));
   bind_enum<VdbImport::Kind>(import, "Kind", "VdbImport::Kind");
+  pickled_by_constructor(import, {"material", "grid", "unit_mm", "kind"});
   import
       .def(py::init([](const Material& material, const std::string& grid, double unit_mm, VdbImport::Kind kind) {
              return VdbImport{material, grid, unit_mm, kind};
@@ -87,8 +90,9 @@ void bind_operations(py::module_& m) {
 #ifdef HAPTICUT_PYTHON_WITH_IO
 
 void bind_meshes(py::module_& m) {
-  py::class_<NamedMesh>(m, "NamedMesh", doc("NamedMesh"))
-      .def_readonly("name", &NamedMesh::name, doc("NamedMesh::name"))
+  py::class_<NamedMesh> named_class(m, "NamedMesh", doc("NamedMesh"));
+  pickled_by_members(named_class, &NamedMesh::name, &NamedMesh::mesh);
+  named_class.def_readonly("name", &NamedMesh::name, doc("NamedMesh::name"))
       .def_readonly("mesh", &NamedMesh::mesh, "The surface, in metres.");
   m.def("read_mesh", &read_mesh, py::arg("path"), py::arg("unit_mm") = py::none(), doc("read_mesh"), Released());
   m.def("write_stl", &write_stl, py::arg("mesh"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_stl"),
@@ -116,10 +120,18 @@ void bind_volume_files(py::module_& m) {
   m.attr("kMaxVolumeSamples") = kMaxVolumeSamples;
   bind_struct<VolumeReadOptions>(m, "VolumeReadOptions", field("spacing", &VolumeReadOptions::spacing),
                                  field("dicom_series", &VolumeReadOptions::dicom_series));
-  m.def("read_grey_volume", &read_grey_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
-        doc("read_grey_volume"), Released());
-  m.def("read_label_volume", &read_label_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
-        doc("read_label_volume"), Released());
+  m.def(
+      "read_grey_volume",
+      [](const Path& path, const VolumeReadOptions& options) {
+        return read_with_warnings([&] { return read_grey_volume(path, options); });
+      },
+      py::arg("path"), py::arg("options") = VolumeReadOptions{}, doc("read_grey_volume"));
+  m.def(
+      "read_label_volume",
+      [](const Path& path, const VolumeReadOptions& options) {
+        return read_with_warnings([&] { return read_label_volume(path, options); });
+      },
+      py::arg("path"), py::arg("options") = VolumeReadOptions{}, doc("read_label_volume"));
   m.def(
       "read_color_slices",
       [](const Path& folder, const py::dict& label_of, const Vec3& spacing) {
@@ -128,7 +140,7 @@ void bind_volume_files(py::module_& m) {
           const auto [red, green, blue] = color.cast<std::array<std::uint8_t, 3>>();
           labels[{red, green, blue}] = label.cast<std::uint16_t>();
         }
-        const py::gil_scoped_release released;
+        const ReleasedLock released;
         return read_color_slices(folder, labels, spacing);
       },
       py::arg("folder"), py::arg("label_of"), py::arg("spacing"),

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/loop: a device drives a simulation in a separate thread
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -12,6 +14,7 @@
 #include "hapticut/islands/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "interruption.hpp"
 #include "material_set.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
@@ -69,6 +72,15 @@ class PythonLoop {
     loop_->start();
     recorder_ = simulation_->recorder.lock();
     holds_ = simulation_->occupancy.writing_ = true;
+  }
+
+  /// When a signal handler raises, the loop goes on.
+  RunReport wait() {
+    {
+      const ReleasedLock released;
+      for (; loop_->is_running(); std::this_thread::sleep_for(std::chrono::milliseconds(1))) look_for_interruption();
+    }
+    return end(&RealtimeLoop::wait);
   }
 
   RunReport end(RunReport (RealtimeLoop::*how)()) {
@@ -182,16 +194,21 @@ void bind_messages(py::module_& m) {
   bind_result<TickEffort>(m, "TickEffort", member("parts", &TickEffort::parts),
                           member("newton_steps", &TickEffort::newton_steps),
                           member("level_of_detail", &TickEffort::level_of_detail));
-  bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
-                 member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
-                 member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
-                 member("contact_point_W", &T::contact_point_W), member("spindle_speed", &T::spindle_speed),
-                 member("steps", &T::steps), member("effort", &T::effort), member("max_effort", &T::max_effort),
-                 member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
-                 member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
-                 member("touched", &T::touched), member("workpiece", &T::workpiece))
-      .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
+  auto tool_class = bind_part_of_result<T>(
+      m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
+      member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
+      member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
+      member("contact_point_W", &T::contact_point_W), member("spindle_speed", &T::spindle_speed),
+      member("steps", &T::steps), member("effort", &T::effort), member("max_effort", &T::max_effort),
+      member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks), member("undoing", &T::undoing),
+      member("redoing", &T::redoing), member("force_held", &T::force_held), member("touched", &T::touched),
+      member("workpiece", &T::workpiece));
+  tool_class.def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("status_seen", bits(&T::status_seen), doc("ToolSnapshot::status_seen"));
+  pickled_by_members(tool_class, &T::force, &T::torque, &T::removed_volume, &T::dissipated, &T::contact_depth,
+                     &T::contact_voxels, &T::contact_point_W, &T::spindle_speed, &T::status, &T::status_seen, &T::steps,
+                     &T::effort, &T::max_effort, &T::undo_marks, &T::redo_marks, &T::undoing, &T::redoing,
+                     &T::force_held, &T::touched, &T::workpiece);
   using S = LoopSnapshot;
   bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
                  member("output", &S::output), member("max_commanded", &S::max_commanded),
@@ -275,8 +292,7 @@ void bind_loop(py::module_& m) {
       .def(py::init([](const py::object& model, const O& options) { return L(model, options); }), py::arg("model"),
            py::arg("options") = O{}, "Makes a loop of a SimulationModel and its device.")
       .def("start", &L::start, doc("RealtimeLoop::start"))
-      .def(
-          "wait", [](L& self) { return self.end(&RealtimeLoop::wait); }, doc("RealtimeLoop::wait"))
+      .def("wait", &L::wait, doc("RealtimeLoop::wait"))
       .def(
           "stop", [](L& self) { return self.end(&RealtimeLoop::stop); }, doc("RealtimeLoop::stop"))
       .def_property_readonly(
@@ -299,8 +315,9 @@ void bind_loop(py::module_& m) {
 
 void bind_changed_block(py::module_& m) {
   using B = ChangedBlock;
-  py::class_<B>(m, "ChangedBlock", doc("ChangedBlock"))
-      .def_readonly("origin", &B::origin, doc("ChangedBlock::origin"))
+  py::class_<B> block_class(m, "ChangedBlock", doc("ChangedBlock"));
+  pickled_by_bytes(block_class);
+  block_class.def_readonly("origin", &B::origin, doc("ChangedBlock::origin"))
       .def_readonly("version", &B::version, doc("ChangedBlock::version"))
       .def_readonly("workpiece", &B::workpiece, doc("ChangedBlock::workpiece"))
       .def_property_readonly(

@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "hapticut/core/errors.hpp"
+#include "interruption.hpp"
 
 namespace {
 
@@ -75,6 +76,7 @@ PYBIND11_MODULE(_hapticut, m) {
   const auto error = py::register_exception<hapticut::Error>(m, "Error", PyExc_RuntimeError);
   error.attr("__doc__") =
       "A request cannot be fulfilled. The message says what was given, what is allowed and what to do.";
+  translate_interruptions();
   bind_core(m);
   bind_tool(m);
   bind_materials(m);
@@ -86,6 +88,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_changed_block(m);
   bind_surface(m);
   bind_simulation(m);
+  bind_copies(m);
   bind_islands(m);
   bind_io(m);
   bind_guard(m);

@@ -155,7 +155,7 @@ void bind_recording(py::module_& m) {
       .def(
           "workpiece", [](const Recording& r) { return make_released([&] { return r.workpiece(); }); },
           doc("Recording::workpiece"));
-  const auto released = py::call_guard<py::gil_scoped_release>();
+  const auto released = py::call_guard<ReleasedLock>();
   m.def("read_recording", &read_recording, py::arg("path"), doc("read_recording"), released);
   m.def("write_csv", &write_csv, py::arg("recording"), py::arg("path"), doc("write_csv"), released);
   m.def("write_npz", &write_npz, py::arg("recording"), py::arg("path"), doc("write_npz"), released);
@@ -180,7 +180,7 @@ void bind_replay(py::module_& m) {
         ReplayOptions options;
         options.law = law.value_or(nullptr);
         if (progress) options.progress = *progress;
-        const py::gil_scoped_release without_lock;
+        const ReleasedLock without_lock;
         return replay(recording, options);
       },
       py::arg("recording"), py::arg("law") = py::none(), py::arg("progress") = py::none(), doc("replay"));

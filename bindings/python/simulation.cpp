@@ -63,7 +63,12 @@ void bind_limits(py::module_& m) {
 
 void bind_the_simulation(py::module_& m) {
   using S = PythonSimulation;
-  py::class_<S, std::shared_ptr<S>>(m, "Simulation", doc("Simulation"))
+  const std::string text =
+      std::string(doc("Simulation")) +
+      "\n\nIt copies and pickles. The next steps of a copy have the same bits; its workpiece, energies and counters "
+      "are "
+      "its\nown. Recorders and collectors stay with the original. A pickle is for the same version of hapticut.";
+  py::class_<S, std::shared_ptr<S>>(m, "Simulation", text.c_str())
       .def(py::init([](const PythonWorkpiece& workpiece, const Tool& tool, const SimulationConfig& config) {
              Workpiece copy = workpiece.read().clone();
              const py::gil_scoped_release released;
@@ -90,6 +95,8 @@ void bind_the_simulation(py::module_& m) {
           "poses\n    (n, 4, 4) float64, C-contiguous: X_WH at the end of each step.\n"
           "velocities\n    (n, 6) float64, C-contiguous: [m/s] of Ho, then [rad/s], in W.\n"
           "dt\n    [s] one number, or (n,) float64.\n\n"
+          "Ctrl-C ends the run within a second by KeyboardInterrupt. The steps made so far stay made: `steps` counts\n"
+          "them, `workpiece` and `removed_in_run` show what they have cut.\n\n"
           "Returns\n-------\n"
           "numpy.ndarray\n"
           "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
@@ -130,6 +137,7 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
       .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
                              doc("Simulation::next_step_is_first"))
+      .def_property_readonly("is_fresh", reading<S>(&Simulation::is_fresh), doc("Simulation::is_fresh"))
       .def_property_readonly("workpiece_exchanges", reading<S>(&Simulation::workpiece_exchanges),
                              doc("Simulation::workpiece_exchanges"))
       .def(

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "arrays.hpp"
+#include "interruption.hpp"
 #include "simulation.hpp"
 #include "trace.hpp"
 
@@ -64,6 +65,7 @@ py::array make_rows(PythonSimulation& simulation, const RunInput& input, const p
     const ReleasedWriting released(simulation.occupancy);
     double time = 0;
     for (std::size_t i = 0; i < input.steps; ++i, row += type.itemsize()) {
+      look_for_interruption();  // the steps before stay made
       const StepInput now = input[i];
       const auto& result = step(now);
       time += now.dt;

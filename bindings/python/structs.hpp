@@ -19,6 +19,7 @@
 #include "arrays.hpp"
 #include "documentation.hpp"
 #include "hapticut/core/description.hpp"
+#include "pickles.hpp"
 
 /// @file
 /// Binds plain structs. Every field is a keyword of the constructor with C++'s default, an attribute with the header's
@@ -266,9 +267,10 @@ std::pair<const char*, T S::*> member(const char* name, T S::*pointer) {
   return {name, pointer};
 }
 
-/// Binds a read-only struct, e.g. the result of a call.
+/// Binds some members of a read-only struct.
 template <class S, class... Members>
-py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const char*, Members S::*>... members) {
+py::class_<S> bind_part_of_result(py::handle parent, const char* name,
+                                  std::pair<const char*, Members S::*>... members) {
   py::class_<S> binding(parent, name, doc(name));
   (binding.def_property_readonly(
        members.first, [member = members.second](const S& s) -> const Members& { return s.*member; },
@@ -276,6 +278,14 @@ py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const c
    ...);
   const std::array<const char*, sizeof...(Members)> names = {members.first...};
   binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });
+  return binding;
+}
+
+/// Binds a read-only struct with all its members, e.g. the result of a call.
+template <class S, class... Members>
+py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const char*, Members S::*>... members) {
+  py::class_<S> binding = bind_part_of_result<S>(parent, name, members...);
+  pickled_by_members(binding, members.second...);
   return binding;
 }
 
@@ -291,6 +301,7 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
     names.push_back(field.name);
   });
   binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });
+  std::apply([&](const auto&... fields) { pickled_by_members(binding, fields.member...); }, fields_of(Of<S>{}));
   return binding;
 }
 

@@ -39,7 +39,21 @@ py::array of_vertices(const SurfacePage& page, const Of& of) {
 }
 
 void bind_whole_surface(py::module_& m) {
-  py::class_<WorkpieceSurface>(m, "WorkpieceSurface", doc("WorkpieceSurface"))
+  using W = WorkpieceSurface;
+  py::class_<W> surface_class(m, "WorkpieceSurface", doc("WorkpieceSurface"));
+  surface_class
+      .def(py::pickle(
+          [](const py::object& self) {
+            return py::make_tuple(self.attr("mesh"), self.attr("normals"), self.attr("materials"));
+          },
+          [](const py::tuple& state) {
+            detail::require_parts(state, 3, "the surface");
+            const std::span<const double> normals = numbers_of(state[1], "normals", {-1, 3});
+            W surface{state[0].cast<TriangleMesh>(), std::vector<Vec3>(normals.size() / 3),
+                      state[2].cast<std::vector<MaterialId>>()};
+            for (std::size_t n = 0; n < surface.normals.size(); ++n) surface.normals[n] = Vec3(normals.data() + 3 * n);
+            return surface;
+          }))
       .def_readonly("mesh", &WorkpieceSurface::mesh, doc("WorkpieceSurface::mesh"))
       .def_property_readonly(
           "normals", [](const py::object& self) { return view_of(self.cast<const WorkpieceSurface&>().normals, self); },

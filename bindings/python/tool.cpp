@@ -7,6 +7,7 @@
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #include "hapticut/tool/shank.hpp"
+#include "interruption.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
 
@@ -33,14 +34,17 @@ void bind_shapes(py::module_& m) {
                            field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
   bind_struct<Profile>(m, "Profile", field("tip", &Profile::tip), field("edges", &Profile::edges));
   using S = MeridianSpring<double>;
-  py::class_<S>(m, "MeridianSpring", doc("MeridianSpring"))
-      .def_readonly("depth", &S::depth, doc("MeridianSpring::depth"))
+  py::class_<S> spring_class(m, "MeridianSpring", doc("MeridianSpring"));
+  pickled_by_members(spring_class, &S::depth, &S::n_radial, &S::n_axial, &S::smooth);
+  spring_class.def_readonly("depth", &S::depth, doc("MeridianSpring::depth"))
       .def_readonly("n_radial", &S::n_radial, doc("MeridianSpring::n_radial"))
       .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"))
       .def_readonly("smooth", &S::smooth, doc("MeridianSpring::smooth"))
       .def_property_readonly("on_smooth", &S::on_smooth, "Whether the surface is smooth.")
       .def_property_readonly("scale", &S::scale, doc("MeridianSpring::scale"));
-  py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
+  py::class_<ProfileHead> head_class(m, "ProfileHead", doc("ProfileHead"));
+  pickled_by_constructor(head_class, {"profile", "tolerance"});
+  head_class
       .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
            doc("ProfileHead::ProfileHead"))
       .def_property_readonly("profile", &ProfileHead::profile, py::return_value_policy::copy, "The meridian.")
@@ -55,14 +59,16 @@ void bind_shapes(py::module_& m) {
 
 void bind_heads(py::module_& m) {
   bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
-  py::class_<Spring>(m, "Spring", doc("Spring"))
-      .def_readonly("depth", &Spring::depth, doc("Spring::depth"))
+  py::class_<Spring> spring_class(m, "Spring", doc("Spring"));
+  pickled_by_members(spring_class, &Spring::depth, &Spring::direction, &Spring::smooth);
+  spring_class.def_readonly("depth", &Spring::depth, doc("Spring::depth"))
       .def_readonly("direction", &Spring::direction, doc("Spring::direction"))
       .def_readonly("smooth", &Spring::smooth, doc("Spring::smooth"))
       .def_property_readonly("on_smooth", &Spring::on_smooth, "Whether the surface is smooth.")
       .def_property_readonly("scale", &Spring::scale, doc("Spring::scale"));
-  py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
-      .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
+  py::class_<ToolHead> head_class(m, "ToolHead", doc("ToolHead"));
+  pickled_by_constructor(head_class, {"shape"});
+  head_class.def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
       .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
                              "SphereHead, ConeHead, FlatHead or ProfileHead.")
       .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
@@ -103,12 +109,14 @@ void bind_heads(py::module_& m) {
   m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
         py::arg("point_angle") = kCommonDrillPoint, doc("twist_drill_head"));
 
-  py::class_<RecognizedProfile>(m, "RecognizedProfile", doc("RecognizedProfile"))
-      .def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))
+  py::class_<RecognizedProfile> recognized_class(m, "RecognizedProfile", doc("RecognizedProfile"));
+  pickled_by_members(recognized_class, &RecognizedProfile::profile, &RecognizedProfile::X_MT,
+                     &RecognizedProfile::deviation);
+  recognized_class.def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))
       .def_readonly("X_MT", &RecognizedProfile::X_MT, doc("RecognizedProfile::X_MT"))
       .def_readonly("deviation", &RecognizedProfile::deviation, doc("RecognizedProfile::deviation"));
   m.def("profile_from_mesh", &profile_from_mesh, py::arg("mesh"), py::arg("towards_shank") = Vec3(Vec3::UnitZ()),
-        py::arg("tolerance") = 0.02, doc("profile_from_mesh"), py::call_guard<py::gil_scoped_release>());
+        py::arg("tolerance") = 0.02, doc("profile_from_mesh"), py::call_guard<ReleasedLock>());
   m.def("mesh_of_revolution", &mesh_of_revolution, py::arg("profile"), py::arg("sides"), doc("mesh_of_revolution"));
 }
 
@@ -130,8 +138,9 @@ void bind_tool(py::module_& m) {
   m.attr("kMaxSpindleSpeed") = kMaxSpindleSpeed;
   bind_described<Spindle>(m, "Spindle").def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
-  py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
-      .def(py::init<const Spindle&>(), py::arg("spindle"))
+  py::class_<SpindleMotor> motor_class(m, "SpindleMotor", doc("SpindleMotor"));
+  pickled_by_bytes(motor_class);
+  motor_class.def(py::init<const Spindle&>(), py::arg("spindle"))
       .def("set", &SpindleMotor::set, py::arg("setting"), doc("SpindleMotor::set"))
       .def("halt", &SpindleMotor::halt, doc("SpindleMotor::halt"))
       .def("drive", &SpindleMotor::drive, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::drive"))
@@ -155,7 +164,9 @@ void bind_tool(py::module_& m) {
   m.def("lips_of", &lips_of, py::arg("cutter"), doc("lips_of"));
   m.def("usual_cutter", &usual_cutter, py::arg("head"), doc("usual_cutter"));
   m.def("tooth_rate", &tooth_rate, py::arg("cutter"), py::arg("spindle_speed"), doc("tooth_rate"));
-  py::class_<Tool>(m, "Tool", doc("Tool"))
+  py::class_<Tool> tool_class(m, "Tool", doc("Tool"));
+  pickled_by_constructor(tool_class, {"head", "handle", "spindle", "cutter"});
+  tool_class
       .def(py::init<ToolHead, Handle, Spindle, std::optional<Cutter>>(), py::arg("head"),
            py::arg("handle") = Handle(RayHandle{0}), py::arg("spindle") = Spindle{}, py::arg("cutter") = py::none(),
            doc("Tool::Tool"))

@@ -13,6 +13,10 @@ namespace pybind11::detail {
 /// invalid.
 template <>
 struct type_caster<hapticut::ToolHead> : type_caster_base<hapticut::ToolHead> {
+#if PYBIND11_VERSION_HEX >= 0x03000000
+  static constexpr auto name = io_name("ToolHead | SphereHead | ConeHead | FlatHead | ProfileHead", "ToolHead");
+#endif
+
   bool load(handle given, bool convert) {
     return type_caster_base<hapticut::ToolHead>::load(given, convert) || make<hapticut::SphereHead>(given) ||
            make<hapticut::ConeHead>(given) || make<hapticut::FlatHead>(given) || make<hapticut::ProfileHead>(given);

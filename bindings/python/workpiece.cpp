@@ -15,6 +15,7 @@
 #include "hapticut/workpiece/contact.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
+#include "warned.hpp"
 
 namespace hapticut::python {
 
@@ -204,7 +205,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
              const VolumeBuildOptions& options, UnclaimedLabels unclaimed) {
             const LabelVolume volume = volume_from<std::uint16_t>(array, spacing, X_WG);
             const std::vector<LabelMaterial> list = label_materials_from(materials);
-            return make_released([&] { return build_from_labels(volume, list, options, unclaimed); });
+            return build_labels_with_warnings(volume, list, options, unclaimed);
           },
           py::arg("array"), py::arg("spacing"), py::arg("materials"), py::arg("X_WG") = Pose{},
           py::arg("options") = VolumeBuildOptions{}, py::arg("unclaimed") = UnclaimedLabels::refuse,

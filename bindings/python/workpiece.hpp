@@ -9,6 +9,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
+#include "interruption.hpp"
 
 namespace hapticut::python {
 
@@ -28,39 +29,40 @@ class Occupancy {
   friend class ReleasedReading;
   friend class ReleasedWriting;
   friend class PythonLoop;
+  Occupancy& begin_reading() {
+    ++readers_;
+    return *this;
+  }
+  Occupancy& begin_writing() {
+    writing_ = true;
+    return *this;
+  }
   int readers_ = 0;
   bool writing_ = false;
 };
 
-/// Releases the interpreter lock while an object is read.
+/// Releases the interpreter lock while an object is read; ReleasedLock says how Ctrl-C ends the call.
 class ReleasedReading {
  public:
-  explicit ReleasedReading(Occupancy& occupancy) : occupancy_(occupancy) { ++occupancy_.readers_; }
+  explicit ReleasedReading(Occupancy& occupancy) : occupancy_(occupancy.begin_reading()) {}
   ~ReleasedReading() {
-    release_.disarmed();
+    lock_.acquire();
     --occupancy_.readers_;
   }
   ReleasedReading(const ReleasedReading&) = delete;
   ReleasedReading& operator=(const ReleasedReading&) = delete;
 
  private:
-  friend class ReleasedWriting;
-  struct Release {
-    PyThreadState* state = PyEval_SaveThread();
-    void disarmed() {
-      if (state != nullptr) PyEval_RestoreThread(std::exchange(state, nullptr));
-    }
-  };
   Occupancy& occupancy_;
-  Release release_;
+  ReleasedLock lock_;  // released after the occupancy has changed
 };
 
-/// Releases the interpreter lock while an object is changed.
+/// Releases the interpreter lock while an object is changed; ReleasedLock says how Ctrl-C ends the call.
 class ReleasedWriting {
  public:
-  explicit ReleasedWriting(Occupancy& occupancy) : occupancy_(occupancy) { occupancy_.writing_ = true; }
+  explicit ReleasedWriting(Occupancy& occupancy) : occupancy_(occupancy.begin_writing()) {}
   ~ReleasedWriting() {
-    release_.disarmed();
+    lock_.acquire();
     occupancy_.writing_ = false;
   }
   ReleasedWriting(const ReleasedWriting&) = delete;
@@ -68,7 +70,7 @@ class ReleasedWriting {
 
  private:
   Occupancy& occupancy_;
-  ReleasedReading::Release release_;
+  ReleasedLock lock_;
 };
 
 class PythonSimulation;
@@ -106,7 +108,7 @@ class PythonWorkpiece {
 /// Calls a function that makes a workpiece, without the interpreter lock.
 template <class Function>
 PythonWorkpiece make_released(const Function& function) {
-  const pybind11::gil_scoped_release released;
+  const ReleasedLock released;
   return PythonWorkpiece(function());
 }
 

@@ -25,7 +25,7 @@ laws = {
     "Hertzian burr, C1 = 1 MPa": (1e12, hapticut.HertzianBurrLaw(1e6)),
     "thesis, l0 = 0.1 mm": (1e12, hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(reference_voxel_size=0.1 * mm))),
 }
-ax = plt.subplots(figsize=(7, 4), layout="constrained")[1]
+figure, ax = plt.subplots(figsize=(7, 4), layout="constrained")
 for name, (stiffness, law) in laws.items():
     simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=stiffness, law=law))
     force = simulation.run(poses, np.zeros((len(poses), 6)), 1 * ms)["force"][:, 2]
@@ -34,4 +34,4 @@ for name, (stiffness, law) in laws.items():
 ax.set(xlabel="depth [mm]", ylabel="force on the tool [N]")
 ax.legend(frameon=False)
 ax.grid(alpha=0.25)
-ax.figure.savefig(folder / "laws.png", dpi=120)
+figure.savefig(folder / "laws.png", dpi=120)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from numpy.typing import NDArray
 
 import hapticut
 from hapticut.units import N_mm, deg, mm, ms
@@ -16,7 +17,7 @@ BOX = hapticut.Box([-0.36 * mm, -0.36 * mm, -0.4 * mm], [0.36 * mm, 0.36 * mm, 0
 CUBE = hapticut.build_block(BOX, VOXEL, hapticut.Material("cube", relative_stiffness=0.4))
 
 
-def step_down(head, thesis):
+def step_down(head: hapticut.ToolHead, thesis: bool) -> NDArray[np.float64]:
     """(steps, 3): voxels removed, force [N] and torque [N mm] of every step."""
     config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e17)  # a layer of 2 um
     if thesis:
@@ -24,7 +25,7 @@ def step_down(head, thesis):
         config.max_sweep = 1  # the tool jumps from step to step
     spindle = hapticut.Spindle(1000.0 if thesis else 20000.0)  # [rad/s]
     simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=spindle), config)
-    still, top = np.zeros(6), -hapticut.ToolHead(head).bounding_box().min[2]
+    still, top = np.zeros(6), -head.bounding_box().min[2]
     simulation.step(hapticut.Pose.from_translation([0, 0, top]), still, 1 * ms)  # touches the cube
     ticks = 1 if thesis else 20  # the default model refuses jumps: it moves for 20 ms
     rows = []
@@ -40,8 +41,9 @@ def step_down(head, thesis):
     return np.array(rows)
 
 
-heads = {"sphere": hapticut.SphereHead(SIZE), "cone": hapticut.ConeHead(45 * deg, SIZE),
-         "flat": hapticut.FlatHead(SIZE, SIZE, hapticut.FlatRule.bottom_only)}
+heads = {"sphere": hapticut.ToolHead(hapticut.SphereHead(SIZE)),
+         "cone": hapticut.ToolHead(hapticut.ConeHead(45 * deg, SIZE)),
+         "flat": hapticut.ToolHead(hapticut.FlatHead(SIZE, SIZE, hapticut.FlatRule.bottom_only))}
 figures = [("figure_7_1_voxels", "voxels removed in a step"), ("figure_7_2_force", "cutting force of a step [N]"),
            ("figure_7_3_torque", "cutting torque of a step [N mm]")]
 series = {(name, thesis): step_down(head, thesis) for thesis in (True, False) for name, head in heads.items()}

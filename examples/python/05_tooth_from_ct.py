@@ -6,6 +6,7 @@ The example needs no file: it computes the grey values from the built-in molar. 
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 from scipy.ndimage import gaussian_filter, maximum_filter
 
@@ -39,5 +40,7 @@ hand = np.tile(surface + [0, 0, 1.1 * mm], (n, 1))
 hand[:, 2] -= 2.5 * mm * np.arange(1, n + 1) / n
 trace = simulation.run(hapticut.Pose.from_translation(hand), np.tile([0, 0, -2 * mm, 0, 0, 0], (n, 1)), 1 * ms)
 print(f"max force {trace['force'][:, 2].max():.2f} N, removed {trace['removed_volume'].sum() * 1e9:.1f} mm^3")
-plots.slice_through(simulation.workpiece, axis=1, index=middle[1]).figure.savefig(folder / "tooth_section.png", dpi=120)
-plots.surface(simulation.workpiece, elevation=55).figure.savefig(folder / "tooth.png", dpi=120)
+plots.slice_through(simulation.workpiece, axis=1, index=middle[1])
+plt.savefig(folder / "tooth_section.png", dpi=120)
+plots.surface(simulation.workpiece, elevation=55)
+plt.savefig(folder / "tooth.png", dpi=120)

@@ -3,10 +3,12 @@
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
+
 import hapticut
 import plots
 from hapticut import io
-from hapticut.device import DeviceCommand, RunOptions, open_device
+from hapticut.device import DeviceCommand, DeviceState, RunOptions, open_device
 from hapticut.loop import SpindleInterlock
 from hapticut.units import mm, rpm
 
@@ -24,7 +26,7 @@ file = folder / "recording.h5"
 # A mock runs faster than the disk writes, so it must wait. A real device must never wait.
 options = io.RecorderOptions(wait_when_full=True)
 with io.Recorder(file, simulation, options, driven_by=device):
-    def tick(state):
+    def tick(state: DeviceState) -> DeviceCommand:
         """Computes the force of one millisecond from a reading."""
         interlock.update(simulation, device.arming)  # stops the spindle while the guard withholds the force
         result = simulation.step(state.X_BS, state.velocity, 1e-3)
@@ -36,5 +38,6 @@ recording = io.read_recording(file)
 replay = io.replay(recording)
 print(f"{report.ticks} ticks ({report.end}), {file.stat().st_size / 1e6:.1f} MB; the replay of {replay.steps} steps is "
       f"{'identical, bit by bit' if replay.identical else f'different: {replay.first_difference}'}")
-plots.force(recording.read()["trace"]).figure.savefig(folder / "replay.png", dpi=120)
+plots.force(recording.read()["trace"])
+plt.savefig(folder / "replay.png", dpi=120)
 sys.exit(0 if replay.identical else 1)

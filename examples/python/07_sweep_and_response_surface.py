@@ -8,6 +8,7 @@
 All three give the same table. A second start computes only the runs that FOLDER does not have yet."""
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +20,7 @@ RADIUS = 0.6 * mm
 MATERIALS = ("enamel", "dentin", "cortical_bone", "trabecular_bone")
 
 
-def drill(parameters, rng):
+def drill(parameters: dict[str, Any], rng: np.random.Generator) -> dict[str, float]:
     """Steady thrust and torque of a flat burr, from 0.15 to 0.3 mm depth."""
     material = hapticut.find_preset(parameters["material"])
     box = hapticut.Box([-0.8 * mm, -0.8 * mm, -0.5 * mm], [0.8 * mm, 0.8 * mm, 0])
@@ -35,7 +36,7 @@ def drill(parameters, rng):
     return {"thrust": trace["force"][:, 2].mean(), "torque": -trace["torque"][:, 2].mean()}
 
 
-def executor_of(name="processes", *address):
+def executor_of(name: str = "processes", *address: str) -> Any:
     """The executor of the runs; None is a pool of processes."""
     if name == "dask":
         from dask.distributed import Client
@@ -46,7 +47,7 @@ def executor_of(name="processes", *address):
     return None
 
 
-def main():
+def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     runs = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
     design = hapticut.sweep.latin_hypercube(runs // len(MATERIALS), {"feed": (1e-3, 4e-3), "speed": (2e3, 2e4, "log")},

@@ -21,7 +21,7 @@ bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_
 head = hapticut.ToolHead(hapticut.FlatHead(RADIUS, 4 * mm, hapticut.FlatRule.bottom_only))
 
 
-def simulate(speed, feed):
+def simulate(speed: float, feed: float) -> tuple[float, float]:
     """Steady thrust [N] and torque [N·m], from 0.6 to 0.9 mm depth."""
     box = hapticut.Box([-1.6 * mm, -1.6 * mm, -1.2 * mm], [1.6 * mm, 1.6 * mm, 0])
     block = hapticut.build_block(box, 0.05 * mm, bone)

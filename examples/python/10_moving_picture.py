@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 from PIL import Image
 
 import hapticut
@@ -39,7 +40,7 @@ specks = hapticut.TriangleMesh(np.vstack([specks, specks + [1e-9, 0, 0], specks 
 camera = hapticut.io.PictureOptions(width=640, height=480, view_direction=[-0.35, 0.6, -1], scale_bar=False)
 
 
-def moved(mesh, to):
+def moved(mesh: hapticut.TriangleMesh, to: ArrayLike) -> hapticut.ColoredMesh:
     return hapticut.ColoredMesh(hapticut.TriangleMesh(mesh.vertices + to, mesh.triangles), [steel] * len(mesh.vertices))
 
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/output_limits.hpp"
@@ -114,6 +115,7 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
   Vec3 last = Vec3::Zero();
   double last_good = 0;
   for (long n = 0; n < end; ++n) {
+    look_for_interruption();
     // The hand stays above the surface while the force is faded in, then presses and strokes.
     const double t = double(n) * period;
     const double depth = buried || t > kSettled - 0.8 ? kPress : -kOffset;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -55,7 +56,10 @@ Flight fly(const ClosedLoopConfig& config, const ForceModel& model, const Bounce
     }
   };
   const long ticks = std::lround(test.time_limit / config.period);
-  for (long n = 0; n < ticks && !left; ++n) loop.write(model(loop.read()), watch);
+  for (long n = 0; n < ticks && !left; ++n) {
+    look_for_interruption();
+    loop.write(model(loop.read()), watch);
+  }
   return flight;
 }
 
@@ -75,6 +79,7 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
     run->loop.reset(search.start);
     run->loop.plant().set_target(search.target);
     for (long n = 0; n < settle; ++n) {
+      look_for_interruption();
       run->loop.tick(run->model);
       if (!(run->loop.plant().pose().translation.norm() < kLost)) return false;
     }
@@ -86,6 +91,7 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
   for (int w = 0; w < search.windows; ++w) {
     double swing = 0;
     for (long n = 0; n < window; ++n) {
+      look_for_interruption();
       calm.loop.tick(calm.model);
       nudged.loop.tick(nudged.model);
       swing = std::max(swing, distance(calm.loop, nudged.loop));
@@ -102,8 +108,8 @@ double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& 
                             const StabilitySearch& search) {
   require_fields_within(search, "StabilitySearch::");
   if (!(search.low < search.high))
-    throw Error("StabilitySearch::low = " + format_number(search.low) +
-                "; must be below StabilitySearch::high = " + format_number(search.high) + ".");
+    throw Error("StabilitySearch::low = " + format_number(search.low, search.high) +
+                "; must be below StabilitySearch::high = " + format_number(search.high, search.low) + ".");
   const auto stable = [&](double stiffness) { return is_stable(config, factory, stiffness, search); };
   double low = search.low, high = low;
   if (!stable(low)) return 0;
@@ -160,6 +166,7 @@ Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, d
   Buzz buzz;
   double energy_before = 0;
   for (long n = 0; n < ticks; ++n) {
+    look_for_interruption();
     if (n == waits) loop.plant().set_target(Pose::from_translation({0, 0, test.height - test.depth}));
     if (n == ticks - measured) energy_before = loop.generated_energy();
     const bool counts = n >= ticks - measured;

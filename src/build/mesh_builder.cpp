@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "build/lost_parts.hpp"
 #include "build/orient.hpp"
 #include "build/volume_sampling.hpp"  // kMaxSubsamples
 #include "build/winding_number.hpp"
@@ -84,7 +85,9 @@ class Crossings {
 /// A shell for the voxeliser.
 class ShellSampler {
  public:
-  explicit ShellSampler(const TriangleMesh& mesh) : winding_(mesh) {}
+  ShellSampler(const TriangleMesh& mesh, double voxel_size) : winding_(mesh) {
+    require_no_lost_part(mesh, winding_, voxel_size);
+  }
 
   enum class Voxel : std::uint8_t { outside, inside, cut, open, unknown };
 
@@ -237,7 +240,8 @@ class ShellsFiller {
  public:
   ShellsFiller(const std::vector<MeshShell>& shells, const GridFrame& frame, int points)
       : shells_(shells), frame_(frame), points_(points), found_(shells.size()) {
-    for (const MeshShell& shell : shells) samplers_.push_back(std::make_unique<ShellSampler>(oriented(shell.mesh)));
+    for (const MeshShell& shell : shells)
+      samplers_.push_back(std::make_unique<ShellSampler>(oriented(shell.mesh), frame.voxel_size));
   }
 
   BlockKind operator()(const VoxelIndex& origin, BlockContent& content) {
@@ -256,9 +260,7 @@ class ShellsFiller {
     if (uniform) return material == kEmpty ? BlockKind::empty() : BlockKind::solid(material);
 
     std::vector<MaterialId> points(std::size_t(points_ * points_ * points_));
-    for (int n = 0; n < kBlockVoxels; ++n) {
-      fill_voxel(blocks, n, frame_.center(voxel_at(origin, n)), points, content);
-    }
+    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(blocks, n, frame_.center(voxel_at(origin, n)), points, content);
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       found_[s].cut += blocks[s].cut;
       found_[s].ragged += blocks[s].ragged;

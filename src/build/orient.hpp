@@ -8,12 +8,14 @@ namespace hapticut {
 /// Returns a mesh with consistent orientation. Some programs write the corners of faces in any order, and winding
 /// numbers are meaningless for such a surface.
 ///
-/// First, triangles are flipped until neighbours traverse their shared side in opposite directions. The orientation of
-/// a piece is that of most of its triangles. Sides of three or more triangles do not connect triangles.
+/// First, repeated faces are dropped (`without_repeated_faces`). Then triangles are flipped until neighbours traverse
+/// their shared side in opposite directions. The orientation of a piece is that of most of its triangles. Sides of
+/// three or more triangles do not connect triangles.
 ///
-/// Second, closed outer pieces that face inwards are flipped, e.g. the mirrored half of a jaw, together with all pieces
-/// inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. If any piece is
-/// open, the second step is left out.
+/// At last, closed outer pieces that face inwards are flipped, e.g. the mirrored half of a jaw, together with all
+/// pieces inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. If any piece
+/// is open, only pieces are flipped that are clearly outside of all others.
+/// @throws Error as `without_repeated_faces`
 [[nodiscard]] TriangleMesh oriented(TriangleMesh mesh);
 
 }  // namespace hapticut

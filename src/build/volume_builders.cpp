@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "build/boxes.hpp"
+#include "build/label_amounts.hpp"
 #include "build/volume_fields.hpp"
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/coverage.hpp"
@@ -86,6 +88,14 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   return layout;
 }
 
+/// [samples] The box of the voxels, lower and upper corner; sample n reaches from n - 1/2 to n + 1/2.
+std::array<Vec3, 2> box_of_voxels(const Layout& layout) {
+  const auto corner = [&](const VoxelIndex& voxel, double side) {
+    return Vec3(layout.first + (Vec3(voxel[0], voxel[1], voxel[2]).array() + side).matrix().cwiseProduct(layout.step));
+  };
+  return {corner(layout.voxels.min, -0.5), corner(layout.voxels.max, 0.5)};
+}
+
 /// Estimates the work, calls the observer, and checks the limits. The number of voxels that a surface cuts is not known
 /// yet; a tenth of all voxels is assumed.
 void announce(const Layout& layout, const VolumeBuildOptions& options) {
@@ -106,9 +116,11 @@ template <class Value, class Visit>
 void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Visit& visit) {
   const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
   tbb::parallel_for(rows, [&](const tbb::blocked_range<int>& slices) {
-    for (int k = slices.begin(); k != slices.end(); ++k)
+    for (int k = slices.begin(); k != slices.end(); ++k) {
+      look_for_interruption();
       for (int j = samples.min[1]; j <= samples.max[1]; ++j)
         visit(&volume.at(samples.min[0], j, k), samples.max[0] - samples.min[0] + 1);
+    }
   });
 }
 
@@ -201,7 +213,11 @@ Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMa
   }
   if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
   const LabelField field(material_of);
-  if (!layout.one_to_one) return build(volume, field, layout, table, options);
+  if (!layout.one_to_one) {
+    Workpiece workpiece = build(volume, field, layout, table, options);
+    compare_with_labels(workpiece, volume, material_of, layout.samples, box_of_voxels(layout), options.warn);
+    return workpiece;
+  }
   return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(table),
                                 [&](const VoxelIndex& origin, BlockContent& content) {
                                   return copy_labels(volume, field, layout.samples, origin, content);
@@ -215,8 +231,8 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
   std::vector<GreyField::Bounds> bounds;
   for (const GreyRange& range : ranges) {
     if (!(range.from < range.to))
-      throw Error("the grey range of '" + range.material.name + "' is " + format_number(range.from) + " ... " +
-                  format_number(range.to) + "; `from` must be less than `to`.");
+      throw Error("the grey range of '" + range.material.name + "' is " + format_number(range.from, range.to) +
+                  " ... " + format_number(range.to, range.from) + "; `from` must be less than `to`.");
     bounds.push_back({float(range.from), float(range.to), table.add(range.material)});
   }
   std::sort(bounds.begin(), bounds.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
@@ -230,8 +246,8 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
 
 std::vector<Material> materials_of(const Grade& grade) {
   if (!std::isfinite(grade.low) || !std::isfinite(grade.high) || !(grade.low < grade.high))
-    throw Error("the grade goes from grey value " + format_number(grade.low) + " to " + format_number(grade.high) +
-                "; both must be finite and `low` less than `high`.");
+    throw Error("the grade goes from grey value " + format_number(grade.low, grade.high) + " to " +
+                format_number(grade.high, grade.low) + "; both must be finite and `low` less than `high`.");
   require_between(grade.steps, 1, 200, "Grade::steps");
   validate(grade.at_low);
   validate(grade.at_high);

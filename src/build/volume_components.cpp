@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/interruption.hpp"
 #include "hapticut/build/volume_operations.hpp"
 
 namespace hapticut {
@@ -24,6 +25,7 @@ class Bodies {
     first_run_.push_back(0);
     for (int k = 0; k < nz; ++k)
       for (int j = 0; j < ny; ++j) {
+        look_for_interruption();
         add_row(&volume.at(0, j, k), nx, inside);
         const std::size_t row = first_run_.size() - 2;
         if (j > 0) join(row - 1, row);

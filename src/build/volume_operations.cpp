@@ -174,8 +174,9 @@ std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t ma
   require_valid(volume);
   std::map<int, std::size_t> counts;
   for (const float value : volume.values) {
-    if (!(value >= 0 && value < kMaxLabels && value == std::floor(value))) return {};
-    ++counts[int(value)];
+    const float label = std::round(value);
+    if (!(label >= 0 && label < kMaxLabels && double(std::abs(value - label)) <= kLabelRounding)) return {};
+    ++counts[int(label)];
     if (counts.size() > max_labels) return {};
   }
   return counts;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut {
@@ -43,6 +44,7 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) {
 }
 
 void WindingNumber::build(std::uint32_t first, std::uint32_t count) {
+  look_for_interruption();
   const std::size_t index = nodes_.size();
   nodes_.emplace_back();
   Node node;

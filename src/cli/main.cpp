@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/reports/flag_words.hpp"
+#include "cli/little_memory.hpp"
+#include "cli/reports/delivery.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "settings/settings_file.hpp"
 
@@ -130,7 +132,7 @@ std::string unknown_argument(const std::deque<Registered>& entries, const std::s
 }
 
 int complain(const std::string& message, int code) {
-  std::fprintf(stderr, "hapticut: %s\n", message.c_str());
+  tell_error(message);
   return code;
 }
 
@@ -168,13 +170,18 @@ int main_with(int argc, char** argv) {
   try {
     for (const Registered& entry : entries)
       if (entry.app->parsed()) run(entries, entry);
+  } catch (const AlreadyTold&) {
+    return kFailed;
   } catch (const UsageError& error) {
     return complain(error.what(), kWrongUsage);
   } catch (const std::bad_alloc&) {
-    return complain("there is not enough memory for this. Use larger voxels, a smaller piece or a shorter path.",
-                    kFailed);
+    return complain(kNoMemory, kFailed);
+  } catch (const std::system_error& error) {  // a thread that could not be started
+    const bool no_memory =
+        error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
+    return complain(no_memory ? kNoMemory : error.what(), kFailed);
   } catch (const std::exception& error) {
-    return complain(in_words_of_flags(error.what()), kFailed);
+    return complain(error.what(), kFailed);
   }
   return 0;
 }
@@ -183,13 +190,18 @@ int main_with(int argc, char** argv) {
 }  // namespace hapticut::cli
 
 int main(int argc, char** argv) {
+  hapticut::cli::prepare_for_little_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit then becomes a write error
+  std::signal(SIGPIPE, SIG_IGN);  // so does a reader that has gone, and the other outputs are still written
+  int code = hapticut::cli::kFailed;
   try {
-    return hapticut::cli::main_with(argc, argv);
-  } catch (const std::exception& error) {  // e.g. out of memory while parsing the arguments
+    code = hapticut::cli::main_with(argc, argv);
+    hapticut::cli::print_on_stdout("");    // flushes what others have printed, e.g. the help
+  } catch (const std::exception& error) {  // also out of memory while parsing the arguments
     std::fprintf(stderr, "hapticut: %s\n", error.what());
+    if (code == 0) code = hapticut::cli::kFailed;
   } catch (...) {
     std::fputs("hapticut: failed for an unknown reason.\n", stderr);
   }
-  return 1;
+  return code;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/interruption.hpp"
 #include "hapticut/heat/heat_field.hpp"
 
 namespace hapticut {
@@ -38,6 +39,7 @@ void HeatField::advance(double dt) {
   if (rate_ == 0) rate_ = max_rate();
   const auto parts = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
   for (std::uint64_t n = 0; n < parts; ++n) {
+    look_for_interruption();
     step(dt / double(parts));
     count_dose(dt / double(parts));
   }

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "hapticut/core/errors.hpp"
+#include "io/writer_lock.hpp"
 
 namespace hapticut {
 namespace {
@@ -85,6 +86,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(place_behind_links(path)) {
   const fs::file_status status = fs::status(path_, code);
   if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it exists and is not a regular file");
   if (path_.filename().string().size() > kMaxName) cannot_write(path, text_of_errno(ENAMETOOLONG));
+  if (has_writer_lock(path_)) refuse_second_writer(path);
   remove_leftovers(path_.parent_path());
   temporary_path_ = path_.parent_path() / temporary_name(path_.filename().string());
   // O_EXCL: the temporary name never overwrites another file.
@@ -97,14 +99,30 @@ AtomicFile::~AtomicFile() {
   if (!committed_) ::unlink(temporary_path_.c_str());
 }
 
-void AtomicFile::commit() {
+void AtomicFile::flush() const {
   const int file = ::open(temporary_path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) cannot_write(path_, text_of_errno(errno));
   const bool synced = ::fsync(file) == 0;
   const int sync_error = errno;
   ::close(file);
   if (!synced) cannot_write(path_, text_of_errno(sync_error));
+}
+
+void AtomicFile::commit() {
+  flush();
+  if (has_writer_lock(path_)) refuse_second_writer(path_);
   if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) cannot_write(path_, text_of_errno(errno));
+  committed_ = true;
+}
+
+void AtomicFile::commit_new() {
+  flush();
+  // A file system that cannot rename so replaces the file.
+  if (::renameat2(AT_FDCWD, temporary_path_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST && has_writer_lock(path_)) refuse_second_writer(path_);
+    if (errno != EINVAL && errno != ENOSYS) cannot_write(path_, text_of_errno(errno));
+    return commit();
+  }
   committed_ = true;
 }
 

@@ -24,8 +24,8 @@ namespace hapticut {
 /// next write into the same folder removes it.
 class AtomicFile {
  public:
-  /// @throws Error when the folder does not exist or is not writable, or when `path` exists and is not a regular file
-  ///         (a folder, a device)
+  /// @throws Error when the folder does not exist or is not writable, when `path` exists and is not a regular file (a
+  ///         folder, a device), or when a recorder is still writing to it
   explicit AtomicFile(const std::filesystem::path& path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -35,10 +35,15 @@ class AtomicFile {
   [[nodiscard]] const std::filesystem::path& temporary_path() const { return temporary_path_; }
 
   /// Flushes the data to the disk and renames the file.
-  /// @throws Error when either fails
+  /// @throws Error when either fails, or a recorder has begun to write to the file at `path`
   void commit();
 
+  /// As `commit`, but an existing file is not replaced.
+  /// @throws Error when there is one, as well
+  void commit_new();
+
  private:
+  void flush() const;
   std::filesystem::path path_;
   std::filesystem::path temporary_path_;
   bool committed_ = false;

@@ -12,9 +12,15 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
   if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder; name a file.");
   if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
+  if (first_bytes(path, kGitLfsPointer.size()) == kGitLfsPointer)
+    cannot_read(
+        path,
+        "it is a Git LFS pointer, a text in place of the file; run 'git lfs pull' in its repository, or download "
+        "the file itself.");
   if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
   const auto size = std::filesystem::file_size(path, code);
   if (code) cannot_read(path, code.message() + ".");
+  if (size == 0) cannot_read(path, "it is empty. Get a complete copy.");
   return size;
 }
 

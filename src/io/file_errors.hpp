@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "hapticut/core/errors.hpp"
 
@@ -33,8 +34,11 @@ auto naming(const std::filesystem::path& path, const Work& work) {
   }
 }
 
+/// The first line of the small text that Git stores in place of a large file.
+inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/v1";
+
 /// Size of a regular file that can be opened for reading.
-/// @throws Error for anything else: a pipe or a device may have no end
+/// @throws Error for anything else (a pipe or a device may have no end), an empty file and a Git LFS pointer
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, up to `count`.

@@ -62,6 +62,19 @@ std::optional<std::vector<double>> numbers_in(std::string_view text, std::string
   return numbers;
 }
 
+std::string_view leading_comments(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::size_t end = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t line_end = std::min(text.find_first_of("\r\n", at), text.size());
+    const std::string_view line = trimmed(text.substr(at, line_end - at));
+    if (!line.empty() && line.front() != '#') break;
+    at = end = std::min(line_end + 1, text.size());
+  }
+  return text.substr(0, end);
+}
+
 TextLines::TextLines(std::string_view text, TextRules rules, std::size_t first_line)
     : text_(text), rules_(rules), number_(first_line - 1) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -38,6 +38,9 @@ namespace hapticut {
 /// @param separators  any of these characters separate two numbers
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view text, std::string_view separators);
 
+/// The lines that begin with # at the start of a text.
+[[nodiscard]] std::string_view leading_comments(std::string_view text);
+
 /// The parts of a list between commas.
 [[nodiscard]] inline std::vector<std::string> parts_of(std::string_view list) {
   std::vector<std::string> parts;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "islands/island_search.hpp"
 
@@ -200,6 +201,7 @@ std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions
   IslandSearch search(finder);
   const std::size_t group = search.add_group(finder.options_.fixed.has_value());
   for (std::size_t block = 0; block < finder.solid_.size(); ++block) {
+    look_for_interruption();
     search.begin(block, finder.solid_[block].without(search.found_in(block)), group);
     search.grow_all();
   }

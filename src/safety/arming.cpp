@@ -53,15 +53,17 @@ void Arming::reset(SafetyLog& log) noexcept {
   start(log);
 }
 
-double Arming::tick(double dt, bool reading_ok, double force, double torque, std::optional<bool> touching,
+double Arming::tick(double dt, Reading reading, double force, double torque, std::optional<bool> touching,
                     SafetyLog& log) noexcept {
+  const bool is_good = reading == Reading::good;
   switch (state_) {
     case ArmingState::off:
     case ArmingState::fault:
       return 0;
 
     case ArmingState::armed:
-      ticks_ = reading_ok ? ticks_ + 1 : 0;
+      if (reading == Reading::repeated) return 0;
+      ticks_ = is_good ? ticks_ + 1 : 0;
       if (ticks_ >= options_.valid_ticks) {
         short_ramp_ = !first_;
         wait_free(log);
@@ -69,9 +71,10 @@ double Arming::tick(double dt, bool reading_ok, double force, double torque, std
       return 0;
 
     case ArmingState::wait_free: {
+      if (reading == Reading::repeated) return 0;
       const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
-      const bool is_free = reading_ok && (touching ? !*touching : is_quiet);
-      if (reading_ok && !inspected_) {
+      const bool is_free = is_good && (touching ? !*touching : is_quiet);
+      if (is_good && !inspected_) {
         inspected_ = true;
         if (!is_free) log.report(SafetyEvent::start_inside, force);
       }

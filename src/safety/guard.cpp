@@ -87,7 +87,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
   const double needed = min_force_growth(stiffness, options.max_contact_speed);
   slew_ = or_default(options.slew, default_growth(stiffness, options.max_contact_speed, max_force_));
   if (slew_ < needed)
-    throw Error("GuardOptions::slew [N/s] = " + format_number(options.slew) + "; must be >= " + format_number(needed) +
+    throw Error("GuardOptions::slew [N/s] = " + format_number(slew_, needed) +
+                "; must be >= " + format_number(needed, slew_) +
                 " = 1.25 x stiffness x max_contact_speed, or a wall of that stiffness gains energy; raise it or lower "
                 "GuardOptions::stiffness.");
   torque_slew_ =
@@ -131,8 +132,10 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
 
 // Stage 0: time stamps, missed ticks.
 void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
-  const double elapsed = started_ ? reading.time - last_time_ : options_.period;
-  last_time_ = reading.time;
+  // The clock of a device that is slower than the loop may stand between its readings, while ticks go on.
+  const bool repeats = started_ && reading.sequence == gate_.state().sequence && reading.time <= last_time_;
+  const double elapsed = started_ && !repeats ? reading.time - last_time_ : options_.period;
+  last_time_ = repeats ? last_time_ + options_.period : reading.time;
   const bool known = std::isfinite(elapsed);
   const double min_dt = kMinStep * options_.period, max_dt = options_.period + kMaxLateness;
   dt_ = known ? std::clamp(elapsed, min_dt, max_dt) : options_.period;
@@ -190,8 +193,10 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   const std::uint32_t epoch = gate_.state().epoch;
   const PoseGate::Verdict verdict = gate_.check(reading, gate_time_, log_);
   const DeviceState& state = gate_.state();
-  reading_ok_ = verdict == PoseGate::Verdict::accepted;
-  if (started_ && reading_ok_ && state.epoch != epoch) {
+  reading_ = verdict == PoseGate::Verdict::accepted   ? Reading::good
+             : verdict == PoseGate::Verdict::repeated ? Reading::repeated
+                                                      : Reading::bad;
+  if (started_ && reading_ == Reading::good && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
     X_BS_last_ = state.X_BS;  // the distance between two calibrations is not a motion
   }
@@ -214,7 +219,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
     case DeviceFault::driver_error:
       log_.report(SafetyEvent::device_fault, double(state.fault));
       if (arming_.state() > ArmingState::armed) arming_.fail(log_, double(state.fault));
-      reading_ok_ = false;
+      reading_ = Reading::bad;
       break;
   }
   if (!started_) X_BS_last_ = state.X_BS;
@@ -287,7 +292,7 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
   output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
-  const double ramp = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
+  const double ramp = arming_.tick(dt_, reading_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
   Wrench wrench;
   if (ramp > 0) {
     before_ramp_ = bound(make_passive(finite, contact));

@@ -87,7 +87,8 @@ PoseGate::Verdict PoseGate::check(const DeviceState& reading, double dt, SafetyL
     state_.velocity = {};
     const bool lost = !started_ || (bad_ += dt) > options_.hold + kSumRounding;
     state_.valid = !lost;
-    return lost ? Verdict::lost : Verdict::held;
+    if (lost) return Verdict::lost;
+    return *bad == SafetyEvent::reading_stale ? Verdict::repeated : Verdict::held;
   }
   if (is_frozen(reading, dt)) {
     log.report(SafetyEvent::pose_frozen, contradicted_);

@@ -34,9 +34,11 @@ void SafetyLog::begin_tick(double time, std::uint64_t sequence) noexcept {
 
 void SafetyLog::report(SafetyEvent event, double value) noexcept {
   const auto n = std::size_t(event);
-  counts_[n].fetch_add(1, std::memory_order_relaxed);
+  const std::uint64_t before = counts_[n].fetch_add(1, std::memory_order_relaxed);
   const std::uint64_t tick = tick_.load(std::memory_order_relaxed);
-  const bool began = last_tick_[n] + 1 < tick;
+  constexpr std::uint64_t kQuiet = 100;  // ticks
+  const bool goes_on = event == SafetyEvent::reading_stale && before > 0 && last_tick_[n] + kQuiet >= tick;
+  const bool began = last_tick_[n] + 1 < tick && !goes_on;
   last_tick_[n] = tick;
   if (began && !ring_->entries.push(dated(event, value))) dropped_.fetch_add(1, std::memory_order_relaxed);
 }

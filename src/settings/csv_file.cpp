@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "io/text_lines.hpp"
 #include "settings/setting.hpp"
 
 namespace hapticut::settings {
@@ -19,6 +20,12 @@ constexpr std::string_view kBlanks = " \t";
 std::string trimmed(std::string_view text) {
   const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
   return std::string(text.substr(first, text.find_last_not_of(kBlanks) + 1 - first));
+}
+
+bool same_name(const std::string& a, const std::string& b) { return lower_case(a) == lower_case(b); }
+
+auto find_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find_if(names, [&](const std::string& other) { return same_name(name, other); });
 }
 
 /// The most frequent separator of the first line; a blank when there is none of them.
@@ -65,14 +72,23 @@ CsvFile::CsvFile(std::string text, std::string name)
 const std::vector<std::string>& CsvFile::read_names(const std::string& must) {
   if (!next(names_)) fail("the file is empty; its first line must " + must + ".");
   for (auto name = names_.begin(); name != names_.end(); ++name)
-    if (!name->empty() && std::find(names_.begin(), name, *name) != name)
+    if (!name->empty() &&
+        std::find_if(names_.begin(), name, [&](const auto& n) { return same_name(n, *name); }) != name)
       fail("the column " + *name + " is named twice; leave one of them out.");
   return names_;
 }
 
 std::optional<std::size_t> CsvFile::column(const std::string& name) const {
-  const auto place = std::find(names_.begin(), names_.end(), name);
+  const auto place = find_name(names_, name);
   return place == names_.end() ? std::nullopt : std::optional(std::size_t(place - names_.begin()));
+}
+
+void CsvFile::require_known(const std::vector<std::string>& known, const std::vector<std::string>& skipped) const {
+  for (const std::string& name : names_) {
+    if (name.empty() || find_name(known, name) != known.end() || find_name(skipped, name) != skipped.end()) continue;
+    fail("there is no column " + name + "; must be one of " + joined(known) + "." + suggestion(name, known) +
+         (skipped.empty() ? "" : " Leave it out, or name it comment if it says nothing about the poses."));
+  }
 }
 
 double CsvFile::number_at(const std::vector<std::string>& cells, std::size_t column) {

@@ -37,10 +37,17 @@ class CsvFile {
   /// @throws Error when some numbers have commas and others points
   std::optional<double> number(std::string cell);
 
-  /// The names of the columns, from the first line.
+  /// The names of the columns, from the first line. Upper and lower case are the same.
   /// @param must  requirement in the message about an empty file: "name the columns t_s, x_mm ..."
   /// @throws Error also when two columns have the same name
   const std::vector<std::string>& read_names(const std::string& must);
+
+  /// Refuses columns of other names, because what they say would be left out. Spreadsheets add columns without a name,
+  /// which are skipped.
+  /// @param known   names of the columns that are read
+  /// @param skipped  names of further columns that may be there
+  /// @throws Error that names the column, the known ones and the nearest of them
+  void require_known(const std::vector<std::string>& known, const std::vector<std::string>& skipped = {}) const;
 
   /// Index of a column; nullopt when the file has no column of that name.
   [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;

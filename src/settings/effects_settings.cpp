@@ -54,8 +54,8 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
   vibration.amplitude_per_watt = s.vibration_N_per_W.value_or(vibration.amplitude_per_watt);
   vibration.max_amplitude = s.vibration_max_N.value_or(std::max(vibration.max_amplitude, vibration.amplitude));
   if (vibration.frequency >= kMaxVibration * update_rate)
-    throw Error("effects.vibration_Hz = " + format_number(vibration.frequency) + "; must be a number > 0 and below " +
-                format_number(kMaxVibration * update_rate) +
+    throw Error("effects.vibration_Hz = " + format_number(vibration.frequency, kMaxVibration * update_rate) +
+                "; must be a number > 0 and below " + format_number(kMaxVibration * update_rate, vibration.frequency) +
                 ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
                 ": a sine that is sampled more coarsely beats, and at half the rate every sample may be 0. Lower the "
                 "frequency, or raise simulation.rate_Hz.");

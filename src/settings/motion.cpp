@@ -12,8 +12,8 @@ Motion::Motion(std::vector<TimedPose> poses) : poses_(std::move(poses)) {
     throw Error("a path has " + std::to_string(poses_.size()) + " pose; it needs at least two, at different places.");
   for (std::size_t i = 1; i < poses_.size(); ++i)
     if (!(poses_[i].t > poses_[i - 1].t))
-      throw Error("the times of a path must increase; after " + format_number(poses_[i - 1].t) + " s comes " +
-                  format_number(poses_[i].t) + " s.");
+      throw Error("the times of a path must increase; after " + format_number(poses_[i - 1].t, poses_[i].t) +
+                  " s comes " + format_number(poses_[i].t, poses_[i - 1].t) + " s.");
 }
 
 Pose Motion::pose_at(double t) const {

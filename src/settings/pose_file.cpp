@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/pose_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -14,6 +17,16 @@ namespace {
 
 constexpr std::size_t kMaxPoses = 10'000'000;  // limit of a path too; each pose takes ten times the memory of its line
 constexpr double kRotationTolerance = 1e-3;    // [1] well above the error of six printed digits
+
+constexpr std::array<const char*, 4> kPlace = {"t_s", "x_mm", "y_mm", "z_mm"};
+constexpr std::array<const char*, 4> kQuaternion = {"qw", "qx", "qy", "qz"};
+constexpr std::array<const char*, 9> kMatrix = {"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"};
+
+/// Columns that say nothing about the poses: remarks, numbers of rows, and the results of --steps_csv.
+const std::vector<std::string> kSkipped = {
+    "comment",      "comments",     "note",         "notes",       "remark",         "label",     "name",
+    "index",        "row",          "step",         "frame",       "force_x_N",      "force_y_N", "force_z_N",
+    "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm", "removed_mm3", "contact_voxels", "status"};
 
 /// Indices of some columns; nullopt when the file has none of them.
 template <std::size_t kCount>
@@ -59,14 +72,18 @@ class PoseFile {
   }
 
   void find_columns() {
-    const Columns<4> place = find<4>({"t_s", "x_mm", "y_mm", "z_mm"});
-    if (!place)
+    if (std::ranges::none_of(kPlace, [&](const char* name) { return lines_.column(name).has_value(); }))
       fail(
           "the columns t_s, x_mm, y_mm, z_mm are missing; the first line must name the columns, with commas, "
           "semicolons or tabs between them.");
-    place_ = *place;
-    quaternion_ = find<4>({"qw", "qx", "qy", "qz"});
-    matrix_ = find<9>({"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"});
+    std::vector<std::string> known;
+    known.insert(known.end(), kPlace.begin(), kPlace.end());
+    known.insert(known.end(), kQuaternion.begin(), kQuaternion.end());
+    known.insert(known.end(), kMatrix.begin(), kMatrix.end());
+    lines_.require_known(known, kSkipped);
+    place_ = *find<4>(kPlace);
+    quaternion_ = find<4>(kQuaternion);
+    matrix_ = find<9>(kMatrix);
     if (quaternion_ && matrix_) fail("the file has a quaternion and a matrix; leave one of them out.");
   }
 
@@ -83,7 +100,7 @@ class PoseFile {
       const auto& q = *quaternion_;
       const Eigen::Quaterniond given(number(q[0]), number(q[1]), number(q[2]), number(q[3]));
       if (std::abs(given.norm() - 1) > kRotationTolerance)
-        fail("the quaternion has length " + format_number(given.norm()) + "; must be 1.");
+        fail("the quaternion has length " + format_number(given.norm(), 1) + "; must be 1.");
       return given.normalized().toRotationMatrix();
     }
     if (!matrix_) return rotation_;

@@ -23,7 +23,9 @@ class ProfileFile {
 
   Profile read() {
     std::vector<std::string> cells;
-    require_known(lines_.read_names("name the columns rho_mm, z_mm ..."));
+    (void)lines_.read_names("name the columns rho_mm, z_mm ...");
+    lines_.require_known({"rho_mm", "z_mm", "radius_mm", "kind"});
+    if (!lines_.column("rho_mm") || !lines_.column("z_mm")) fail("the file needs the columns rho_mm and z_mm.");
     Profile profile;
     std::size_t points = 0;
     for (; lines_.next(cells); ++points) {
@@ -41,14 +43,6 @@ class ProfileFile {
 
  private:
   [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
-
-  void require_known(const std::vector<std::string>& names) const {
-    const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
-    for (const std::string& name : names)  // spreadsheets add columns without a name
-      if (!name.empty() && std::ranges::find(known, name) == known.end())
-        fail("there is no column " + name + "; must be one of " + joined(known) + "." + suggestion(name, known));
-    if (!lines_.column("rho_mm") || !lines_.column("z_mm")) fail("the file needs the columns rho_mm and z_mm.");
-  }
 
   ProfileEdge read_edge(const std::vector<std::string>& cells) {
     ProfileEdge edge;

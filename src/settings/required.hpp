@@ -54,8 +54,8 @@ void refuse(const std::optional<Value>& value, const std::string& key, const std
 /// @throws Error that names both settings, when one exceeds the other
 inline void require_at_most(double value, const std::string& key, double limit, const std::string& limit_key) {
   if (value > limit)
-    throw Error(key + " = " + format_number(value) + "; must be at most " + limit_key + " = " + format_number(limit) +
-                ". Lower it, or raise " + limit_key + ".");
+    throw Error(key + " = " + format_number(value, limit) + "; must be at most " + limit_key + " = " +
+                format_number(limit, value) + ". Lower it, or raise " + limit_key + ".");
 }
 
 }  // namespace hapticut::settings

@@ -188,7 +188,7 @@ std::string describe(const Value& value) {
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
   if (const auto* one = std::get_if<double>(&value)) return format_number(*one);
   if (const auto* words = std::get_if<std::string>(&value)) return '"' + *words + '"';
-  return "[" + joined(std::get<std::vector<double>>(value), ", ", format_number) + "]";
+  return "[" + joined(std::get<std::vector<double>>(value), ", ", [](double one) { return format_number(one); }) + "]";
 }
 
 std::optional<std::string> nearest_name(std::string_view misspelled, const std::vector<std::string>& candidates) {

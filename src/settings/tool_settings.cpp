@@ -173,8 +173,8 @@ Spindle make_spindle(const ToolSettings& s) {
   const MotorKind motor = s.motor.value_or(common_motor(rpm * units::rpm));
   const double limit = max_speed(motor);
   if (std::abs(rpm) * units::rpm > limit)
-    throw Error("tool.spindle_rpm = " + format_number(rpm) + "; must be at most " + format_number(limit / units::rpm) +
-                " with the motor " + std::string(name_or_null(motor)) +
+    throw Error("tool.spindle_rpm = " + format_number(rpm, limit / units::rpm) + "; must be at most " +
+                format_number(limit / units::rpm, rpm) + " with the motor " + std::string(name_or_null(motor)) +
                 ". Lower the speed, or choose another --motor.");
   if (rpm == 0 && motor != MotorKind::ideal) refuse(s.motor, "tool.motor", "a spindle at rest", "give --spindle_rpm");
   return common_spindle(motor, rpm * units::rpm);

@@ -56,9 +56,11 @@ LabelVolume read_labels(const Source& s) {
   return is_raw(s) ? read_raw_label_volume(s.source, raw_layout(s)) : read_label_volume(s.source, read_options(s));
 }
 
-/// Warns when the volume has padding.
+/// Passes on what the reader remarks, and warns when the volume has padding.
 template <class Value>
-Volume<Value> warned_of_padding(const Source& s, Volume<Value> volume) {
+Volume<Value> warned(const Source& s, Volume<Value> volume) {
+  if (s.warn)
+    for (const std::string& remark : volume.remarks) s.warn(remark);
   if (s.warn && volume.padding > 0)
     s.warn(std::to_string(volume.padding) + " of the " + std::to_string(volume.size()) + " samples of " + s.source +
            " are padding outside the field of view and are treated as air.");
@@ -83,6 +85,7 @@ VolumeBuildOptions build_options(const Source& s) {
   options.partial_volume = s.partial_volume.value_or(true);
   options.large = s.large;
   options.observer = s.tell;
+  options.warn = s.warn;
   return options;
 }
 
@@ -111,7 +114,7 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
 }
 
 Workpiece from_labels(const Source& s) {
-  LabelVolume volume = cropped(warned_of_padding(s, read_labels(s)), crop_box(s));
+  LabelVolume volume = cropped(warned(s, read_labels(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume));
   std::vector<LabelMaterial> materials;
   for (const Source::Labels& labels : s.labels)
@@ -121,7 +124,7 @@ Workpiece from_labels(const Source& s) {
 }
 
 GreyVolume read_body(const Source& s, double lowest) {
-  GreyVolume volume = cropped(warned_of_padding(s, read_grey(s)), crop_box(s));
+  GreyVolume volume = cropped(warned(s, read_grey(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume), lowest);
   return volume;
 }
@@ -156,8 +159,8 @@ namespace {
 Workpiece not_empty(Workpiece workpiece) {
   if (workpiece.solid_voxels() == 0)
     throw Error(
-        "no voxel is left: none of its values belongs to a material. Run hapticut inspect on the file to see its "
-        "values.");
+        "no voxel is left: none of its values belongs to a material, or its parts are too thin for the voxels. Run "
+        "hapticut inspect on the file to see its values, and choose smaller voxels.");
   return workpiece;
 }
 
@@ -187,6 +190,7 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
                  s.source + " is a volume without materials");
   GreyVolume volume = read_grey(s);
   const std::size_t padding = volume.padding;
+  const std::vector<std::string> remarks = volume.remarks;
   volume = cropped(std::move(volume), crop_box(s));
   const auto [lowest, highest] = grey_range(volume);
   VolumeSummary summary{volume.dims,
@@ -198,6 +202,7 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
                         std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
                                                   [](float value) { return std::isnan(value); })),
                         padding,
+                        remarks,
                         volume.values.size() * sizeof(float)};
   if (threshold) summary.voxels_at_or_above = count_from(volume, *threshold);
   summary.voxels_by_label = count_labels(volume);

@@ -164,6 +164,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void set_cutting_share(double share) noexcept;
 
  private:
+  friend struct SimulationMemory;
   static constexpr std::size_t kBlocksAtOnce = 8;  // blocks that share single-precision sums
 
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;

@@ -116,6 +116,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.set_contact_materials();
   s.result.removed_voxels = {};
   s.motor = SpindleMotor(s.tool.spindle());
+  s.halted_since = s.set_since = false;  // the other motor was
   s.held_setting = s.motor.setting();
   if (s.held) s.halt();
   s.load = {};
@@ -149,15 +150,25 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.exchanges = old.exchanges;
   s.replacements = old.replacements + 1;
   s.parted = old.parted || old.has_pose;
-  s.observers = std::exchange(prepared.state_->observers, {});
+  std::swap(s.observers, prepared.state_->observers);
   s.contact_stages.change_all();
   s.forget_pose();
+  prepared.state_->tell_of_exchange();
 }
 
 void Simulation::State::halt() noexcept {
   motor.halt();
   halted_since = true;
+  set_since = false;
   load = {};
+  update_cutting_share();
+}
+
+/// Sets the demanded speed of the motor [rad/s]. A motor that is slowed by its load, or stalled, starts anew even if
+/// that speed is the present one.
+void Simulation::State::set_motor(double setting) noexcept {
+  motor.set(setting);
+  set_since = true;
   update_cutting_share();
 }
 
@@ -174,8 +185,7 @@ void Simulation::hold_spindle(bool hold) noexcept {
     s.held_setting = s.motor.setting();
     s.halt();
   } else {
-    s.motor.set(s.held_setting);
-    s.update_cutting_share();
+    s.set_motor(s.held_setting);
   }
 }
 
@@ -212,6 +222,7 @@ bool Simulation::redo(std::size_t max_blocks) noexcept {
   State& s = *state_;
   s.contact_stages.forget_changes();
   if (s.workpiece.redo_marks() == 0) return true;
+  s.altered = true;
   const bool done = s.contact_stages.redo(max_blocks);
   s.forget_pose();
   return done;

@@ -17,6 +17,7 @@ bool Simulation::remove_voxels(const BlockVoxels& removed) noexcept {
     s.workpiece.remember(before);
   else if (s.workpiece.writable_fill(removed.origin) == nullptr)
     return false;
+  s.altered = true;
   s.workpiece.forget_redo();
   s.workpiece.empty_voxels(removed.origin, present.voxels);
   s.contact_stages.list_change(removed.origin);

@@ -69,6 +69,7 @@ Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) 
   state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
 }
 
+Simulation::Simulation(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -85,6 +86,7 @@ AngularSpeed Simulation::spindle_setting() const noexcept {
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 bool Simulation::next_step_is_first() const noexcept { return !state_->has_pose; }
+bool Simulation::is_fresh() const noexcept { return state_->steps == 0 && !state_->altered && !state_->parted; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
 std::uint64_t Simulation::workpiece_replacements() const noexcept { return state_->replacements; }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
@@ -123,9 +125,7 @@ const StageTimes& Simulation::stage_times() const { return state_->times; }
 void Simulation::set_spindle_speed(AngularSpeed speed) {
   validate(Spindle{speed});
   state_->held_setting = speed;
-  if (state_->held) return;
-  state_->motor.set(speed);
-  state_->update_cutting_share();
+  if (!state_->held) state_->set_motor(speed);
 }
 
 void Simulation::set_effects(const Effects& effects) {
@@ -158,6 +158,7 @@ bool Simulation::undo(std::size_t max_blocks) noexcept {
   s.contact_stages.forget_changes();
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
+  s.altered = true;
   s.contact_stages.undo(max_blocks);
   s.forget_pose();
   return s.workpiece.marks() < marks;

@@ -51,6 +51,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void set_material_friction() noexcept;
   void compare_cutters() noexcept;
   void halt() noexcept;
+  void set_motor(double setting) noexcept;
   void forget_pose() noexcept;
 
   // The stages of a step, in their order.
@@ -101,8 +102,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void reject(StepStatus status) noexcept;
   void tell_of_step(const Simulation& simulation) const noexcept {
     for (StepObserver* observer : observers.all())
-      observer->on_step({simulation, steps - 1, input, free_blocks, after_release, after_halt, motor.setting(),
-                         output_path, hand, result});
+      observer->on_step({simulation, steps - 1, input, free_blocks, after_release, after_halt, after_set, held,
+                         motor.setting(), output_path, hand, result});
   }
   void tell_of_exchange() noexcept {
     ++exchanges;
@@ -129,7 +130,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   double voxel_volume = 0;    // [m^3]
   double head_stiffness = 0;  // [N/m^4] stiffness_for_head
 
-  // What one step hands to the next.
+  // What one step hands to the next. A recording holds or repeats all of it, and a copy has it: a new member that a
+  // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.
   bool has_pose = false;
   bool other_cutter = false;          // the materials are for another kind of cutter
   bool parted = false;                // the tool from its hand, by an exchange
@@ -153,6 +155,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   double held_setting = 0;           // [rad/s] its speed setting meanwhile
   bool halted_since = false;         // the spindle was halted since the last step
   bool after_halt = false;           // the spindle was halted before this step
+  bool set_since = false;            // the speed of the motor was set since the last step, after its last halt
+  bool after_set = false;            // the speed of the motor was set before this step, after its last halt
+  bool altered = false;              // the workpiece was changed, but not by a step
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
   std::uint64_t exchanges = 0;

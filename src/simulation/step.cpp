@@ -32,6 +32,7 @@ const StepResult& Simulation::step(const Pose& X_WH, const Twist& V_WH, double d
 
 void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const auto& [X_WH, V_WH, dt] = input;
+  output_path = coupling == nullptr ? OutputPath::direct : OutputPath::kept;
   if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) {
     after_refusal = true;
     return reject(refused);
@@ -61,7 +62,7 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
   free_blocks = workpiece.reserved_blocks();
   after_release = std::exchange(hand_released_since, false);
   after_halt = std::exchange(halted_since, false);
-  output_path = OutputPath::direct;
+  after_set = std::exchange(set_since, false);
   removal.clear();
   contact_stages.forget_changes();
   first_touched = {};
@@ -341,8 +342,7 @@ void Simulation::State::give_output(HandCoupling* coupling) noexcept {
   HandOutput from = {input.X_WH, result.model, input.dt};
   if (coupling != nullptr) {
     const std::optional<HandOutput> answer = coupling->answer(result);
-    output_path = answer ? OutputPath::coupled : OutputPath::kept;
-    if (answer) hand = from = *answer;
+    if (answer) output_path = OutputPath::coupled, hand = from = *answer;
   }
   if (output_path != OutputPath::kept) {
     const Effects& effects = config.effects;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/interruption.hpp"
 #include "surface/block_codes.hpp"
 #include "surface/block_mesher.hpp"
 
@@ -68,6 +69,7 @@ std::vector<SlabNets> mesh_slabs(const ViewedBlocks& blocks, MaterialId only) {
     for (int x = range.begin(); x < range.end(); ++x)
       for (int y = 0; y < ny; ++y)
         for (int z = 0; z < nz; ++z) {
+          look_for_interruption();
           const VoxelIndex origin = {first[0] + kBlockEdge * x, first[1] + kBlockEdge * y, first[2] + kBlockEdge * z};
           const surface::CodesAround around(blocks.codes, origin);
           if (only == kEmpty && around.are_plain()) continue;
@@ -133,7 +135,10 @@ WorkpieceSurface surface_of(const Workpiece& workpiece, MaterialId only) {
   const ViewedBlocks blocks(workpiece);
   Welder welder(workpiece.frame());
   for (const SlabNets& slab : mesh_slabs(blocks, only))
-    for (std::size_t n = 0; n < slab.nets.size(); ++n) welder.add(slab.origins[n], slab.nets[n]);
+    for (std::size_t n = 0; n < slab.nets.size(); ++n) {
+      look_for_interruption();
+      welder.add(slab.origins[n], slab.nets[n]);
+    }
   return std::move(welder.welded);
 }
 

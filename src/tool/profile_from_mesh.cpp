@@ -235,8 +235,9 @@ double spread_of(const std::vector<Cut>& cuts, const WeldedMesh& mesh) {
 void require_round(double deviation, double radius, double tolerance) {
   if (deviation > tolerance * radius)
     throw Error("the mesh is not a body of revolution: it is up to " + format_number(deviation / units::mm) +
-                " mm off, " + format_number(100 * deviation / radius) + " % of its radius; must be at most " +
-                format_number(100 * tolerance) + " %. Give it more facets, or raise the tolerance.");
+                " mm off, " + format_number(100 * deviation / radius, 100 * tolerance) +
+                " % of its radius; must be at most " + format_number(100 * tolerance, 100 * deviation / radius) +
+                " %. Give it more facets, or raise the tolerance.");
 }
 
 double deviation_of(const Profile& profile, const WeldedMesh& mesh, const std::vector<Cut>& cuts) {

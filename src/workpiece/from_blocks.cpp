@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
@@ -62,7 +63,8 @@ void check_voxel(MaterialId id, float fill, const MaterialTable& materials) {
     throw Error("a voxel has material id " + std::to_string(int(id)) + ", but the workpiece has only materials 1 to " +
                 std::to_string(materials.size()) + ". Add the material to the table or map the id to an existing one.");
   if (!(fill >= 0 && fill <= 1))
-    throw Error("a voxel has fill " + format_number(double(fill)) + "; a filled fraction must be within 0 ... 1.");
+    throw Error("a voxel has fill " + format_number(double(fill), fill > 1 ? 1 : 0) +
+                "; a filled fraction must be within 0 ... 1.");
 }
 
 BuiltBlock make_block(const VoxelIndex& origin, const BlockContent& content, const MaterialTable& materials) {
@@ -150,6 +152,7 @@ Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame,
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       BlockContent content;
       for (std::size_t n = range.begin(); n != range.end(); ++n) {
+        look_for_interruption();
         const VoxelIndex origin = branch.origin_of(n);
         const bool is_outside = overlap(voxels_of_block(origin), domain).empty();
         blocks[n] = is_outside ? BuiltBlock{} : build_block(origin, domain, materials, fill_block, content);

@@ -82,7 +82,7 @@ class GridSampler {
   void check(float value, bool active) const {
     if (!std::isfinite(value)) throw Error("grid '" + grid_.getName() + "' has a value that is not finite.");
     if (!level_set_ && active && value > kFull)
-      throw Error("grid '" + grid_.getName() + "' has the value " + format_number(double(value)) +
+      throw Error("grid '" + grid_.getName() + "' has the value " + format_number(double(value), 1) +
                   ", but values of a fog volume are filled fractions, 0 to 1. Scale the values in the program that "
                   "wrote the grid, or save its surface as a level set.");
   }

@@ -54,7 +54,7 @@ GridFrame frame_of(const openvdb::math::Transform& transform, double unit) {
 openvdb::FloatGrid::Ptr density_grid(const Workpiece& workpiece, double unit) {
   require_positive(unit, "length of one world unit of the grid [m]");
   const VoxelTrees& trees = WorkpieceAccess::trees(workpiece);
-  auto tree = std::make_shared<openvdb::FloatTree>(trees.material, 0.0F, 1.0F, openvdb::TopologyCopy());
+  auto tree = make_tree<openvdb::FloatTree>(trees.material, 0.0F, 1.0F, openvdb::TopologyCopy());
   for (auto fill = trees.fill.cbeginLeaf(); fill; ++fill) {
     auto* leaf = tree->probeLeaf(fill->origin());
     if (leaf == nullptr) continue;
@@ -69,7 +69,7 @@ openvdb::FloatGrid::Ptr density_grid(const Workpiece& workpiece, double unit) {
 
 openvdb::Int32Grid::Ptr material_grid(const Workpiece& workpiece, double unit) {
   require_positive(unit, "length of one world unit of the grid [m]");
-  auto tree = std::make_shared<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).material);
+  auto tree = make_tree<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).material);
   // Voxels that were cut away keep their material with an inactive bit; the grid must show them as outside.
   for (auto leaf = tree->beginLeaf(); leaf; ++leaf)
     for (auto voxel = leaf->beginValueOff(); voxel; ++voxel) voxel.setValue(kEmpty);

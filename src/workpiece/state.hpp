@@ -35,12 +35,34 @@ inline openvdb::Coord to_coord(const VoxelIndex& index) { return {index[0], inde
 inline VoxelIndex to_index(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
 inline int branch_start(int i) { return i & ~(kBranchEdge - 1); }
 
+/// Deletes the nodes of a tree without allocating memory. The destructor of an OpenVDB tree first lists its nodes. If
+/// there is no memory for the list, C++ ends the program.
+template <class Tree>
+void delete_nodes(Tree& tree) noexcept {
+  tree.root().clear();
+}
+
 /// The trees that hold the voxels.
 struct VoxelTrees {
   MaterialTree material{kEmpty};  ///< active = not yet empty
   FillTree fill{1.0F};            ///< a leaf only if a voxel of the block is partly filled; elsewhere solid means full
   CentroidTree centroid{0};  ///< packed CentroidOffset; a leaf only at antialiased surfaces; never written by cutting
+
+  ~VoxelTrees() {
+    delete_nodes(material);
+    delete_nodes(fill);
+    delete_nodes(centroid);
+  }
 };
+
+/// A tree for a grid of OpenVDB that is deleted without allocating memory.
+template <class Tree, class... Arguments>
+std::shared_ptr<Tree> make_tree(const Arguments&... arguments) {
+  return std::shared_ptr<Tree>(new Tree(arguments...), [](Tree* tree) {
+    delete_nodes(*tree);
+    delete tree;
+  });
+}
 
 /// Removes a node from a reserve and sets its origin to the start of a block or branch.  @pre the reserve is not empty
 template <class Node>
@@ -84,6 +106,8 @@ struct Workpiece::State {
 /// Access to the trees for other files of the library.
 struct WorkpieceAccess {
   static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
+  static const BlockPool& pool(const Workpiece& workpiece) { return workpiece.state_->pool; }
+  static BlockPool& pool(Workpiece& workpiece) { return workpiece.state_->pool; }
   static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);
 };
 

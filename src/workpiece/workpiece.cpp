@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/state.hpp"
@@ -52,6 +53,24 @@ const std::uint64_t* mask_words(const LeafNode& leaf) noexcept {
   return &const_cast<Mask&>(leaf.getValueMask()).template getWord<openvdb::Index64>(0);
 }
 
+/// Whether each solid voxel of a block is full.
+bool is_full(const Leaf<FillTree>& fill, const Leaf<MaterialTree>& material) {
+  for (auto voxel = material.cbeginValueOn(); voxel; ++voxel)
+    if (fill.getValue(voxel.pos()) != 1) return false;
+  return true;
+}
+
+/// A copy that has leaves of fills only where a voxel is partly filled, as after writing and reading a file. Cutting
+/// leaves others behind. They do not change the material, but a later cut finds its memory in them and not in the pool.
+std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees) {
+  auto copy = std::unique_ptr<VoxelTrees>(new VoxelTrees{trees.material, FillTree(1.0F), trees.centroid});
+  for (auto fill = trees.fill.cbeginLeaf(); fill; ++fill) {
+    const auto* material = trees.material.probeConstLeaf(fill->origin());
+    if (material == nullptr || !is_full(*fill, *material)) copy->fill.addLeaf(new Leaf<FillTree>(*fill));
+  }
+  return copy;
+}
+
 }  // namespace
 
 Workpiece::Workpiece(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -68,7 +87,7 @@ Workpiece WorkpieceAccess::make(const GridFrame& frame, MaterialTable materials,
 }
 
 Workpiece Workpiece::clone() const {
-  return WorkpieceAccess::make(state_->frame, state_->materials, std::make_unique<VoxelTrees>(*state_->trees));
+  return WorkpieceAccess::make(state_->frame, state_->materials, copy_of(*state_->trees));
 }
 
 const GridFrame& Workpiece::frame() const { return state_->frame; }
@@ -158,6 +177,7 @@ CentroidOffset Workpiece::centroid_at(const VoxelIndex& index) const {
 
 void Workpiece::for_each_block(const std::function<void(const BlockView&)>& function) const {
   const auto visit = [&](const VoxelIndex& block_origin) {
+    look_for_interruption();
     const BlockView view = block(block_origin);
     if (!view.empty()) function(view);
   };
@@ -215,7 +235,7 @@ WorkpieceSnapshot Workpiece::snapshot() const {
 void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
   if (!snapshot.state_)
     throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
-  state_->trees = std::make_unique<VoxelTrees>(*static_cast<const VoxelTrees*>(snapshot.state_.get()));
+  state_->trees = copy_of(*static_cast<const VoxelTrees*>(snapshot.state_.get()));
   state_->cache = {};
   if (state_->journal) reserve_undo(state_->journal->capacity());
   reserve_blocks(state_->pool.target);

@@ -36,6 +36,36 @@ if(HAPTICUT_CLI)
 endif()
 hapticut_package_test(Package.GivesTheSameForceToAProgramCompiledForAvx avx)
 hapticut_package_test(Package.NamesTheDebianPackageOfAMissingOpenVDB no_openvdb)
+# Each configuration builds library, C interface and program, most objects of which ccache knows from this build.
+function(hapticut_configuration_test name)
+  cmake_parse_arguments(ARG "" "" "WITHOUT;HIDDEN;OPTIONS" ${ARGN})
+  set(lists "")
+  foreach(list WITHOUT HIDDEN OPTIONS)
+    list(JOIN ARG_${list} "," value)
+    list(APPEND lists "-D${list}=${value}")
+  endforeach()
+  add_test(NAME Package.IsWhole${name} COMMAND "${CMAKE_COMMAND}" ${lists} "-DKERNELS=${HAPTICUT_KERNELS}"
+    "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DBUILD=${PROJECT_BINARY_DIR}/../whole_${name}" "-DCXX=${CMAKE_CXX_COMPILER}"
+    "-DCC=${CMAKE_C_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
+    -P "${PROJECT_SOURCE_DIR}/tests/consumer/configuration.cmake")
+  set_tests_properties(Package.IsWhole${name} PROPERTIES LABELS "package;slow" TIMEOUT 1800 RUN_SERIAL ON)
+endfunction()
+if(NOT BUILD_SHARED_LIBS)
+  set(all SIMD IO ITK ASSIMP SETTINGS C VIEW CLI)
+  hapticut_configuration_test(AfterTheDemo HIDDEN ITK ASSIMP OPTIONS -DHAPTICUT_WITH_EXAMPLES=ON)
+  hapticut_configuration_test(WithoutSimd WITHOUT SIMD)
+  hapticut_configuration_test(WithoutIo WITHOUT IO ITK ASSIMP)
+  hapticut_configuration_test(WithoutItk WITHOUT ITK)
+  hapticut_configuration_test(WithoutAssimp WITHOUT ASSIMP)
+  hapticut_configuration_test(WithoutSettings WITHOUT SETTINGS)
+  hapticut_configuration_test(WithoutC WITHOUT C)
+  hapticut_configuration_test(WithoutView WITHOUT VIEW)
+  hapticut_configuration_test(WithoutProgram WITHOUT CLI)
+  hapticut_configuration_test(AsCoreAlone WITHOUT ${all})
+  hapticut_configuration_test(AsCoreAloneFileByFile WITHOUT ${all}
+    OPTIONS -DCMAKE_UNITY_BUILD=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0)
+  hapticut_configuration_test(AsSharedCoreAlone WITHOUT ${all} OPTIONS -DBUILD_SHARED_LIBS=ON)
+endif()
 add_test(NAME Package.EveryOptionalPackageIsInstalledByTheScript COMMAND "${CMAKE_COMMAND}"
   "-DOPTIONS=${PROJECT_SOURCE_DIR}/cmake/HapticutOptions.cmake" "-DSCRIPT=${PROJECT_SOURCE_DIR}/scripts/install-deps.sh"
   -P "${PROJECT_SOURCE_DIR}/tests/consumer/compare_package_lists.cmake")

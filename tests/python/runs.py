@@ -86,3 +86,17 @@ class Scaled:
 
     def __call__(self, parameters, rng):
         return {"y": self.factor * parameters["x"]}
+
+
+def takes_long(parameters, rng):
+    """Waits. A run that will take long leaves a mark with the id of its process first."""
+    if parameters["seconds"] > 1:
+        Path(f"worker-{os.getpid()}").touch()
+    time.sleep(parameters["seconds"])
+    return {"draw": rng.random()}
+
+
+def steps_of(simulation, poses, velocities):
+    """The trace of a run, its last result and the hash of what is left."""
+    trace = simulation.run(poses, velocities, 1e-3)
+    return trace, simulation.last_result, simulation.workpiece.hash()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 
 import numpy as np
 import pytest
@@ -29,6 +30,21 @@ def test_meshes_and_pictures_go_to_files(block, tmp_path):
     h.io.write_picture([colored], h.io.PictureOptions(width=200, height=150), tmp_path / "a.png")
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
     assert isinstance(h.io.material_color("enamel"), h.Color)
+
+
+@needs_io
+def test_what_a_file_does_not_say_is_a_remark_and_a_warning(tmp_path):
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, 2, 2, 2, 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, 2, 8)  # unsigned bytes
+    struct.pack_into("<4f", header, 76, 1, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352)
+    header[344:347] = b"n+1"
+    (tmp_path / "a.nii").write_bytes(bytes(header) + bytes(8))
+    with pytest.warns(UserWarning, match="does not say how its axes lie in the patient"):
+        volume = h.io.read_label_volume(tmp_path / "a.nii")
+    assert len(volume.remarks) == 1
 
 
 @needs_io
@@ -122,6 +138,40 @@ def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
         h.io.Recorder(tmp_path / "b.h5", simulation)
     with pytest.raises(h.Error):
         h.io.read_recording(tmp_path / "a.csv")
+
+
+@needs_io
+def test_a_second_recorder_of_a_file_is_refused(simulation, plunge, tmp_path):
+    poses, velocities = plunge
+    other = h.Simulation(simulation.workpiece.clone(), simulation.tool, simulation.config)
+    options = h.io.RecorderOptions(wait_when_full=True)
+    (tmp_path / "link.h5").symlink_to(tmp_path / "a.h5")
+    for _ in range(2):  # a new file, then over an older recording
+        with h.io.Recorder(tmp_path / "a.h5", simulation, options) as recorder:
+            for name in ("a.h5", "link.h5"):
+                with pytest.raises(h.Error, match="still writing"):
+                    h.io.Recorder(tmp_path / name, other, options)
+            recorder.run(poses, velocities, 1e-3)
+        del recorder
+        assert len(h.io.read_recording(tmp_path / "a.h5")) == len(poses)
+        simulation.reset(simulation.workpiece.clone())
+    with h.io.Recorder(tmp_path / "link.h5", other, options) as recorder:
+        recorder.step(poses[0], velocities[0], 1e-3)
+    assert len(h.io.read_recording(tmp_path / "a.h5")) == 1
+
+
+@needs_io
+def test_a_held_spindle_is_recorded(simulation, plunge, tmp_path):
+    poses, velocities = plunge
+    simulation.hold_spindle(True)
+    assert simulation.is_fresh
+    with h.io.Recorder(tmp_path / "a.h5", simulation, h.io.RecorderOptions(wait_when_full=True)) as recorder:
+        for n, (pose, velocity) in enumerate(zip(poses, velocities)):
+            if n % 100 == 50:
+                simulation.hold_spindle(not simulation.spindle_is_held)
+            recorder.step(pose, velocity, 1e-3)
+    assert not simulation.is_fresh
+    assert h.io.replay(h.io.read_recording(tmp_path / "a.h5")).identical
 
 
 def test_a_mock_device_runs_a_function_of_python():

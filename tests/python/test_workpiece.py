@@ -281,6 +281,17 @@ def test_builders_give_the_volumes_that_were_asked_for():
     assert hapticut.build_from_shells(shells, table, hapticut.MeshImport(0.2 * mm)).solid_voxels() > 0
 
 
+def test_labels_that_are_too_thin_for_the_voxels_are_a_warning():
+    array = np.zeros((20, 20, 10), np.uint8)
+    array[3:17, 3:17, 1:7] = 1
+    array[3:17, 3:17, 7] = 2
+    materials = {1: hapticut.presets.dentin(), 2: hapticut.presets.enamel()}
+    with pytest.warns(UserWarning, match="too thin for voxels of 0.35 mm.*'enamel' fills .* its labels 0.196 mm"):
+        hapticut.Workpiece.from_labels(array, [0.1 * mm] * 3, materials,
+                                       options=hapticut.VolumeBuildOptions(voxel_size=0.35 * mm))
+    hapticut.Workpiece.from_labels(array, [0.1 * mm] * 3, materials)  # warnings are errors here
+
+
 def test_a_workpiece_tells_what_it_is(block):
     bounds = block.bounds()
     assert bounds.voxels() == block.solid_voxels() == 60 * 60 * 40 and block.voxel_size == block.frame.voxel_size

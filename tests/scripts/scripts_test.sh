@@ -167,7 +167,7 @@ cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
     run demo.sh --jobs 3
     expect_code 0
     expect_call "install-deps.sh --for demo"
-    expect_call "cmake --build --preset release -j 3 -t hapticut_cli"
+    expect_call "cmake --build --preset release -j 3 -t hapticut_cli hapticut_page"
     for name in skull molar; do
       expect_call "hapticut drill --settings examples/demo/$name.toml --json out/demo/$name.json --steps-csv out/demo/$name.csv --save out/demo/$name.vdb --surface out/demo/$name.stl --picture out/demo/$name.png"
       [ -f "$project/examples/demo/$name.toml" ] || fail "there is no examples/demo/$name.toml"

@@ -190,7 +190,9 @@ from ._hapticut import (
 from ._pose import Pose as Pose
 
 if TYPE_CHECKING:
-    from .sweep import sweep as sweep
+    from .sweep import CallableModule
+
+    sweep: CallableModule
 else:
 
     def __getattr__(name: str) -> Any:

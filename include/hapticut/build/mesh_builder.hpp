@@ -32,10 +32,11 @@ struct MeshImport {
 /// fraction and its centroid by subsampling, and the material that fills the largest part.
 ///
 /// A point is inside a surface if the generalised winding number exceeds one half (Jacobson, Kavan and Sorkine-Hornung
-/// 2013). This is exact for closed surfaces, also if they overlap or intersect themselves, and robust to holes.
+/// 2013). This is exact for closed surfaces, also if they overlap or intersect themselves, and robust to holes. Faces
+/// that are there twice, also turned (two-sided), count once.
 /// @throws Error if there is no shell, a vertex is not finite, an index is out of range, a material is not in the
-///         table, a shell encloses nothing or is too open to decide what is inside, there would be too many voxels, or
-///         the work exceeds the limits of work_estimate.hpp
+///         table, a shell or a part of it encloses nothing or is too open to decide what is inside, there would be too
+///         many voxels, or the work exceeds the limits of work_estimate.hpp
 [[nodiscard]] Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable materials,
                                           const MeshImport& options = {});
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hapticut/build/work_estimate.hpp"
@@ -32,6 +34,9 @@ struct VolumeBuildOptions {
   bool partial_volume = true;
   bool large = false;          ///< lifts the limits of work_estimate.hpp
   WorkObserver observer = {};  ///< called with the estimate before the work begins
+  /// Called after the work with a sentence about materials that fill over 5 % less or more than their labels, e.g. a
+  /// layer thinner than the voxels. Nothing: build_from_labels refuses them.
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// A material and its labels.
@@ -58,9 +63,10 @@ constexpr auto names_of(Of<UnclaimedLabels>) {
 ///
 /// With isotropic spacing and a voxel of that size, voxel (i, j, k) is sample (i, j, k) and full, so that volumes are
 /// exact. Otherwise the membership of each label is interpolated. The surface of the body is where the memberships of
-/// its labels sum to one half, and a point inside has the material with the largest membership.
-/// @throws Error when the volume is not consistent, a label is claimed twice or not at all, or there would be too many
-///         voxels
+/// its labels sum to one half, and a point inside has the material with the largest membership. A layer or a wire that
+/// is thinner than the voxels then becomes smaller or vanishes, see `VolumeBuildOptions::warn`.
+/// @throws Error when the volume is not consistent, a label is claimed twice or not at all, there would be too many
+///         voxels, or nobody listens to `warn`
 [[nodiscard]] Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMaterial>& materials,
                                           const VolumeBuildOptions& options = {},
                                           UnclaimedLabels unclaimed = UnclaimedLabels::refuse);

@@ -61,6 +61,10 @@ namespace hapticut {
 /// Number of samples with each label.
 [[nodiscard]] std::map<int, std::size_t> count_labels(const LabelVolume& volume);
 
+/// [1] Maximum distance of a label in a file from a whole number. It covers the rounding of single precision (0.004 at
+/// 65535) and of labels that a program scaled to 16 bits. Interpolated labels exceed it somewhere.
+inline constexpr double kLabelRounding = 0.01;
+
 /// Number of samples with each label, for a volume that may or may not have labels. The result is empty if a value is
 /// not a label, or if there are more than `max_labels` different values.
 [[nodiscard]] std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t max_labels = 64);

@@ -256,7 +256,7 @@ HAPTICUT_C_API int hapticut_sound_render(hapticut_sound sound, const hapticut_so
 /** Starts a recording of all steps in an HDF5 file, which `hapticut replay` reads: docs/files.md. The simulation
  * must not have made a step yet.
  * @param device  of the loop that will make the steps, or 0
- * REFUSED: also when the library was built with HAPTICUT_WITH_IO=OFF */
+ * REFUSED: also while another recording writes the file, and when the library was built with HAPTICUT_WITH_IO=OFF */
 HAPTICUT_C_API int hapticut_recording_start(hapticut_simulation simulation, hapticut_device device, const char* path,
                                             hapticut_recording* recording);
 

@@ -73,13 +73,13 @@ struct Range {
 /// @throws Error if the value is not within the range
 inline void require_within(double value, const Range& range, const std::string& name) {
   if (range.contains(value)) return;
-  const std::string given = name + " = " + format_number(value) + "; must be ";
-  if (range.allows_infinity)
-    throw Error(given + "> " + format_number(range.low) + ". Leave it at infinity for no limit.");
+  const std::string given =
+      name + " = " + format_number(value, value > range.high ? range.high : range.low) + "; must be ";
+  const std::string low = format_number(range.low, value), high = format_number(range.high, value);
+  if (range.allows_infinity) throw Error(given + "> " + low + ". Leave it at infinity for no limit.");
   if (std::isfinite(range.low) && std::isfinite(range.high))
-    throw Error(given + "between " + format_number(range.low) + " and " + format_number(range.high) + ".");
-  if (std::isfinite(range.low))
-    throw Error(given + "a finite number " + (range.low_open ? "> " : ">= ") + format_number(range.low) + ".");
+    throw Error(given + "between " + low + " and " + high + ".");
+  if (std::isfinite(range.low)) throw Error(given + "a finite number " + (range.low_open ? "> " : ">= ") + low + ".");
   throw Error(given + "a finite number.");
 }
 

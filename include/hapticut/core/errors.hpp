@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,11 +24,55 @@ class Error : public std::runtime_error {
   explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
 };
 
-/// Formats a number for messages: shortest form with up to six significant digits, e.g. `1e-05`, `0.3`, `nan`.
-[[nodiscard]] inline std::string format_number(double value) {
+namespace detail {
+
+/// The number with up to `digits` significant digits.
+inline std::string with_digits(double value, int digits) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+/// Whether a number with up to six significant digits needs at most four, like 0.3 and 2000.
+inline bool looks_round(const std::string& text) {
+  int digits = 0, zeros = 0;
+  for (const char c : text) {
+    if (c == 'e') break;
+    if (c < '0' || c > '9' || (digits == 0 && c == '0')) continue;
+    ++digits;
+    zeros = c == '0' ? zeros + 1 : 0;
+  }
+  return digits - zeros <= 4;
+}
+
+/// The fewest digits, at least six, that read back as the same number.
+inline std::string with_all_digits(double value) {
+  int digits = 6;
+  while (digits < 17 && std::strtod(with_digits(value, digits).c_str(), nullptr) != value) ++digits;
+  return with_digits(value, digits);
+}
+
+}  // namespace detail
+
+/// Formats a number for messages: up to six significant digits, e.g. `1e-05`, `0.3`, `nan`. A number that would look
+/// round and is not gets the digits that show it, e.g. `2.00000004`.
+[[nodiscard]] inline std::string format_number(double value) {
+  constexpr double kNoise = 1e-14;  // of a few operations, e.g. from millimetres to metres and back
+  const std::string short_text = detail::with_digits(value, 6);
+  if (!std::isfinite(value) || !detail::looks_round(short_text)) return short_text;
+  const double read = std::strtod(short_text.c_str(), nullptr);
+  const bool is_float = std::abs(value) < 1e38 && double(float(value)) == value;
+  if (is_float ? float(read) == float(value) : std::abs(read - value) <= kNoise * std::abs(value)) return short_text;
+  std::string text = short_text;
+  for (int digits = 7; digits <= 17 && std::strtod(text.c_str(), nullptr) == read; ++digits)
+    text = detail::with_digits(value, digits);
+  return text;
+}
+
+/// Formats a number that is compared with another one: different numbers never look the same.
+[[nodiscard]] inline std::string format_number(double value, double beside) {
+  std::string text = format_number(value);
+  return value != beside && text == format_number(beside) ? detail::with_all_digits(value) : text;
 }
 
 /// Throws unless `value` is finite and greater than zero.
@@ -41,8 +86,9 @@ inline void require_positive(double value, const char* name) {
 /// @param limit  [m] largest plausible size
 inline void require_metres(double value, double limit, const char* name) {
   if (value > limit)
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(limit) +
-                ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
+    throw Error(std::string(name) + " = " + format_number(value, limit) +
+                "; must be <= " + format_number(limit, value) + ". Sizes are in metres: " + format_number(value) +
+                " mm is " + format_number(1e-3 * value) + ".");
 }
 
 inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
@@ -52,7 +98,7 @@ inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of a cutting head; larg
 inline void require_feed(double value, const char* name) {
   require_positive(value, name);
   if (value > kMaxFeed)
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(kMaxFeed) +
+    throw Error(std::string(name) + " = " + format_number(value, kMaxFeed) + "; must be <= " + format_number(kMaxFeed) +
                 ". Speeds are in m/s: " + format_number(value) + " mm/s is " + format_number(1e-3 * value) + ".");
 }
 
@@ -65,8 +111,8 @@ inline void require_not_negative(double value, const char* name) {
 /// Throws unless `low <= value <= high`.
 inline void require_between(double value, double low, double high, const char* name) {
   if (!(value >= low && value <= high))
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be between " + format_number(low) + " and " +
-                format_number(high) + ".");
+    throw Error(std::string(name) + " = " + format_number(value, value < low ? low : high) + "; must be between " +
+                format_number(low, value) + " and " + format_number(high, value) + ".");
 }
 
 }  // namespace hapticut

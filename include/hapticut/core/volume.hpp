@@ -24,6 +24,7 @@ struct Volume {
   Pose X_WG;                              ///< pose of the grid: position of sample (0,0,0) and directions of its axes
   std::vector<Value> values;              ///< dims[0] * dims[1] * dims[2] values
   std::size_t padding = 0;                ///< samples that the file marks as outside the field of view; they are air
+  std::vector<std::string> remarks = {};  ///< sentences of its reader: what the file lacks, which files were left out
 
   [[nodiscard]] std::size_t size() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
   [[nodiscard]] std::size_t offset(int i, int j, int k) const {

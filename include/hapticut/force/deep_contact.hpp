@@ -78,6 +78,7 @@ class DeepContact {
   void reset() noexcept { *this = {}; }
 
  private:
+  friend struct SimulationMemory;
   bool touched_ = false, held_ = false;
   Vec3 normal_ = Vec3::Zero();                 // [1] from the ball into the material
   Vec3 place_ = Vec3::Zero();                  // [m]

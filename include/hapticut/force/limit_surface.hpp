@@ -100,6 +100,7 @@ class LimitSurface {
   void reset() noexcept { *this = {}; }
 
  private:
+  friend struct SimulationMemory;
   using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
   /// [m], [rad] of the tool from its anchor

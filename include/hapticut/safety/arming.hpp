@@ -60,6 +60,13 @@ constexpr auto fields_of(Of<ArmingOptions>) {
   };
 }
 
+/// What the gate says about the reading of a tick.
+enum class Reading : std::uint8_t {
+  bad,       ///< it was not accepted
+  repeated,  ///< the device has no newer one; the last one holds
+  good,
+};
+
 /// The state machine that decides whether the hand may feel a force: off, armed, wait until free, fade in, on, fault.
 ///
 /// If the tool is inside the material at the start or after an interruption, there is no force until the tool has been
@@ -83,12 +90,12 @@ class Arming {
 
   /// Advances the state machine by one tick.
   /// @param dt           [s] since the last tick
-  /// @param reading_ok   whether the gate accepted the reading
+  /// @param reading      a bad one begins the count of good ones anew, a repeated one leaves it as it is
   /// @param force        [N] commanded by the model
   /// @param torque       [N·m] commanded by the model
   /// @param touching     whether the tool touches anything; empty: force and torque decide
   /// @return [1] the fraction of the force that is allowed
-  double tick(double dt, bool reading_ok, double force, double torque, std::optional<bool> touching,
+  double tick(double dt, Reading reading, double force, double torque, std::optional<bool> touching,
               SafetyLog& log) noexcept;
 
   [[nodiscard]] ArmingState state() const { return state_; }

@@ -98,7 +98,7 @@ class SafetyGuard {
   void stop() noexcept;
 
   /// Checks a reading and returns the reading to compute with. Its `valid` is false when no reading is plausible; its
-  /// velocity is zero when the last good pose is held.  @realtime no allocation, no lock
+  /// velocity is zero when the last good pose is held or repeated.  @realtime no allocation, no lock
   const DeviceState& admit(const DeviceState& reading) noexcept;
 
   /// The reading that `admit` returned last; for the thread of the loop.
@@ -170,7 +170,8 @@ class SafetyGuard {
   std::atomic<std::uint64_t> heartbeat_{0};
   Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
 
-  bool started_ = false, reading_ok_ = false;
+  bool started_ = false;
+  Reading reading_ = Reading::bad;
   double last_time_ = 0, dt_ = 0, gate_time_ = 0;
   int not_finite_ = 0;
   Pose X_BS_last_;          // of the last admitted reading

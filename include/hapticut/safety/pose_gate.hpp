@@ -47,6 +47,7 @@ class PoseGate {
  public:
   enum class Verdict : std::uint8_t {
     accepted,  ///< the reading is good
+    repeated,  ///< the device has no newer reading; the last one is used
     held,      ///< the last good pose replaces it
     lost,      ///< too many bad readings in a row, or a frozen position: the pose is unknown
   };
@@ -58,7 +59,8 @@ class PoseGate {
   /// @param dt  [s] since the last reading, in which the hand could move
   Verdict check(const DeviceState& reading, double dt, SafetyLog& log) noexcept;
 
-  /// The reading to compute with: the last accepted one. Its velocity is zero when held, `valid` is false when lost.
+  /// The reading to compute with: the last accepted one. Its velocity is zero when repeated or held, `valid` is false
+  /// when lost.
   [[nodiscard]] const DeviceState& state() const { return state_; }
 
   /// Clears the memory: the next plausible pose is accepted wherever it is.

@@ -26,7 +26,7 @@ enum class SafetyEvent : std::uint8_t {
   pose_frozen,             ///< the position is exactly constant while the stylus rotates or reports a speed
   pose_units,              ///< the size of the positions suggests other units than metres
   reading_invalid,         ///< the driver marks its reading as invalid
-  reading_stale,           ///< the driver returned the same reading again
+  reading_stale,           ///< the device has no newer reading than in the tick before; the last one is used
   armed,                   ///< the device is ready; waiting for valid readings
   waiting_free,            ///< waiting until the tool touches nothing
   start_inside,            ///< the tool is inside the material at the start; no force until it is pulled out
@@ -74,7 +74,8 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{reading_invalid, "reading_invalid",
             "The driver marks its reading as invalid: check the device, and calibrate it."},
       Named{reading_stale, "reading_stale",
-            "The driver returned the same reading again: if this lasts, check the cable of the device."},
+            "The device has no new reading for this tick, so the last one is used: a device slower than the loop does "
+            "so, and works if it reads every 20 ms; if the force stops, check its driver and its connection."},
       Named{armed, "armed",
             "The device is ready, and the guard waits for valid readings: if this lasts, check the device."},
       Named{waiting_free, "waiting_free", "No force until the tool touches nothing: lift it off the workpiece."},
@@ -144,7 +145,8 @@ class SafetyLog {
   /// @realtime no allocation, no lock
   void begin_tick(double time, std::uint64_t sequence) noexcept;
 
-  /// Counts an event of this tick. Enters it in the list if the tick before did not report it.
+  /// Counts an event of this tick. Enters it in the list if the tick before did not report it; a stale reading if none
+  /// of the hundred ticks before did, because a device slower than the loop has one every few ticks.
   /// @realtime no allocation, no lock
   void report(SafetyEvent event, double value = 0) noexcept;
 

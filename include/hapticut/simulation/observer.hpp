@@ -35,7 +35,7 @@ class HandCoupling {
 enum class OutputPath : std::uint8_t {
   direct,   ///< the hand holds the tool
   coupled,  ///< through a coupling
-  kept,     ///< the coupling kept the last output
+  kept,     ///< a coupling moves the tool, and kept the last output, or the step was refused
 };
 
 /// A step that is complete, as an observer sees it.
@@ -46,6 +46,8 @@ struct ObservedStep {
   std::size_t free_blocks;       ///< reserved blocks that were left when the step began
   bool hand_released;            ///< the hand had released the tool before it: see Simulation::release_hand
   bool halted;                   ///< the spindle had been halted before it: see Simulation::halt_spindle
+  bool spindle_set;              ///< its speed had been set before it, after the last halt, perhaps to the same value
+  bool spindle_held;             ///< it is held at standstill: see Simulation::hold_spindle
   double spindle_setting;        ///< [rad/s] speed setting of the spindle; 0 while it is held
   OutputPath path;               ///< of the force
   const HandOutput& hand;        ///< of the coupling, when `path` is coupled

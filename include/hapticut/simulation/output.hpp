@@ -74,6 +74,7 @@ class Output {
   void restart() noexcept { *this = {}; }
 
  private:
+  friend struct SimulationMemory;
   [[nodiscard]] Wrench with_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
     if (effects.gravity) {
       const Wrench weight = gravity_wrench(*effects.gravity, at.X_WH.rotation);

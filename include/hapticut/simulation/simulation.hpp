@@ -95,6 +95,11 @@ class Simulation {
   /// the very first step, and `reset` when no coupling holds the tool.
   [[nodiscard]] bool next_step_is_first() const noexcept;
 
+  /// Whether the simulation is as new: since construction or `reset` it has made no step and received no workpiece that
+  /// a tool was in, and no `undo`, `redo` or `remove_voxels` has changed its workpiece. A recording begins with such a
+  /// simulation. Setters (`set_tool`, `set_friction` ...) do not matter.
+  [[nodiscard]] bool is_fresh() const noexcept;
+
   /// Upper bound on the work of a step.
   [[nodiscard]] WorstCase worst_case() const;
 
@@ -222,7 +227,8 @@ class Simulation {
   [[nodiscard]] bool exchange(PreparedMaterials& prepared) noexcept;
 
   /// Swaps in workpiece and tool of another simulation, which receives the old ones. Energies, removed volumes and undo
-  /// marks are those of the other simulation. Effects, friction and removal stay as they are set here.
+  /// marks are those of the other simulation. Effects, friction and removal stay as they are set here. The observers of
+  /// both simulations stay with theirs, and are told of the exchange.
   /// @realtime no allocation, no lock; O(1)
   void exchange(Simulation& prepared) noexcept;
 
@@ -262,7 +268,9 @@ class Simulation {
   void reset(Workpiece workpiece);
 
  private:
+  friend struct SimulationMemory;
   struct State;
+  explicit Simulation(std::unique_ptr<State> state) noexcept;
   std::unique_ptr<State> state_;
 };
 

@@ -149,6 +149,7 @@ class SpindleMotor {
   static constexpr double kLoadedFraction = 0.5;
 
  private:
+  friend struct SimulationMemory;
   /// [rad/s] Speed at which the motor, without inertia, balances the torque `load`.
   [[nodiscard]] double sustained(double load) const {
     if (load > spindle_.torque_limit) return 0;

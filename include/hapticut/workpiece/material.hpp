@@ -92,17 +92,18 @@ inline void validate(const Material& material) {
   for (const auto& [name, pressure] : {std::pair("compressive_strength", material.compressive_strength),
                                        std::pair("edge_pressure", material.edge_pressure)})
     if (pressure > 0 && pressure < detail::kMinPressure)
-      throw Error(prefix + name + " = " + format_number(pressure) + "; must be 0 or at least " +
+      throw Error(prefix + name + " = " + format_number(pressure, detail::kMinPressure) + "; must be 0 or at least " +
                   format_number(detail::kMinPressure) + ". The unit is Pa: 150 MPa are 150e6.");
   const double u = material.specific_cutting_energy;
   if (u > 0 && u < detail::kMinPressure)
-    throw Error(prefix + "specific_cutting_energy = " + format_number(u) + "; must be at least " +
+    throw Error(prefix + "specific_cutting_energy = " + format_number(u, detail::kMinPressure) + "; must be at least " +
                 format_number(detail::kMinPressure) + ". The unit is J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
   require_fields_within(material, prefix);
   if (material.dynamic_friction > material.static_friction)
-    throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +
-                "; must not exceed static_friction = " + format_number(material.static_friction) +
-                ". Lower it, or raise static_friction.");
+    throw Error(
+        prefix + "dynamic_friction = " + format_number(material.dynamic_friction, material.static_friction) +
+        "; must not exceed static_friction = " + format_number(material.static_friction, material.dynamic_friction) +
+        ". Lower it, or raise static_friction.");
 }
 
 /// The materials of a workpiece, by id.

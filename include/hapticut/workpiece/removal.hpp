@@ -56,6 +56,7 @@ class RemovalRecord {
   [[nodiscard]] const ByMaterial<double>& total_by_material() const { return total_by_material_; }
 
  private:
+  friend struct SimulationMemory;
   std::vector<RemovedVoxel> voxels_;
   double volume_ = 0;  // [m^3]
   bool overflowed_ = false;

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <tuple>
 #include <vector>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/core/units.hpp"
@@ -49,6 +49,25 @@ double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size
   return *value;
 }
 
+/// What to do with the constants, and what is missing to know them better.
+std::string advice_on(const Calibration& c) {
+  std::string advice =
+      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
+      "the tests in the tool.\n";
+  if (!c.edge_identified)
+    advice +=
+        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n";
+  else if (!c.checked)
+    advice +=
+        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n";
+  if (!c.ratio_identified) advice += "To identify the cutting ratio, add tests with thrust and torque.\n";
+  if (!c.chip_identified)
+    advice +=
+        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
+        "revolution.\n";
+  return advice;
+}
+
 /// @throws Error that names file, line and column
 std::vector<DrillingTest> read_tests(const std::string& path) {
   CsvFile file(path, "file of drilling tests", "hapticut calibrate");
@@ -70,7 +89,7 @@ std::vector<DrillingTest> read_tests(const std::string& path) {
 
 void run_calibrate(const CalibrateSettings& s) {
   if (s.file.empty()) throw UsageError("the file of drilling tests is missing. Use: hapticut calibrate TESTS.csv.");
-  require_writable(s.json);
+  Delivery delivery({s.json});
   const std::vector<DrillingTest> tests = read_tests(s.file);
   const Calibration c = calibrate(tests, s.fitted());
   Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +
@@ -97,38 +116,22 @@ void run_calibrate(const CalibrateSettings& s) {
                     {"torque_Nmm", measured(t.torque / units::N_mm)},
                     {"model_torque_Nmm", model.torque / units::N_mm}});
   }
-  std::fputs(table.text().c_str(), stdout);
-  std::fputs(
-      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
-      "the tests in the tool.\n",
-      stdout);
-  if (!c.edge_identified)
-    std::fputs(
-        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n",
-        stdout);
-  else if (!c.checked)
-    std::fputs(
-        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n",
-        stdout);
-  if (!c.ratio_identified) std::fputs("To identify the cutting ratio, add tests with thrust and torque.\n", stdout);
-  if (!c.chip_identified)
-    std::fputs(
-        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
-        "revolution.\n",
-        stdout);
-  write_json(s.json, {{"specific_cutting_energy", c.specific_cutting_energy},
-                      {"cutting_ratio", c.cutting_ratio},
-                      {"edge_pressure", c.edge_pressure},
-                      {"edge_length", c.edge_length},
-                      {"size_length", c.size_length},
-                      {"ratio_identified", c.ratio_identified},
-                      {"edge_identified", c.edge_identified},
-                      {"edge_assumed", c.edge_assumed},
-                      {"checked", c.checked},
-                      {"chip_identified", c.chip_identified},
-                      {"thrust_residual", c.thrust_residual},
-                      {"torque_residual", c.torque_residual},
-                      {"tests", rows}});
+  write_json(delivery, s.json,
+             {{"specific_cutting_energy", c.specific_cutting_energy},
+              {"cutting_ratio", c.cutting_ratio},
+              {"edge_pressure", c.edge_pressure},
+              {"edge_length", c.edge_length},
+              {"size_length", c.size_length},
+              {"ratio_identified", c.ratio_identified},
+              {"edge_identified", c.edge_identified},
+              {"edge_assumed", c.edge_assumed},
+              {"checked", c.checked},
+              {"chip_identified", c.chip_identified},
+              {"thrust_residual", c.thrust_residual},
+              {"torque_residual", c.torque_residual},
+              {"tests", rows}});
+  delivery.print(table.text() + advice_on(c));
+  delivery.finish();
 }
 
 }  // namespace
@@ -140,7 +143,7 @@ Command calibrate_command() {
           {path("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
            choice("calibrate.term", "--term", settings->term,
                   "third fitted constant: why the force does not vanish with the chip thickness [edge_length]"),
-           path("output.json", "--json", settings->json, "report in JSON")},
+           json_setting(settings->json)},
           [settings] { run_calibrate(*settings); }};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
 #include <memory>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/outputs.hpp"
 #include "cli/reports/progress.hpp"
 #include "settings/workpiece_settings.hpp"
@@ -26,7 +26,9 @@ void run_convert(const ConvertSettings& s) {
     const ProgressBar progress("writing " + s.target);
     write_workpiece(s.target, workpiece);
   }
-  std::printf("%s: %lld voxels\n", s.target.c_str(), (long long)workpiece.solid_voxels());
+  const std::string empty = warning_of_empty_file(s.target, workpiece);
+  if (!empty.empty()) tell_error(empty);
+  print_on_stdout(s.target + ": " + std::to_string(workpiece.solid_voxels()) + " voxels\n");
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -21,34 +20,41 @@ struct DrillSettings {
   OutputSettings output;
 };
 
-void write_files(const OutputSettings& output, const Json& report, const DrillResult& result,
+void write_files(Delivery& delivery, const OutputSettings& output, const DrillResult& result,
                  const Workpiece& workpiece) {
   const ProgressBar progress("writing the results");
-  if (!output.steps_csv.empty()) write_steps(output.steps_csv, result.rows);
-  if (!output.workpiece.empty()) write_workpiece(output.workpiece, workpiece);
-  if (!output.surface.empty()) write_surface(output.surface, workpiece);
-  if (!output.picture.empty()) write_picture_of(output, workpiece);
-  write_json(output.json, report);
+  delivery.write(output.steps_csv, [&] { write_steps(output.steps_csv, result.rows); });
+  delivery.write(output.workpiece, [&] { write_workpiece(output.workpiece, workpiece); });
+  delivery.write(output.surface, [&] { write_surface(output.surface, workpiece); });
+  delivery.write(output.picture, [&] { write_picture_of(output, workpiece); });
+}
+
+/// @throws Error when steps were rejected
+void require_every_step(const DrillResult& result) {
+  if (result.steps_rejected > 0)
+    throw Error(std::to_string(result.steps_rejected) + " of " + std::to_string(result.steps) +
+                " steps were rejected, so the path was not drilled completely; see the status bits in the report.");
 }
 
 void run_drill(const DrillSettings& s) {
-  check_outputs(s.output);
+  Delivery delivery = delivery_of(s.output);
   const std::string& source = s.scene.workpiece.source;
   settings::Scene scene = with_bar(source, [&] { return make_scene(s.scene); });
   DrillReport report{summarize(source, scene.workpiece), s.scene.simulation.rate_Hz, std::move(scene.warnings)};
   Simulation simulation(std::move(scene.workpiece), scene.tool, scene.config);
 
-  RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
-  const DrillResult result = drill(simulation, *scene.motion, report.rate, !s.output.steps_csv.empty());
+  RunRecorder recorder(delivery.wants(s.output.record) ? s.output.record : "", simulation, Pace::own, nullptr);
+  const DrillResult result = drill(simulation, *scene.motion, report.rate, delivery.wants(s.output.steps_csv));
   recorder.close();
   for (std::string& warning : warnings_of(result, simulation)) report.warnings.push_back(std::move(warning));
-  std::fputs(to_table(report, result, simulation).c_str(), stdout);
-  write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
-  recorder.require_complete();
-
-  if (result.steps_rejected > 0)
-    throw Error(std::to_string(result.steps_rejected) + " of " + std::to_string(result.steps) +
-                " steps were rejected, so the path was not drilled completely; see the status bits in the report.");
+  const std::string empty = warning_of_empty_outputs(s.output, simulation.workpiece());
+  if (!empty.empty()) report.warnings.push_back(empty);
+  write_json(delivery, s.output.json, to_json(report, result, simulation));
+  delivery.print(to_table(report, result, simulation));
+  write_files(delivery, s.output, result, simulation.workpiece());
+  delivery.attempt([&] { recorder.require_complete(); });
+  delivery.attempt([&] { require_every_step(result); });
+  delivery.finish();
 }
 
 }  // namespace

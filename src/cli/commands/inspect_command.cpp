@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
@@ -53,7 +53,7 @@ std::string axes_text(const Mat3& rotation) {
   return text;
 }
 
-void inspect_volume(const InspectSettings& s) {
+void inspect_volume(const InspectSettings& s, Delivery& delivery) {
   const VolumeSummary v = [&] {
     const ProgressBar progress("reading " + s.workpiece.source);
     return summarize_volume(s.workpiece, s.threshold);
@@ -70,7 +70,8 @@ void inspect_volume(const InspectSettings& s) {
                  {"lowest", v.lowest},
                  {"highest", v.highest},
                  {"not_a_number", v.not_a_number},
-                 {"padding", v.padding}};
+                 {"padding", v.padding},
+                 {"remarks", v.remarks}};
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("size", size_text(size));
   table.add("samples", dims_text(v.dims));
@@ -82,6 +83,7 @@ void inspect_volume(const InspectSettings& s) {
   if (v.padding > 0)
     table.add("padding",
               std::to_string(v.padding) + " samples of the file lie outside the field of view; treated as air");
+  for (const std::string& remark : v.remarks) table.add("remark", remark);
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
     const std::string name = "label " + std::to_string(label);
@@ -97,12 +99,12 @@ void inspect_volume(const InspectSettings& s) {
   }
   report["memory_bytes"] = v.memory_bytes;
   table.add("memory", bytes(v.memory_bytes));
-  std::fputs(table.text().c_str(), stdout);
-  write_json(s.json, report);
+  write_json(delivery, s.json, report);
+  delivery.print(table.text());
 }
 #endif
 
-void inspect_workpiece(const InspectSettings& s) {
+void inspect_workpiece(const InspectSettings& s, Delivery& delivery) {
   const Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   Json report = to_json(summary, workpiece.materials());
@@ -119,20 +121,24 @@ void inspect_workpiece(const InspectSettings& s) {
                 std::to_string(amount.voxels) + " voxels, " + rounded(amount.volume / units::mm3, 6) + " mm^3, " +
                     rounded(1e3 * amount.mass) + " g, centre " + position_text(amount.center) + " mm");
   table.add("memory", bytes(summary.memory_bytes));
-  std::fputs(table.text().c_str(), stdout);
-  write_json(s.json, report);
+  write_json(delivery, s.json, report);
+  delivery.print(table.text());
 }
 
 void run_inspect(const InspectSettings& s) {
   const bool as_volume = is_volume(s.workpiece) && !has_materials(s.workpiece);
-  require_writable(s.json);
+  Delivery delivery({s.json});
   if (s.threshold && !as_volume)
     throw Error("--threshold applies to grey values of a volume, but " + s.workpiece.source +
                 " is inspected as a workpiece. Leave it out.");
 #ifdef HAPTICUT_HAS_IO
-  if (as_volume) return inspect_volume(s);
+  if (as_volume) {
+    inspect_volume(s, delivery);
+    return delivery.finish();
+  }
 #endif
-  inspect_workpiece(s);
+  inspect_workpiece(s, delivery);
+  delivery.finish();
 }
 
 }  // namespace
@@ -142,7 +148,7 @@ Command inspect_command() {
   tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
-  all.push_back(path("output.json", "--json", settings->json, "report in JSON"));
+  all.push_back(json_setting(settings->json));
   all.push_back(number("inspect.threshold", "--threshold", settings->threshold, Range::any(),
                        "volume: counts the voxels at or above this grey value"));
   return {"inspect", "Show the content of a file or a built-in workpiece", std::move(all),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticut loop: a device moves the tool in real time.
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -9,6 +8,8 @@
 #include "cli/commands/devices.hpp"
 #include "cli/commands/recording_source.hpp"
 #include "cli/commands/stop_signals.hpp"
+#include "cli/reports/delivery.hpp"
+#include "cli/reports/json_file.hpp"
 #include "cli/reports/loop_report.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
@@ -67,7 +68,7 @@ std::vector<Setting> settings_of(LoopSettings& s) {
           "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
           "connection of hand and tool: a virtual coupling or none [virtual if the device has a specified stiffness]"),
       path("output.record", "--record", s.record, "recording of every step, for replay and export"),
-      path("output.json", "--json", s.json, "report in JSON"),
+      json_setting(s.json),
   };
   all.front().in_folder = [](const std::string& device, const std::filesystem::path& folder) {
     const std::string played = played_file(device);
@@ -121,9 +122,18 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
   return seen;
 }
 
+/// @throws Error when the device or a signal has ended the run
+void require_whole(const LoopSettings& s, const LoopReport& report) {
+  if (report.run.fault != DeviceFault::none)
+    throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
+  if (s.seconds > 0 && StopSignals::came() != 0)
+    throw Error("the run was ended by signal " + std::to_string(StopSignals::came()) + " before " +
+                format_number(s.seconds) + " s were over; the report covers the run until then.");
+}
+
 void run_loop(LoopSettings s) {
   if (s.device.empty()) throw UsageError("the device is missing. Use: hapticut loop mock:spiral --seconds 60.");
-  for (const std::string& path : {s.json, s.record}) require_writable(path);
+  Delivery delivery({s.json}, {s.record});
   complete(s);
   use_all_devices();
   const std::unique_ptr<Device> device = open_device(s.device);
@@ -137,7 +147,8 @@ void run_loop(LoopSettings s) {
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
   const StopSignals signals;  // a signal ends the run, and the report covers the time until then
-  RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
+  RunRecorder recorder(delivery.wants(s.record) ? s.record : "", simulation,
+                       s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
   if (coupled) model_options.coupling = coupling_gains(device->capabilities());
@@ -157,14 +168,11 @@ void run_loop(LoopSettings s) {
     report.run = loop.wait();
   }
   report.steps_lost = recorder.close();
-  std::fputs(to_table(report).c_str(), stdout);
-  write_json(s.json, to_json(report));
-  recorder.require_complete();
-  if (report.run.fault != DeviceFault::none)
-    throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
-  if (s.seconds > 0 && StopSignals::came() != 0)
-    throw Error("the run was ended by signal " + std::to_string(StopSignals::came()) + " before " +
-                format_number(s.seconds) + " s were over; the report covers the run until then.");
+  write_json(delivery, s.json, to_json(report));
+  delivery.print(to_table(report));
+  delivery.attempt([&] { recorder.require_complete(); });
+  delivery.attempt([&] { require_whole(s, report); });
+  delivery.finish();
 }
 
 }  // namespace

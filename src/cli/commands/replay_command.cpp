@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
@@ -54,8 +55,18 @@ std::string text_of(const ReplayDifference& d) {
          rounded(d.recorded, 17) + ", replayed " + rounded(d.replayed, 17);
 }
 
+/// @throws Error unless every step was replayed and is identical
+void require_identical(const ReplaySettings& s, const Recording& recording, const ReplayReport& report) {
+  if (!report.identical)
+    throw Error("the replay of '" + s.recording + "' differs from the recording at " +
+                text_of(*report.first_difference) + ". docs/files.md says when a replay must be identical.");
+  if (report.skipped > 0)
+    throw Error(std::to_string(report.skipped) + " of " + std::to_string(recording.size()) + " steps of '" +
+                s.recording + "' follow a lost step, so they could not be replayed.");
+}
+
 void run_replay(const ReplaySettings& s) {
-  require_writable(s.json);
+  Delivery delivery({s.json});
   const Recording recording = read_recording(s.recording);
   ProgressBar progress("replaying", std::size_t(recording.size()));
   ReplayOptions options;
@@ -73,22 +84,18 @@ void run_replay(const ReplaySettings& s) {
   if (report.first_difference) table.add("difference", text_of(*report.first_difference));
   if (!report.identical) table.add("force", "at most " + rounded(report.max_force_difference) + " N off");
   for (const std::string& remark : info.remarks) table.add("remark", remark);
-  std::fputs(table.text().c_str(), stdout);
-
-  write_json(s.json, {{"steps", report.steps},
-                      {"identical", report.identical},
-                      {"first_difference", to_json(report.first_difference)},
-                      {"max_force_difference_N", report.max_force_difference},
-                      {"recorded_steps", recording.size()},
-                      {"skipped", report.skipped},
-                      {"recording", to_json(info)},
-                      {"build", build_json()}});
-  if (!report.identical)
-    throw Error("the replay of '" + s.recording + "' differs from the recording at " +
-                text_of(*report.first_difference) + ". docs/files.md says when a replay must be identical.");
-  if (report.skipped > 0)
-    throw Error(std::to_string(report.skipped) + " of " + std::to_string(recording.size()) + " steps of '" +
-                s.recording + "' follow a lost step, so they could not be replayed.");
+  write_json(delivery, s.json,
+             {{"steps", report.steps},
+              {"identical", report.identical},
+              {"first_difference", to_json(report.first_difference)},
+              {"max_force_difference_N", report.max_force_difference},
+              {"recorded_steps", recording.size()},
+              {"skipped", report.skipped},
+              {"recording", to_json(info)},
+              {"build", build_json()}});
+  delivery.print(table.text());
+  delivery.attempt([&] { require_identical(s, recording, report); });
+  delivery.finish();
 }
 
 void write_html(const Recording& recording, const ExportSettings& s) {
@@ -117,7 +124,7 @@ void run_export(const ExportSettings& s) {
     write_html(recording, s);
   else
     write_wav(recording, s.target);
-  std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
+  print_on_stdout(s.target + ": " + std::to_string(recording.size()) + " steps\n");
 }
 #else
 void run_replay(const ReplaySettings& s) { fail_without("io", "'" + s.recording + "' cannot be read"); }
@@ -131,7 +138,7 @@ Command replay_command() {
   auto settings = std::make_shared<ReplaySettings>();
   std::vector<Setting> all = {
       path("replay.recording", "RECORDING", settings->recording, "recording of drill --record or loop --record"),
-      path("output.json", "--json", settings->json, "report in JSON")};
+      json_setting(settings->json)};
   return {"replay", "Repeat a recording and compare the results bit by bit",
           together({std::move(all), law_settings_of(settings->force)}), [settings] {
             if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");

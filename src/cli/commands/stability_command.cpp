@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticut stability: the closed loop of device, hand and library in simulated time.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "analysis/wall_table.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
@@ -56,6 +58,15 @@ struct Findings {
   Json wall = Json::array(), contact = Json::array(), faults = Json::array();
   std::vector<std::string> complaints;
   ProgressBar* progress = nullptr;  // paused while lines are printed
+  Delivery* delivery = nullptr;
+
+  /// Prints a line made like printf.
+  template <class... Values>
+  void print(const char* format, const Values&... values) const {
+    std::array<char, 512> line;
+    std::snprintf(line.data(), line.size(), format, values...);
+    delivery->print(line.data());
+  }
 };
 
 /// Compares the linear wall with the table and with K = 2 b/T.
@@ -66,8 +77,8 @@ void measure_wall(const DeviceModel& device, Findings& findings) {
       const double limit = max_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
       const double expected = row.max_stiffness[std::size_t(delay)], error = limit / expected - 1;
       const auto paused = findings.progress->pause();
-      std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
-                  delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
+      findings.print("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(),
+                     row.hand.data(), delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
       findings.wall.push_back({{"device", device.name},
                                {"hand", row.hand},
                                {"delay_ticks", delay},
@@ -108,13 +119,12 @@ void measure_contact(const DeviceModel& device, std::string_view hand, Findings&
     const Buzz buzz = measure_buzz(config, contact_models(coupled), kPressedStiffness, pressed);
     const bool at_end = k_coupled >= pressed_search(coupled).high;
     const auto paused = findings.progress->pause();
-    std::printf(
+    findings.print(
         "%-12s %-11s delay %d  contact  direct k_v %s, coupled %s%s N/m^4; restitution %.2f, energy %.2g mJ, buzz %.2g "
         "um\n",
         device.name.data(), std::string(hand).c_str(), delay, rounded(k_direct, 3).c_str(), at_end ? ">= " : "",
         rounded(k_coupled, 3).c_str(), bounce_coupled.restitution, 1e3 * bounce_coupled.generated_energy,
         1e6 * buzz.position_rms);
-    std::fflush(stdout);
     findings.contact.push_back({{"device", device.name},
                                 {"hand", hand},
                                 {"delay_ticks", delay},
@@ -173,19 +183,19 @@ void measure_faults(const DeviceModel& device, std::string_view hand, Findings& 
                                       ", delay " + std::to_string(delay) + " breaks a rule");
     }
     const auto paused = findings.progress->pause();
-    std::printf(
+    findings.print(
         "%-12s %-11s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
         device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * max_time_to_zero);
-    std::fflush(stdout);
   }
 }
 
 void run_stability(const StabilitySettings& s) {
   const std::string hand = s.hand.value_or("nominal"), which = s.device.value_or("all");
-  require_writable(s.json);
+  Delivery delivery({s.json});
   ProgressBar progress("simulating devices");
   Findings findings;
   findings.progress = &progress;
+  findings.delivery = &delivery;
   for (const DeviceModel& device : device_models()) {
     if (which != "all" && which != device.name) continue;
     measure_wall(device, findings);
@@ -193,15 +203,18 @@ void run_stability(const StabilitySettings& s) {
     measure_faults(device, hand, findings);
   }
   const BuildInfo build = build_info();
-  write_json(s.json, {{"wall", findings.wall},
-                      {"contact", findings.contact},
-                      {"faults", findings.faults},
-                      {"complaints", findings.complaints},
-                      {"build", {{"version", build.version}, {"commit", build.commit}}}});
-  if (findings.complaints.empty()) return;
+  write_json(delivery, s.json,
+             {{"wall", findings.wall},
+              {"contact", findings.contact},
+              {"faults", findings.faults},
+              {"complaints", findings.complaints},
+              {"build", {{"version", build.version}, {"commit", build.commit}}}});
   const std::size_t broken = findings.complaints.size();
-  throw Error((broken == 1 ? "1 rule is broken: " : std::to_string(broken) + " rules are broken; the first: ") +
-              findings.complaints.front() + ". The report of --json lists all.");
+  if (broken > 0)
+    tell_error((broken == 1 ? "1 rule is broken: " : std::to_string(broken) + " rules are broken; the first: ") +
+               findings.complaints.front() + ". The report of --json lists all.");
+  delivery.finish();
+  if (broken > 0) throw AlreadyTold();
 }
 
 /// The names of the presets, each mapped to itself.
@@ -223,7 +236,7 @@ Command stability_command() {
           {choice("stability.device", "--device", settings->device, devices, "simulated device [all]"),
            choice("stability.hand", "--hand", settings->hand, names_of(hand_models()),
                   "hand that presses the real model [nominal]"),
-           path("output.json", "--json", settings->json, "report in JSON")},
+           json_setting(settings->json)},
           [settings] { run_stability(*settings); }};
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/delivery.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
@@ -13,7 +14,6 @@
 #include "experiments/report.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
-#include "io/atomic_file.hpp"
 #include "io/text_lines.hpp"
 
 namespace hapticut::cli {
@@ -31,10 +31,6 @@ struct ValidateSettings {
 
 std::string percent(double fraction) { return rounded(100 * fraction, 2) + " %"; }
 
-void write_text(const std::string& path, const std::string& text) {
-  if (!path.empty()) write_atomically(path, text);
-}
-
 /// "expected 3.77 N, computed 3.78 N, off by 0.2 % of 1 %"; where 0 is expected, "computed 0.92, at most 1: 0.92 of its
 /// bound".
 std::string comparison(const Check& c) {
@@ -46,14 +42,18 @@ std::string comparison(const Check& c) {
          percent(c.relative_error()) + " of " + percent(c.tolerance.share);
 }
 
-/// Prints two lines, so each fits a terminal.
-void print(const Check& c) {
-  std::printf("%-4s %-24s %s\n     %s, %s\n", c.pass() ? "ok" : "FAIL", c.id.c_str(), c.what.c_str(),
-              comparison(c).c_str(), c.tolerance.reason);
+/// Two lines, so each fits a terminal.
+std::string lines_of(const Check& c) {
+  const auto padded = [](std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+  };
+  return padded(c.pass() ? "ok" : "FAIL", 4) + ' ' + padded(c.id, 24) + ' ' + c.what + "\n     " + comparison(c) +
+         ", " + c.tolerance.reason + '\n';
 }
 
 void run_validate(const ValidateSettings& s) {
-  for (const std::string& path : {s.json, s.markdown, s.measurements}) require_writable(path);
+  Delivery delivery({s.json, s.markdown, s.measurements});
   std::vector<experiments::Experiment> experiments;
   std::vector<std::string> names;
   for (experiments::Experiment& experiment : experiments::all_experiments()) {
@@ -77,8 +77,7 @@ void run_validate(const ValidateSettings& s) {
     const auto paused = progress.pause();
     for (Check& c : results) {
       c.tolerance.share *= s.tolerance_factor;
-      print(c);
-      std::fflush(stdout);
+      delivery.print(lines_of(c));
       cases.push_back({{"experiment", experiments[n].name},
                        {"id", c.id},
                        {"case", c.what},
@@ -95,33 +94,39 @@ void run_validate(const ValidateSettings& s) {
     rows += experiments::rows_of(experiments[n].name, results);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("%zu cases, %d failed, %s s\n", count, failed, rounded(seconds, 3).c_str());
-  write_json(s.json, {{"cases", cases},
-                      {"failed", failed},
-                      {"seconds", seconds},
-                      {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
-  write_text(s.markdown, experiments::validation_report(rows));
-  write_text(s.measurements, experiments::measurements_report());
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(count) +
-                " cases exceed their tolerance: this build computes wrong results.");
+  write_json(delivery, s.json,
+             {{"cases", cases},
+              {"failed", failed},
+              {"seconds", seconds},
+              {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
+  delivery.print(std::to_string(count) + " cases, " + std::to_string(failed) + " failed, " + rounded(seconds, 3) +
+                 " s\n");
+  delivery.write(s.markdown, [&] { write_text(s.markdown, experiments::validation_report(rows)); });
+  delivery.write(s.measurements, [&] { write_text(s.measurements, experiments::measurements_report()); });
+  delivery.attempt([&] {
+    if (failed > 0)
+      throw Error(std::to_string(failed) + " of " + std::to_string(count) +
+                  " cases exceed their tolerance: this build computes wrong results.");
+  });
+  delivery.finish();
 }
 
 }  // namespace
 
 Command validate_command() {
   auto settings = std::make_shared<ValidateSettings>();
-  return {"validate",
-          "Compare the library with closed-form solutions and report the errors",
-          {text("validate.only", "--only", settings->only, "run only the experiments whose name contains this text"),
-           path("output.json", "--json", settings->json, "report in JSON"),
-           number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
-                  "multiplies all tolerances; smaller values show the margin of each case [1]"),
-           path("output.markdown", "--markdown", settings->markdown,
-                "writes a table with the worst case of each form as Markdown"),
-           path("output.measurements", "--measurements", settings->measurements,
-                "writes the comparison with published measurements as Markdown")},
-          [settings] { run_validate(*settings); }};
+  return {
+      "validate",
+      "Compare the library with closed-form solutions and report the errors",
+      {text("validate.only", "--only", settings->only, "run only the experiments whose name contains this text"),
+       json_setting(settings->json),
+       number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
+              "multiplies all tolerances; smaller values show the margin of each case [1]"),
+       path("output.markdown", "--markdown", settings->markdown,
+            "writes a table with the worst case of each form as Markdown; -: to standard output", {kStandardOutput}),
+       path("output.measurements", "--measurements", settings->measurements,
+            "writes the comparison with published measurements as Markdown; -: to standard output", {kStandardOutput})},
+      [settings] { run_validate(*settings); }};
 }
 
 }  // namespace hapticut::cli

@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "cli/reports/delivery.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
 
@@ -20,9 +21,12 @@ void require_writable(const std::filesystem::path& path) {
   const AtomicFile unused(path);
 }
 
-void write_json(const std::filesystem::path& path, const Json& report) {
-  if (path.empty()) return;
-  write_atomically(path, report.dump(2) + '\n');
+void write_json(Delivery& delivery, const std::string& file, const Json& report) {
+  delivery.write(file, [&] { write_text(file, report.dump(2) + '\n'); });
+}
+
+settings::Setting json_setting(std::string& file) {
+  return settings::path("output.json", "--json", file, "report in JSON; -: to standard output", {kStandardOutput});
 }
 
 }  // namespace hapticut::cli

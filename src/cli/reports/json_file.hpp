@@ -2,10 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "settings/setting.hpp"
+
 namespace hapticut::cli {
+
+class Delivery;
 
 /// A report; its fields keep their order.
 using Json = nlohmann::ordered_json;
@@ -13,9 +18,11 @@ using Json = nlohmann::ordered_json;
 /// Build of the program that made a report.
 [[nodiscard]] Json build_json();
 
-/// Writes a report. The file appears when it is complete. Does nothing when the file name is empty.
-/// @throws Error when it cannot be written
-void write_json(const std::filesystem::path& path, const Json& report);
+/// Writes a report, if it is wanted. The file appears when it is complete; "-" is standard output.
+void write_json(Delivery& delivery, const std::string& file, const Json& report);
+
+/// The setting `json` of all commands.
+[[nodiscard]] settings::Setting json_setting(std::string& file);
 
 /// Checks before the work begins that a file can be written, and creates its folders. An empty path means no file.
 /// @throws Error that names the file

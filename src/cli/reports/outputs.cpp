@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 
 #include "cli/reports/json_file.hpp"
 #include "hapticut/core/units.hpp"
@@ -16,6 +17,8 @@
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/io/picture/picture.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "io/picture/blank_picture.hpp"
 #endif
 
 namespace hapticut::cli {
@@ -55,8 +58,9 @@ void require_writer([[maybe_unused]] const std::string& path) {
 
 std::vector<Setting> settings_of(OutputSettings& o) {
   return {
-      path("output.json", "--json", o.json, "report in JSON"),
-      path("output.steps_csv", "--steps_csv", o.steps_csv, "CSV file with one line per step"),
+      json_setting(o.json),
+      path("output.steps_csv", "--steps_csv", o.steps_csv, "CSV file with one line per step; -: to standard output",
+           {kStandardOutput}),
       path("output.record", "--record", o.record, "recording of every step, for replay and export"),
       workpiece_file("output.save", "--save", o.workpiece, "remaining workpiece, .vdb or .nrrd"),
       path("output.surface", "--surface", o.surface, "surface of the remaining workpiece, .stl or .ply"),
@@ -76,14 +80,13 @@ Setting workpiece_file(std::string key, std::string flag, std::string& target, s
   return setting;
 }
 
-void check_outputs(const OutputSettings& outputs) {
+Delivery delivery_of(const OutputSettings& outputs) {
   require_extension(outputs.workpiece, {".vdb", ".nrrd"});
   require_extension(outputs.surface, {".stl", ".ply"});
   require_extension(outputs.picture, {".png"});
   for (const std::string& path : {outputs.workpiece, outputs.surface, outputs.picture}) require_writer(path);
-  for (const std::string& path :
-       {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture, outputs.record})
-    require_writable(path);
+  return Delivery({outputs.json, outputs.steps_csv},
+                  {outputs.workpiece, outputs.surface, outputs.picture, outputs.record});
 }
 
 void check_workpiece_file(const std::string& path) {
@@ -92,15 +95,54 @@ void check_workpiece_file(const std::string& path) {
   require_writable(path);
 }
 
+std::string warning_of_empty_file(const std::string& path, const Workpiece& workpiece) {
+  constexpr std::int64_t kFew = 1000;  // voxels; more have a surface
+  if (path.empty() || has_extension(path, {".vdb"}) || workpiece.solid_voxels() > kFew) return "";
+  if (has_extension(path, {".nrrd"}))
+    return workpiece.empty() ? "nothing is left of the workpiece, so '" + path + "' has one voxel, which is empty."
+                             : "";
+  if (!extract_surface(workpiece).mesh.triangles.empty()) return "";
+  return "no surface is left of the workpiece, so '" + path + "' " +
+         (has_extension(path, {".png"}) ? "shows the background alone." : "has no triangle.");
+}
+
+std::string warning_of_empty_outputs(const OutputSettings& outputs, const Workpiece& workpiece) {
+  std::string sentences;
+  for (const std::string& path : {outputs.workpiece, outputs.surface, outputs.picture}) {
+    const std::string sentence = warning_of_empty_file(path, workpiece);
+    sentences += (sentences.empty() || sentence.empty() ? "" : " ") + sentence;
+  }
+  return sentences;
+}
+
 #ifdef HAPTICUT_HAS_IO
+namespace {
+
+/// Writes one empty voxel, because a volume cannot be without any.
+void write_empty_nrrd(const std::string& path, const GridFrame& frame) {
+  const auto write = [&]<class Value>(Volume<Value> volume, const std::filesystem::path& file) {
+    volume.dims = {1, 1, 1};
+    volume.spacing.setConstant(frame.voxel_size);
+    volume.X_WG = frame.X_WV;
+    volume.values = {Value(0)};
+    write_nrrd(volume, file);
+  };
+  write(GreyVolume{}, density_file(path));
+  write(LabelVolume{}, path);
+}
+
+}  // namespace
+
 void write_workpiece(const std::string& path, const Workpiece& workpiece) {
-  if (has_extension(path, {".nrrd"})) return write_nrrd(workpiece, path);
+  if (has_extension(path, {".nrrd"}))
+    return workpiece.empty() ? write_empty_nrrd(path, workpiece.frame()) : write_nrrd(workpiece, path);
   if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
   save_vdb(workpiece, path);
 }
 
 void write_surface(const std::string& path, const Workpiece& workpiece) {
   const WorkpieceSurface surface = extract_surface(workpiece);
+  if (surface.mesh.triangles.empty()) return write_without_triangles(path);
   if (has_extension(path, {".ply"})) return write_ply(colored(surface, workpiece.materials()), path);
   write_stl(surface.mesh, path);
 }
@@ -108,7 +150,9 @@ void write_surface(const std::string& path, const Workpiece& workpiece) {
 void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece) {
   PictureOptions options;
   options.view_direction = outputs.picture_view.value_or(options.view_direction);
-  write_picture({colored(extract_surface(workpiece), workpiece.materials())}, options, outputs.picture);
+  const WorkpieceSurface surface = extract_surface(workpiece);
+  if (surface.mesh.triangles.empty()) return write_blank_picture(options, outputs.picture);
+  write_picture({colored(surface, workpiece.materials())}, options, outputs.picture);
 }
 #else
 // `require_writer` has refused all formats that need io.
@@ -118,7 +162,7 @@ void write_picture_of(const OutputSettings&, const Workpiece&) {}
 #endif
 
 void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
-  write_atomically(path, [&](std::ostream& stream) {
+  const auto write = [&](std::ostream& stream) {
     stream << "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,force_x_N,force_y_N,force_z_N,torque_x_Nmm,torque_y_Nmm,torque_z_Nmm,"
               "removed_mm3,contact_voxels,status\n";
     char line[512];
@@ -130,7 +174,11 @@ void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
                     torque.x(), torque.y(), torque.z(), row.removed / units::mm3, row.contact_voxels);
       stream << line << names_of(row.status) << '\n';
     }
-  });
+  };
+  if (path != kStandardOutput) return write_atomically(path, write);
+  std::ostringstream text;
+  write(text);
+  print_on_stdout(text.str());
 }
 
 }  // namespace hapticut::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands/drill.hpp"
+#include "cli/reports/delivery.hpp"
 #include "settings/setting.hpp"
 
 namespace hapticut::cli {
@@ -23,22 +24,29 @@ struct OutputSettings {
                                                std::string meaning);
 
 /// Checks before the work begins that the files can be written.
-/// @throws Error that names the file
-void check_outputs(const OutputSettings& outputs);
+/// @throws Error when a file has an unknown extension, or none of them can be written
+[[nodiscard]] Delivery delivery_of(const OutputSettings& outputs);
 
 /// Checks before the work begins that a workpiece can be written to a file.
 /// @throws Error that names the file, also when this program does not write its format
 void check_workpiece_file(const std::string& path);
 
-/// Writes the remaining workpiece in the format of the extension: see `check_workpiece_file`.
+/// A sentence when a file shows nothing because no surface is left of the workpiece; else empty.
+[[nodiscard]] std::string warning_of_empty_file(const std::string& path, const Workpiece& workpiece);
+
+/// The same for all files of a run.
+[[nodiscard]] std::string warning_of_empty_outputs(const OutputSettings& outputs, const Workpiece& workpiece);
+
+/// Writes the remaining workpiece in the format of the extension: see `check_workpiece_file`. An empty workpiece is one
+/// empty voxel in a .nrrd.
 /// @throws Error when the file cannot be written
 void write_workpiece(const std::string& path, const Workpiece& workpiece);
 
-/// Writes the surface of the remaining workpiece: .stl, or .ply with colours.
+/// Writes the surface of the remaining workpiece: .stl, or .ply with colours; without triangles if nothing is left.
 /// @throws Error when the file cannot be written
 void write_surface(const std::string& path, const Workpiece& workpiece);
 
-/// Draws the remaining workpiece as PNG.
+/// Draws the remaining workpiece as PNG; the background alone if nothing is left.
 /// @throws Error when the file cannot be written
 void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece);
 

@@ -9,7 +9,7 @@ namespace hapticut::cli {
 
 /// Folder of the built page, relative to the program in a build tree or an installation.
 /// @param given  if not empty, this folder
-/// @throws Error when there is no page
+/// @throws Error when there is no page, with the command that builds it
 [[nodiscard]] inline std::filesystem::path find_page(const std::filesystem::path& given) {
   if (!given.empty()) return given;
   std::error_code error;
@@ -17,9 +17,13 @@ namespace hapticut::cli {
   for (const char* place : {"../../web/page", "../share/hapticut/web"})
     if (std::filesystem::exists(program / place / "index.html", error))
       return std::filesystem::weakly_canonical(program / place);
+  const std::filesystem::path build = std::filesystem::weakly_canonical(program / "../..");
+  if (std::filesystem::exists(build / "CMakeCache.txt", error))
+    throw Error("the page is not built: run `cmake --build " + build.string() +
+                " -t hapticut_page`, which needs npm (sudo apt-get install nodejs npm).");
   throw Error(
-      "the page is missing, because this program was built without npm. Install npm, configure and build again, or set "
-      "--page to the folder of a built page.");
+      "the page is not installed: build the target hapticut_page, which needs npm, in the build folder of hapticut, "
+      "and install again; or set --page to the folder of a built page.");
 }
 
 }  // namespace hapticut::cli

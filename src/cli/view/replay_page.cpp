@@ -7,12 +7,14 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "cli/reports/progress.hpp"
 #include "cli/view/view_session.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/replay.hpp"
 #include "hapticut/surface/surface_stream.hpp"
+#include "io/atomic_file.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -79,10 +81,7 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 void write_text(const std::filesystem::path& path, const void* bytes, std::size_t count) {
-  std::ofstream stream(path, std::ios::binary);
-  stream.write(static_cast<const char*>(bytes), std::streamsize(count));
-  stream.close();
-  if (!stream) throw Error("'" + path.string() + "' cannot be written; check the disk space and the folder.");
+  write_atomically(path, std::string_view(static_cast<const char*>(bytes), count));
 }
 
 void replace(std::string& text, const std::string& what, const std::string& by) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "io/file_errors.hpp"
 #include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
+#include "io/volume/slice_names.hpp"
 
 namespace hapticut {
 namespace {
@@ -37,6 +39,8 @@ struct AlikeSlices {
   std::vector<DicomSlice> slices;
 };
 
+const std::string& series_uid(const AlikeSlices& kind) { return kind.slices.front().picture.series; }
+
 /// Number and kind of the files, to distinguish them from others.
 std::string in_words(const AlikeSlices& kind) {
   const FileGeometry& g = kind.slices.front().picture.geometry;
@@ -50,7 +54,7 @@ std::string in_words(const AlikeSlices& kind) {
          format_number(facing.y()) + ", " + format_number(facing.z()) + ")";
 }
 
-/// A file whose picture does not belong to a volume: a colour screenshot, a bit mask, a damaged file.
+/// A file whose picture does not belong to a volume: a colour screenshot, a bit mask, a damaged, cut or empty file.
 struct UnreadPicture {
   fs::path path;
   std::optional<std::string> series;  // nullopt when the file is damaged before this element
@@ -62,15 +66,54 @@ struct DicomFolder {
   std::vector<UnreadPicture> unread;
 };
 
-/// The pictures of a folder. Files without a picture (directories, reports) are ignored.
+/// A DICOM file without a picture: a directory, a report, or a slice that was cut.
+struct WithoutPicture {
+  fs::path path;
+  std::string series, kind;  // empty when the file ends before them
+  bool has_rows;
+};
+
+bool is_directory_file(const WithoutPicture& file) {
+  return file.kind == "1.2.840.10008.1.3.10" || lower_case(file.path.filename().string()) == "dicomdir";
+}
+
+/// Adds the files that were meant to be slices and are none to the unread ones. Reports, previews and notes are not.
+void add_lost_slices(const SliceNames& names, const std::set<std::string>& classes,
+                     const std::vector<WithoutPicture>& without_picture, const std::vector<fs::path>& others,
+                     DicomFolder& found) {
+  constexpr const char* kCure = " Get a complete copy of it.";
+  for (const WithoutPicture& file : without_picture)
+    if (!is_directory_file(file) && (file.has_rows || file.kind.empty() || classes.contains(file.kind)))
+      found.unread.push_back({file.path, file.series.empty() ? std::nullopt : std::optional(file.series),
+                              std::string("it ends before its picture.") + kCure});
+  for (const fs::path& path : others) {
+    const std::string begin = first_bytes(path, 133);
+    const bool cut_preamble = begin.size() <= 132 && begin.find_first_not_of('\0') == std::string::npos;
+    if (names.is_name_of_slice(path) || (cut_preamble && names.have_no_extension() && !path.has_extension()))
+      found.unread.push_back({path, std::nullopt, what_is_no_slice(path, "DICOM file") + "." + kCure});
+  }
+}
+
+/// The pictures of a folder.
 DicomFolder pictures_in(const fs::path& folder) {
-  std::vector<fs::path> files;
+  std::vector<fs::path> files, others;
   std::error_code code, ignored;
   for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(ignored) && is_dicom_file(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file(ignored)) {
+      const bool hidden = entry.path().filename().string().starts_with('.');
+      if (is_dicom_file(entry.path()))
+        files.push_back(entry.path());
+      else if (!hidden)
+        others.push_back(entry.path());
+    }
   if (code) cannot_read(folder, code.message() + ".");
   std::sort(files.begin(), files.end());
+  std::sort(others.begin(), others.end());
   DicomFolder found;
+  SliceNames names;
+  for (const char* usual : {"a.dcm", "a.ima"}) names.add(usual);
+  std::set<std::string> classes;
+  std::vector<WithoutPicture> without_picture;
   std::map<std::string, std::vector<AlikeSlices>> by_uid;
   for (const fs::path& path : files) {
     const std::string bytes = bytes_of_file(path);
@@ -78,18 +121,24 @@ DicomFolder pictures_in(const fs::path& folder) {
     try {
       const DicomFile file = parse_dicom(bytes);
       uid = series_of(file);
+      if (!file.has_picture) {
+        without_picture.push_back({path, *uid, kind_of(file), has_rows(file)});
+        continue;
+      }
       DicomSlice slice = {path, describe_picture(file)};
-      std::vector<AlikeSlices>& kinds = by_uid[slice.picture.series];
-      auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const AlikeSlices& known) {
+      std::vector<AlikeSlices>& of_series = by_uid[slice.picture.series];
+      auto kind = std::find_if(of_series.begin(), of_series.end(), [&](const AlikeSlices& known) {
         return alike(known.slices.front().picture, slice.picture);
       });
-      if (kind == kinds.end()) kind = kinds.insert(kind, AlikeSlices{slice.picture.series, {}});
+      if (kind == of_series.end()) kind = of_series.insert(kind, AlikeSlices{slice.picture.series, {}});
+      names.add(path);
+      classes.insert(slice.picture.kind);
       kind->slices.push_back(std::move(slice));
     } catch (const Error& error) {
-      if (!std::string_view(error.what()).starts_with(kNoDicomPicture))
-        found.unread.push_back({path, uid, error.what()});
+      found.unread.push_back({path, uid, error.what()});
     }
   }
+  add_lost_slices(names, classes, without_picture, others, found);
   for (auto& [uid, kinds] : by_uid) {
     std::stable_sort(kinds.begin(), kinds.end(),
                      [](const auto& a, const auto& b) { return a.slices.size() > b.slices.size(); });
@@ -104,15 +153,22 @@ DicomFolder pictures_in(const fs::path& folder) {
 
 /// Pictures of other series are not checked: an export puts all series into one folder.
 void require_all_read(const DicomFolder& folder, const std::optional<std::string>& series) {
-  for (const UnreadPicture& picture : folder.unread) {
-    if (series && !picture.series)
-      cannot_read(picture.path, picture.cause + " If it is not of the series, remove it from the folder.");
-    if (!series || *picture.series == *series) cannot_read(picture.path, picture.cause);
-  }
+  const auto counts = [&](const UnreadPicture& picture) {
+    return !series || !picture.series || *picture.series == *series;
+  };
+  const auto count = std::count_if(folder.unread.begin(), folder.unread.end(), counts);
+  if (count == 0) return;
+  const UnreadPicture& first = *std::find_if(folder.unread.begin(), folder.unread.end(), counts);
+  std::string reason = first.cause;
+  if (!first.series) reason += " If it is not of the series, remove it from the folder.";
+  if (count > 1) reason += " The folder has " + std::to_string(count) + " such files.";
+  cannot_read(first.path, reason);
 }
 
-/// @return nullopt when the folder has no DICOM picture
-std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& uid) {
+/// @param remarks  receives a sentence about files that are left out
+/// @return empty when the folder has no DICOM picture
+std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& uid,
+                                         std::vector<std::string>& remarks) {
   DicomFolder found = pictures_in(folder);
   std::vector<AlikeSlices>& series = found.series;
   if (series.empty()) {
@@ -120,13 +176,18 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
     return {};
   }
   const auto slices_of = [&](AlikeSlices& one) {
-    require_all_read(found, one.slices.front().picture.series);
+    require_all_read(found, series_uid(one));
     return std::move(one.slices);
   };
   std::string list;
   for (AlikeSlices& one : series) {
     append_part(list, in_words(one), ", ");
-    if (!uid.empty() && one.name == uid) return slices_of(one);
+    if (uid.empty() || one.name != uid) continue;
+    for (const AlikeSlices& other : series)
+      if (&other != &one && series_uid(other) == series_uid(one))
+        remarks.push_back("'" + folder.string() +
+                          "' has slices of another kind in the series, which are left out: " + in_words(other) + ".");
+    return slices_of(one);
   }
   if (!uid.empty()) cannot_read(folder, "it has no DICOM series '" + uid + "'; it has " + list + ".");
   if (series.size() > 1)
@@ -136,6 +197,12 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   if (found.unread.size() >= slices.size())  // then the unreadable files may be the wanted ones
     cannot_read(found.unread.front().path, found.unread.front().cause + " The folder also has " + list +
                                                "; choose it with VolumeReadOptions::dicom_series.");
+  const std::size_t others = found.unread.size();
+  if (others > 0)
+    remarks.push_back("'" + folder.string() + "' has " + std::to_string(others) +
+                      (others == 1 ? " file of another series that is left out, '"
+                                   : " files of other series that are left out, the first is '") +
+                      found.unread.front().path.filename().string() + "': " + found.unread.front().cause);
   return slices;
 }
 
@@ -155,9 +222,14 @@ RawImage read_dicom_file(const fs::path& path) {
 }
 
 std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::string& series) {
-  std::vector<DicomSlice> slices = slices_of_series(folder, series);
+  RawImage image;
+  const std::vector<DicomSlice> slices = slices_of_series(folder, series, image.remarks);
   if (slices.empty()) return std::nullopt;
-  if (slices.size() == 1 && slices.front().picture.geometry.dims[2] > 1) return read_dicom_file(slices.front().path);
+  if (slices.size() == 1 && slices.front().picture.geometry.dims[2] > 1) {
+    RawImage frames = read_dicom_file(slices.front().path);
+    frames.remarks = image.remarks;
+    return frames;
+  }
   for (const DicomSlice& slice : slices)
     if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; name the file itself.");
   if (slices.size() < 2) cannot_read(folder, "its DICOM series has only one slice; a volume needs two.");
@@ -169,9 +241,9 @@ std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::str
                   "count begins. Export the series with positions, or save it in one NRRD or NIfTI file.");
     places.push_back(slice.picture.geometry.origin_mm);
   }
-  RawImage image;
   image.geometry = slices.front().picture.geometry;
   image.geometry.dims[2] = int(slices.size());
+  for (const DicomSlice& slice : slices) image.geometry.axes_assumed |= slice.picture.geometry.axes_assumed;
   const auto name = [&](std::size_t n) { return "'" + slices[n].path.filename().string() + "'"; };
   const auto order = naming(folder, [&] {
     require_sane_dims({double(image.geometry.dims[0]), double(image.geometry.dims[1]), double(slices.size())});

@@ -19,9 +19,9 @@ constexpr std::string_view kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840
 constexpr std::uint32_t kUndefined = 0xffffffff;  // length of elements that end with a delimiter
 constexpr int kMaxDepth = 16;                     // sequences within sequences
 constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(0xfffe, 0xe00d),
-                        kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kTransferSyntax = dicom_tag(2, 0x10),
-                        kFloats = dicom_tag(0x7fe0, 8), kDoubles = dicom_tag(0x7fe0, 9),
-                        kPixelData = dicom_tag(0x7fe0, 0x10);
+                        kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kMediaClass = dicom_tag(2, 2),
+                        kTransferSyntax = dicom_tag(2, 0x10), kFloats = dicom_tag(0x7fe0, 8),
+                        kDoubles = dicom_tag(0x7fe0, 9), kPixelData = dicom_tag(0x7fe0, 0x10);
 
 /// Whether an element is kept: identity, kind and position of a picture, and the format of its values.
 bool is_kept(std::uint32_t tag) {
@@ -64,15 +64,16 @@ class DicomWalker {
     while (in_.left() >= 8 && bytes_.substr(in_.position(), 2) == std::string_view("\2\0", 2)) {
       const Element e = read_element();
       const std::string_view value = read(e.length);
-      if (e.tag == kTransferSyntax)
-        file_.syntax = value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1);
+      const std::string_view text = value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1);
+      if (e.tag == kTransferSyntax) file_.syntax = text;
+      if (e.tag == kMediaClass) file_.media_class = text;
     }
     if (!file_.syntax.starts_with("1.2.840.10008.1.2")) fail("it does not name the format of its values.");
     if (file_.syntax == "1.2.840.10008.1.2.1.99") fail("its elements are compressed; save it without compression.");
     explicit_ = file_.syntax != kImplicit;
     file_.big_endian = big_endian_ = file_.syntax == "1.2.840.10008.1.2.2";
     walk_elements(bytes_.size(), false, 0, &file_.data);
-    if (!has_picture_) fail(std::string(kNoDicomPicture) + ".");
+    if (!file_.has_picture) return std::move(file_);
     const bool plain = file_.syntax == kImplicit || file_.syntax == kExplicit || big_endian_;
     if (plain == file_.compressed) fail("its picture is not stored as its transfer syntax says.");
     return std::move(file_);
@@ -142,9 +143,8 @@ class DicomWalker {
       if (depth == 0 && (e.tag == kFloats || e.tag == kDoubles))
         fail(
             "its values are not whole numbers (Float Pixel Data), which is not supported; save it with whole numbers.");
-      if (e.tag == kPixelData && depth == 0)
-        walk_picture(e);
-      else if (e.tag == kPixelData && e.length == kUndefined)
+      if (e.tag == kPixelData && depth == 0) return walk_picture(e);
+      if (e.tag == kPixelData && e.length == kUndefined)
         walk_fragments(nullptr);
       else if (sequence)
         walk_items(e, depth, item != nullptr && is_kept_sequence(e.tag) ? &item->sequences[e.tag] : nullptr);
@@ -177,7 +177,7 @@ class DicomWalker {
   }
 
   void walk_picture(const Element& e) {
-    has_picture_ = true;
+    file_.has_picture = true;
     file_.compressed = e.length == kUndefined;
     file_.words = e.kind == "OW";
     if (file_.compressed)
@@ -203,7 +203,7 @@ class DicomWalker {
 
   std::string_view bytes_;
   ByteReader in_;
-  bool explicit_ = true, big_endian_ = false, has_picture_ = false;
+  bool explicit_ = true, big_endian_ = false;
   DicomFile file_;
 };
 

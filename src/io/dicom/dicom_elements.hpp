@@ -43,6 +43,8 @@ struct DicomFile {
   DicomItem data;
   std::string syntax;  ///< format of elements and picture: a Transfer Syntax UID
   bool big_endian = false;
+  bool has_picture = false;  ///< false: a directory, a report, a plan, or a file that was cut before its picture
+  std::string media_class;   ///< kind of the file by its meta header (Media Storage SOP Class UID); may be empty
   bool compressed = false;
   bool words = false;                       ///< the picture has 16-bit words, which matters in big-endian files
   std::string_view picture;                 ///< the values, when not compressed
@@ -57,13 +59,9 @@ struct DicomFile {
 /// Whether the bytes are the beginning of a DICOM file, with or without the preamble of 128 bytes.
 [[nodiscard]] bool begins_like_dicom(std::string_view bytes);
 
-/// Reads a file element by element, to its end.
+/// Reads a file element by element, to the end of its picture. What follows is not read: writers pad files with zeros.
 /// @param bytes  the whole file; it must outlive the result
-/// @throws Error whose message begins with "it" or "its", when the file is damaged, truncated, of an unsupported kind,
-///         or without a picture
+/// @throws Error whose message begins with "it" or "its", when the file is damaged, truncated or of an unsupported kind
 [[nodiscard]] DicomFile parse_dicom(std::string_view bytes);
-
-/// Message for a file without a picture: a directory, a report, a plan.
-inline constexpr const char* kNoDicomPicture = "it holds no picture";
 
 }  // namespace hapticut

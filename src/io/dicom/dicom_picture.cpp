@@ -40,7 +40,8 @@ int frames_of(const DicomFile& file) {
   const std::vector<double> frames = file.data.numbers(kFrames, 1, "number of frames");
   if (frames.empty()) return 1;
   if (frames[0] != std::floor(frames[0]) || !(frames[0] >= 1 && frames[0] <= 1e6))
-    throw Error("its number of frames is " + format_number(frames[0]) + "; it must be a whole number from 1.");
+    throw Error("its number of frames is " + format_number(frames[0], std::round(frames[0])) +
+                "; it must be a whole number from 1.");
   return int(frames[0]);
 }
 
@@ -64,7 +65,7 @@ std::vector<double> numbers_of(const DicomFile& file, std::size_t frame, std::ui
 Mat3 direction_of(const DicomFile& file, std::size_t frame) {
   const std::vector<double> o = numbers_of(file, frame, kPlaneOrientation, kOrientation, 6, "orientation");
   Mat3 direction = Mat3::Identity();
-  if (o.empty()) return direction;
+  if (o.empty()) return direction;  // FileGeometry::axes_assumed
   direction.col(0) = Vec3(o[0], o[1], o[2]);
   direction.col(1) = Vec3(o[3], o[4], o[5]);
   direction.col(2) = direction.col(0).cross(direction.col(1)).normalized();
@@ -84,8 +85,14 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
     if (!finite || (offsets->size() != frames && !(frames == 1 && offsets->empty())))
       throw Error("the offsets of its frames are " + in_quotes(text) + "; its number of frames requires " +
                   std::to_string(frames) + ". Get a complete copy.");
+    // Offsets that begin with the height of the first frame are heights, else distances along the normal (PS3.3
+    // C.8.8.3.2).
+    const Vec3& origin = geometry.origin_mm;
+    const bool heights = frames > 1 && offsets->front() != 0 && std::abs(offsets->front() - origin.z()) <= 1e-3 &&
+                         geometry.direction.col(2).head<2>().norm() <= kMaxRounding;  // axial
     for (const double offset : *offsets)
-      places.emplace_back(geometry.origin_mm + (offset - offsets->front()) * geometry.direction.col(2));
+      places.emplace_back(heights ? Vec3(origin.x(), origin.y(), offset)
+                                  : Vec3(origin + (offset - offsets->front()) * geometry.direction.col(2)));
     return places;
   }
   const auto groups = file.data.sequences.find(kFrameGroups);
@@ -95,7 +102,10 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
       throw Error("it lacks the functional groups with the positions of its frames. Get a complete copy.");
     return places;
   }
-  for (std::size_t n = 0; n < std::min(frames, groups->second.size()); ++n) {
+  if (groups->second.size() > frames)
+    throw Error("its number of frames is " + std::to_string(frames) + ", but its functional groups describe " +
+                std::to_string(groups->second.size()) + "; some are missing. Get a complete copy.");
+  for (std::size_t n = 0; n < groups->second.size(); ++n) {
     const DicomItem* plane = groups->second[n].item(kPlanePosition);
     const std::vector<double> p = plane != nullptr ? plane->numbers(kPosition, 3, "position") : std::vector<double>();
     if (!p.empty()) places.emplace_back(p[0], p[1], p[2]);
@@ -119,9 +129,9 @@ void stack_frames(const DicomFile& file, DicomPicture& picture) {
     picture.order = stack_planes(places, "frames", name, geometry);
     return;
   }
-  // The thickness of slices is not their distance.
+  // Not the thickness of the slices. Negative: the frames are stacked against the normal (PS3.3 C.8.4.15).
   const std::vector<double> between = numbers_of(file, 0, kMeasures, kBetweenSlices, 1, "spacing between slices");
-  geometry.spacing_mm.z() = between.empty() ? 0 : std::abs(between[0]);
+  geometry.spacing_mm.z() = between.empty() ? 0 : between[0];
 }
 
 /// The item with this element: from any functional group of the frame, else from a shared one, else the file itself.
@@ -239,6 +249,8 @@ void append_frame(std::string_view bytes, const DicomPicture& picture, std::size
   }
 }
 
+constexpr const char* kRunLengths = "1.2.840.10008.1.2.5";  // transfer syntax
+
 /// Whether a compressed frame ends with this fragment, shown by the end marker of JPEG, JPEG-LS and JPEG 2000.
 bool ends_stream(std::string_view fragment) {
   return fragment.substr(0, fragment.find_last_not_of('\0') + 1).ends_with("\xff\xd9");
@@ -248,6 +260,12 @@ bool ends_stream(std::string_view fragment) {
 std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& file, std::size_t frames) {
   std::vector<std::vector<std::string_view>> parts(frames);
   if (frames == 1) {
+    const bool several =
+        file.fragments.size() > 1 &&
+        (file.syntax == kRunLengths || std::all_of(file.fragments.begin(), file.fragments.end(), ends_stream));
+    if (several)
+      throw Error("it holds " + std::to_string(file.fragments.size()) +
+                  " compressed pictures, but its number of frames is 1. Get a complete copy.");
     parts[0] = file.fragments;
   } else if (file.fragments.size() == frames) {
     for (std::size_t n = 0; n < frames; ++n) parts[n] = {file.fragments[n]};
@@ -289,7 +307,15 @@ std::string plain_frame(const DicomFile& file, const DicomPicture& picture, std:
 
 std::string series_of(const DicomFile& file) { return file.data.text(kSeries); }
 
+std::string kind_of(const DicomFile& file) {
+  const std::string kind = file.data.text(kClass);
+  return kind.empty() ? file.media_class : kind;
+}
+
+bool has_rows(const DicomFile& file) { return file.data.has(kRows); }
+
 DicomPicture describe_picture(const DicomFile& file) {
+  if (!file.has_picture) throw Error("it holds no picture; it is truncated, or a report. Get a complete copy.");
   DicomPicture picture;
   picture.allocated = file.number(kAllocated, "number of bits allocated");
   picture.stored = file.number(kStored, "number of bits stored");
@@ -301,6 +327,7 @@ DicomPicture describe_picture(const DicomFile& file) {
   require_sane_dims({columns, rows, double(frames)});
   picture.geometry.dims = {int(columns), int(rows), frames};
   picture.geometry.direction = direction_of(file, 0);
+  picture.geometry.axes_assumed = numbers_of(file, 0, kPlaneOrientation, kOrientation, 6, "orientation").empty();
   const std::vector<double> place = numbers_of(file, 0, kPlanePosition, kPosition, 3, "position");
   picture.has_place = !place.empty();
   if (picture.has_place) picture.geometry.origin_mm = Vec3(place[0], place[1], place[2]);
@@ -320,13 +347,13 @@ DicomPicture describe_picture(const DicomFile& file) {
   }
   read_table(file, picture);
   picture.series = series_of(file);
+  picture.kind = kind_of(file);
   return picture;
 }
 
 RawImage picture_values(const DicomFile& file, const DicomPicture& picture, const FrameDecoder& decode) {
   const auto frames = std::size_t(picture.geometry.dims[2]);
   const double needed = double(picture.frame_bytes()) * double(frames);
-  constexpr const char* kRunLengths = "1.2.840.10008.1.2.5";
   RawImage image;
   image.geometry = picture.geometry;
   const bool scaled =
@@ -343,6 +370,12 @@ RawImage picture_values(const DicomFile& file, const DicomPicture& picture, cons
     parts = fragments_of_frames(file, frames);
   } else {
     require_bytes(needed, double(file.picture.size()), kNotCompressed);
+    const std::string_view more = file.picture.substr(std::size_t(needed));  // writers pad the picture
+    if (more.size() >= picture.frame_bytes() && more.find_first_not_of('\0') != std::string_view::npos)
+      throw Error("its picture has " + std::to_string(file.picture.size()) + " bytes, but " + std::to_string(frames) +
+                  (frames == 1 ? " frame of " : " frames of ") + std::to_string(picture.geometry.dims[0]) + " x " +
+                  std::to_string(picture.geometry.dims[1]) + " samples need only " + format_number(needed) +
+                  "; its number of frames, or its size, is wrong. Get a complete copy.");
   }
   for (std::size_t place = 0; place < frames; ++place) {
     const std::size_t n = picture.order.empty() ? place : picture.order[place];

@@ -23,6 +23,7 @@ struct DicomPicture {
   FileGeometry geometry;           ///< dims[2] is the number of frames; position and direction of the lowest frame
   std::vector<std::size_t> order;  ///< order of the frames, from lowest to highest; empty: as stored
   bool has_place = false;          ///< the file has an origin
+  std::string kind;                ///< SOP Class UID
   int allocated = 16;              ///< [bit] allocated for a value
   int stored = 16;                 ///< [bit] used for a value
   int high = 15;                   ///< index of the highest used bit
@@ -52,6 +53,12 @@ struct DicomPicture {
 
 /// The Series Instance UID of a file.
 [[nodiscard]] std::string series_of(const DicomFile& file);
+
+/// The SOP Class UID of a file; empty when it has none.
+[[nodiscard]] std::string kind_of(const DicomFile& file);
+
+/// Whether a file describes a picture, even if it lacks its values.
+[[nodiscard]] bool has_rows(const DicomFile& file);
 
 /// @throws Error whose message begins with "it" or "its", when the picture has no grey values, or its position is
 ///         unknown

@@ -28,6 +28,13 @@ std::string millimetres(double length) { return format_number(std::round(length 
 std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const std::string& planes,
                                       const std::function<std::string(std::size_t)>& name, FileGeometry& geometry) {
   const Vec3 normal = geometry.direction.col(2);
+  constexpr double kRounding = 0.011;  // [mm] scanners round positions to hundredths of a millimetre
+  if (geometry.axes_assumed)
+    for (const Vec3& place : places_mm)
+      if (!((place - places_mm.front()).head<2>().norm() <= kRounding))
+        throw Error("it lacks the orientation of its " + planes +
+                    " (Image Orientation), and their positions show that they are not axial. Export it with the "
+                    "orientation.");
   std::vector<std::size_t> order(places_mm.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -36,8 +43,7 @@ std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const 
   std::vector<double> steps;
   for (std::size_t n = 1; n < order.size(); ++n) steps.push_back((place(n) - place(n - 1)).dot(normal));
   const double usual = usual_step(steps);
-  // Scanners round positions to hundredths of a millimetre.
-  const double tolerance = std::min(std::max(0.011, 0.01 * usual), 0.4 * usual);
+  const double tolerance = std::min(std::max(kRounding, 0.01 * usual), 0.4 * usual);
   for (std::size_t n = 0; n < steps.size(); ++n) {
     const std::string pair = name(order[n]) + " and " + name(order[n + 1]);
     if (steps[n] <= kSamePlace)

@@ -105,8 +105,13 @@ class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
     if (!text_.empty() && name == mesh_)
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
     const std::string place = place_of(name);
-    return place.empty() ? nullptr : DefaultIOSystem::Open(place.c_str(), mode);
+    if (place.empty()) return nullptr;
+    if (first_bytes(place, kGitLfsPointer.size()) == kGitLfsPointer) pointer_ = place;
+    return DefaultIOSystem::Open(place.c_str(), mode);
   }
+
+  /// A file beside the mesh that is only a Git LFS pointer; empty: none.
+  [[nodiscard]] const std::string& pointer() const { return pointer_; }
 
  private:
   /// Path of a file; empty when it does not exist or is a pipe, on which reading blocks.
@@ -121,6 +126,7 @@ class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
 
   std::string mesh_;
   std::string_view text_;
+  std::string pointer_;
 };
 
 /// Adds the polygons of a mesh to an object. Skips lines and points, which Assimp calls faces too.
@@ -166,9 +172,11 @@ Polygons read_with_assimp(const std::filesystem::path& path) {
   require_known_shape(std::string(text));
   Assimp::Importer importer;
   // The importer owns the handler.
-  importer.SetIOHandler(new MeshAndFilesBeside(path.string(), marked ? text : ""));
+  auto* const files = new MeshAndFilesBeside(path.string(), marked ? text : "");
+  importer.SetIOHandler(files);
   // No post-processing: Assimp's triangulation ends the program on damaged files.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (!files->pointer().empty()) (void)readable_size(files->pointer());  // throws
   if (scene == nullptr || scene->mRootNode == nullptr) throw Error(cause_of(importer.GetErrorString()));
   Polygons polygons;
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), polygons);

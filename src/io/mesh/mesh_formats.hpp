@@ -29,6 +29,11 @@ inline constexpr std::size_t kMaxMeshBytes = std::size_t(1) << 32U;
 /// Parses OFF in text form. Normals and colours are skipped.
 [[nodiscard]] Polygons parse_off(std::string_view file);
 
+/// Writes a valid STL or PLY file (by the extension) without vertices and triangles, in mm: the surface of a workpiece
+/// of which nothing is left. Readers refuse it.
+/// @throws Error when the file cannot be written completely
+void write_without_triangles(const std::filesystem::path& path);
+
 /// Reads a glTF file.
 /// @throws Error also when the library was built without Assimp
 [[nodiscard]] Polygons read_with_assimp(const std::filesystem::path& path);

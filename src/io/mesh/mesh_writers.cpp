@@ -7,6 +7,8 @@
 #include "hapticut/io/mesh/meshes.hpp"
 #include "io/atomic_file.hpp"
 #include "io/byte_reader.hpp"
+#include "io/mesh/mesh_extensions.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/stl_layout.hpp"
 #include "io/text_lines.hpp"
 
@@ -34,14 +36,26 @@ void append(std::string& bytes, const Vec3& v, double scale) {
   for (int axis = 0; axis < 3; ++axis) append_bytes_of(bytes, float(v[axis] * scale));
 }
 
+std::string ply_header(const TriangleMesh& mesh, bool colored, const Unit& unit) {
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + unit.text() + "\nelement vertex " +
+                       std::to_string(mesh.vertices.size()) +
+                       "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (colored) header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  return header + "element face " + std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+std::string stl_header(const TriangleMesh& mesh, const Unit& unit) {
+  std::string header = unit.text();
+  header.resize(kStlHeader - sizeof(std::uint32_t), ' ');
+  append_bytes_of(header, std::uint32_t(mesh.triangles.size()));
+  return header;
+}
+
 void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const std::filesystem::path& path,
                const Unit& unit) {
   require_writable_mesh(mesh);
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + unit.text() + "\nelement vertex " +
-                      std::to_string(mesh.vertices.size()) + "\nproperty float x\nproperty float y\nproperty float z\n";
-  if (colors != nullptr) bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-  bytes += "element face " + std::to_string(mesh.triangles.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string bytes = ply_header(mesh, colors != nullptr, unit);
   for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
     append(bytes, mesh.vertices[n], unit.scale());
     if (colors == nullptr) continue;
@@ -87,9 +101,7 @@ std::string obj_header(const Unit& unit) { return "# " + unit.text() + '\n'; }
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
   const Unit unit(unit_mm);
   require_writable_mesh(mesh);
-  std::string bytes = unit.text();
-  bytes.resize(80, ' ');
-  append_bytes_of(bytes, std::uint32_t(mesh.triangles.size()));
+  std::string bytes = stl_header(mesh, unit);
   bytes.reserve(kStlHeader + kStlTriangle * mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
@@ -110,6 +122,11 @@ void write_ply(const ColoredMesh& mesh, const std::filesystem::path& path, doubl
     throw Error("the mesh has " + std::to_string(mesh.mesh.vertices.size()) + " vertices but " +
                 std::to_string(mesh.colors.size()) + " colours; give one colour per vertex.");
   write_ply(mesh.mesh, &mesh.colors, path, Unit(unit_mm));
+}
+
+void write_without_triangles(const std::filesystem::path& path) {
+  const bool is_ply = extension_in_lower_case(path) == ".ply";
+  write_atomically(path, is_ply ? ply_header({}, true, Unit(1)) : stl_header({}, Unit(1)));
 }
 
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {

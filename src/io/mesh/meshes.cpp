@@ -4,6 +4,7 @@
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/mesh/mesh_extensions.hpp"
+#include "io/mesh/other_files.hpp"
 
 namespace hapticut {
 namespace {
@@ -19,6 +20,18 @@ void require_readable(const std::filesystem::path& path) {
   if (size > kMaxMeshBytes)
     cannot_read(path, "it has " + format_number(double(size)) + " bytes; at most " +
                           format_number(double(kMaxMeshBytes)) + " are allowed. Reduce the mesh first.");
+}
+
+/// @throws Error; when the file is of another kind than its ending, the message says which
+Polygons polygons_in(const std::filesystem::path& path, const MeshFormat& format) {
+  constexpr std::size_t kHead = 1000;
+  try {
+    return format.read(path);
+  } catch (const Error&) {
+    const std::string other = kind_unlike_ending(first_bytes(path, kHead), format.ending);
+    if (other.empty()) throw;
+    throw Error(other);
+  }
 }
 
 void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path, double unit_mm) {
@@ -52,7 +65,7 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optiona
     cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
                           "'; supported are: " + in_one_line(kMeshEndings) + ".");
   require_readable(path);
-  std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(format->read(path), unit * units::mm); });
+  std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(polygons_in(path, *format), unit * units::mm); });
   if (meshes.empty()) cannot_read(path, "it has no triangle with an area.");
   check_extent(meshes, path, unit);
   return meshes;

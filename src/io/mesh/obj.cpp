@@ -130,6 +130,10 @@ class ObjParser {
 
 }  // namespace
 
-Polygons parse_obj(std::string_view file) { return ObjParser(file).parse(); }
+Polygons parse_obj(std::string_view file) {
+  Polygons polygons = ObjParser(file).parse();
+  turn_to_patient_axes(polygons, leading_comments(file));
+  return polygons;
+}
 
 }  // namespace hapticut

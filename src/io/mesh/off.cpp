@@ -32,6 +32,9 @@ class OffParser {
       for (std::int64_t k = 0; k < *corners; ++k) object.corners.push_back(corner());
       object.ends.push_back(object.corners.size());
     }
+    while (lines_.next_line())
+      if (const std::string_view more = lines_.word(); !more.empty())
+        lines_.fail(in_quotes(more) + " follows after the last face that is announced.");
     polygons_.objects.push_back(std::move(object));
     return std::move(polygons_);
   }

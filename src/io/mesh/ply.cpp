@@ -50,9 +50,14 @@ class PlyValues {
     return std::size_t(std::min<std::uint64_t>(announced, bytes_.size() / 3));
   }
 
-  /// @throws Error when a text continues after its last element, because then values were misread
+  /// @throws Error when the file continues after its last element, because then values were misread or left out
   void require_end() {
-    if (format_ != PlyFormat::text) return;
+    if (format_ != PlyFormat::text) {
+      const std::string_view behind = bytes_.substr(at_);
+      if (behind.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == std::string_view::npos) return;
+      throw Error(std::to_string(behind.size()) +
+                  " bytes follow after the last element of the header; it is damaged, so export the mesh again.");
+    }
     const std::string_view more = lines_.word_of_any_line();
     if (!more.empty()) lines_.fail(in_quotes(more) + " follows after the last element of the header.");
   }
@@ -89,7 +94,8 @@ class PlyValues {
 
 class PlyParser {
  public:
-  explicit PlyParser(std::string_view file) : header_(parse_ply_header(file)), values_(file, header_) {
+  explicit PlyParser(std::string_view file)
+      : header_(parse_ply_header(file)), header_text_(file.substr(0, header_.size)), values_(file, header_) {
     for (const PlyElement& element : header_.elements)
       if (element.name == "vertex") vertices_ = element.count;
   }
@@ -110,6 +116,7 @@ class PlyParser {
     }
     values_.require_end();
     polygons_.objects.push_back(std::move(faces_));
+    turn_to_patient_axes(polygons_, header_text_);
     return std::move(polygons_);
   }
 
@@ -193,6 +200,7 @@ class PlyParser {
   }
 
   PlyHeader header_;
+  std::string_view header_text_;
   PlyValues values_;
   std::uint64_t vertices_ = 0;
   Polygons polygons_;

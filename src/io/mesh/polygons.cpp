@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh/polygons.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <unordered_map>
@@ -74,6 +75,24 @@ class Welder {
 };
 
 }  // namespace
+
+void turn_to_patient_axes(Polygons& polygons, std::string_view header) {
+  constexpr std::string_view kKey = "SPACE=";
+  constexpr std::size_t kAxes = 3;
+  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  for (std::size_t at = header.find(kKey); at != std::string_view::npos; at = header.find(kKey, at + 1)) {
+    if (at > 0 && is_letter(header[at - 1])) continue;  // part of another word
+    std::string_view space = header.substr(at + kKey.size());
+    space = space.substr(0, std::size_t(std::ranges::find_if_not(space, is_letter) - space.begin()));
+    if (space.size() != kAxes || space.find_first_not_of("LRPASI") != std::string_view::npos || space == "LPS")
+      continue;
+    if (space != "RAS")
+      throw Error("its header names the space " + std::string(space) +
+                  "; supported are LPS and RAS, so save it in one of these.");
+    for (Vec3& vertex : polygons.vertices) vertex = Vec3(-vertex.x(), -vertex.y(), vertex.z());
+    return;
+  }
+}
 
 std::vector<NamedMesh> to_meshes(const Polygons& polygons, double unit) {
   Welder welder(polygons.vertices, unit);

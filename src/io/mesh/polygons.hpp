@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hapticut/io/mesh/meshes.hpp"
@@ -24,6 +25,12 @@ struct Polygons {
   std::vector<Vec3> vertices;  ///< in units of the file
   std::vector<PolygonObject> objects;
 };
+
+/// Turns the vertices to patient axes (LPS) if the header of a file names another space, as 3D Slicer does:
+/// `SPACE=RAS`. Without a name, and with `SPACE=LPS`, they stay as they are.
+/// @param header  the text before the vertices
+/// @throws Error when the space is neither
+void turn_to_patient_axes(Polygons& polygons, std::string_view header);
 
 /// Welds vertices at the same place, splits polygons into fans and drops triangles without three different corners.
 /// Objects without a triangle are dropped.

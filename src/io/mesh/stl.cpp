@@ -105,9 +105,14 @@ Polygons parse_binary(std::string_view bytes) {
   if (bytes.size() < kStlHeader)
     throw Error("it is neither a text that begins with 'solid' nor long enough for a binary STL file.");
   const std::uint64_t triangles = announced_triangles(bytes);
-  if (bytes.size() < kStlHeader + triangles * kStlTriangle)
-    throw Error("it announces " + std::to_string(triangles) + " triangles, but ends after " +
-                std::to_string((bytes.size() - kStlHeader) / kStlTriangle) + "; it is truncated.");
+  const std::uint64_t has = (bytes.size() - kStlHeader) / kStlTriangle;
+  if (has < triangles)
+    throw Error("it announces " + std::to_string(triangles) + " triangles, but has bytes for " + std::to_string(has) +
+                "; it is truncated or no STL file, so get a complete copy.");
+  const std::string_view behind = bytes.substr(kStlHeader + triangles * kStlTriangle);
+  if (has > triangles && behind.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos)
+    throw Error("it announces " + std::to_string(triangles) + " triangles, but has bytes for " + std::to_string(has) +
+                "; it is damaged or no STL file, so export the mesh again.");
   Polygons polygons;
   polygons.vertices.reserve(3 * triangles);
   PolygonObject object;
@@ -133,8 +138,10 @@ Polygons parse_binary(std::string_view bytes) {
 }  // namespace
 
 Polygons parse_stl(std::string_view bytes) {
-  if (!is_text_stl(bytes)) return parse_binary(bytes);
-  return StlTextParser(bytes).parse();
+  const bool is_text = is_text_stl(bytes);
+  Polygons polygons = is_text ? StlTextParser(bytes).parse() : parse_binary(bytes);
+  turn_to_patient_axes(polygons, bytes.substr(0, is_text ? bytes.find_first_of("\r\n") : kStlHeader));
+  return polygons;
 }
 
 }  // namespace hapticut

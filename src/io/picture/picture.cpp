@@ -13,6 +13,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "io/atomic_file.hpp"
+#include "io/picture/blank_picture.hpp"
 
 namespace hapticut {
 namespace {
@@ -182,9 +183,13 @@ std::vector<std::uint8_t> averaged(const Image& image, int width, int height) {
   return bytes;
 }
 
-void validate(const std::vector<ColoredMesh>& meshes, const PictureOptions& options) {
+void require_size(const PictureOptions& options) {
   require_between(options.width, 16, 8192, "PictureOptions::width [pixels]");
   require_between(options.height, 16, 8192, "PictureOptions::height [pixels]");
+}
+
+void validate(const std::vector<ColoredMesh>& meshes, const PictureOptions& options) {
+  require_size(options);
   if (!is_finite(options.view_direction) || !is_finite(options.up) ||
       !(options.view_direction.normalized().cross(options.up.normalized()).norm() > 1e-6))
     throw Error("PictureOptions::view_direction and up must be finite, not zero and not parallel.");
@@ -201,6 +206,25 @@ void validate(const std::vector<ColoredMesh>& meshes, const PictureOptions& opti
         throw Error("a triangle of the picture names a vertex that its mesh does not have.");
   }
   if (triangles == 0) throw Error("there is no triangle to show in the picture.");
+}
+
+/// @param pixels  red, green and blue of each pixel, row by row
+void write_png(const std::vector<std::uint8_t>& pixels, const PictureOptions& options,
+               const std::filesystem::path& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png_uint_32(options.width);
+  png.height = png_uint_32(options.height);
+  png.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  std::string bytes;
+  bool done = png_image_write_get_memory_size(png, size, 0, pixels.data(), 0, nullptr) != 0;
+  if (done) {
+    bytes.resize(size);
+    done = png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr) != 0;
+  }
+  if (!done) throw Error("cannot write '" + path.string() + "': libpng says " + png.message + ".");
+  write_atomically(path, std::string_view(bytes).substr(0, size));
 }
 
 }  // namespace
@@ -239,22 +263,16 @@ void write_picture(const std::vector<ColoredMesh>& meshes, const PictureOptions&
   const Camera camera = framing(meshes, options);
   for (const ColoredMesh& mesh : meshes) draw(mesh, camera, image);
   if (options.scale_bar) draw_scale_bar(camera.scale, image);
-  const std::vector<std::uint8_t> pixels = averaged(image, options.width, options.height);
+  write_png(averaged(image, options.width, options.height), options, path);
+}
 
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = png_uint_32(options.width);
-  png.height = png_uint_32(options.height);
-  png.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = 0;
-  std::string bytes;
-  bool done = png_image_write_get_memory_size(png, size, 0, pixels.data(), 0, nullptr) != 0;
-  if (done) {
-    bytes.resize(size);
-    done = png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr) != 0;
-  }
-  if (!done) throw Error("cannot write '" + path.string() + "': libpng says " + png.message + ".");
-  write_atomically(path, std::string_view(bytes).substr(0, size));
+void write_blank_picture(const PictureOptions& options, const std::filesystem::path& path) {
+  require_size(options);
+  std::vector<std::uint8_t> pixels;
+  const Color& color = options.background;
+  for (std::int64_t n = 0; n < std::int64_t(options.width) * options.height; ++n)
+    pixels.insert(pixels.end(), {color.red, color.green, color.blue});
+  write_png(pixels, options, path);
 }
 
 }  // namespace hapticut

@@ -2,6 +2,7 @@
 #include "hapticut/io/recording/recorder.hpp"
 
 #include <atomic>
+#include <cstring>
 #include <ctime>
 #include <thread>
 
@@ -11,11 +12,13 @@
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
+#include "io/writer_lock.hpp"
 #include "realtime/background_writer.hpp"
 
 namespace hapticut {
 namespace {
 
+constexpr char kWhat[] = "the recording ";    // before the file name, in messages
 constexpr std::uint64_t kHeadroom = 4 << 20;  // [bytes] reserve for a batch and the end of the recording
 
 /// A step for the writer, with its effects; the writer records their changes.
@@ -33,18 +36,31 @@ std::string now_as_text() {
   return text;
 }
 
-/// The path of the growing recording: its final path, so others can read it meanwhile. If an older recording exists
-/// there, a `.new` file next to it, and the older one stays until the new one is complete.
-std::filesystem::path growing_path(const std::filesystem::path& path) {
-  std::error_code code;
-  std::filesystem::path at = place_behind_links(path);
-  if (!std::filesystem::exists(at, code)) return at;
+/// Whether numbers have equal bits: -0 is not 0 here, because the sign reaches the force.
+bool same_bits(const EffectNumbers& a, const EffectNumbers& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// The `.new` file next to an older recording.
+std::filesystem::path path_beside(const std::filesystem::path& at) {
   constexpr std::size_t kMaxName = 251;  // [bytes] with the suffix
   return at.parent_path() / (at.filename().string().substr(0, kMaxName) + ".new");
 }
 
+/// The path of the growing recording: its final path, so others can read it meanwhile. If an older recording exists
+/// there, the file beside it, and the older one stays until the new one is complete.
+std::filesystem::path growing_path(const std::filesystem::path& path) {
+  std::error_code code;
+  std::filesystem::path at = place_behind_links(path);
+  return std::filesystem::exists(at, code) ? path_beside(at) : at;
+}
+
+/// Whether a recorder is at work on a recording.
+bool has_recorder(const std::filesystem::path& path) {
+  const std::filesystem::path at = place_behind_links(path);
+  return has_writer_lock(at) || has_writer_lock(path_beside(at));
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  cannot_write(path, reason, "the recording ");
+  cannot_write(path, reason, kWhat);
 }
 
 }  // namespace
@@ -67,11 +83,13 @@ struct Recorder::State {
   Message message;               // the step being filled
   bool has_device_tick = false;  // the message has device data
   bool over = false;             // the recording has ended
+  bool exchanged = false;        // by a change that a replay cannot repeat
   double time = 0;
   std::atomic<std::uint64_t> recorded{0}, lost{0};
   std::atomic<bool> ending_failed{false};
 
   // Used by the writer's thread.
+  WriterLock lock;  // of the growing file
   std::unique_ptr<DiskSpace> disk_space;
   hdf5::File file;
   std::vector<const Column*> columns;
@@ -88,10 +106,12 @@ struct Recorder::State {
 Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
   require_between(double(options.buffered_steps), 16, 1e7, "RecorderOptions::buffered_steps");
   require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
-  if (simulation.steps() > 0)
-    throw Error("the simulation has already made " + std::to_string(simulation.steps()) +
-                " steps, so a replay would lack its initial state; record from the first step, or reset the "
-                "simulation to a clone of its workpiece first.");
+  if (!simulation.is_fresh())
+    throw Error((simulation.steps() > 0
+                     ? "the simulation has already made " + std::to_string(simulation.steps()) + " steps"
+                     : std::string("the workpiece of the simulation was exchanged or changed")) +
+                ", so a replay would lack its initial state; record from the first step, or reset the simulation to a "
+                "clone of its workpiece first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);
   State& s = *state_;
@@ -101,8 +121,10 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
   }
   s.last_effects = pack(simulation.config().effects);
   try {
+    if (has_recorder(path)) refuse_second_writer(path, kWhat);
     { const AtomicFile may_be_written(path); }
     AtomicFile target(s.growing);
+    s.lock = WriterLock(target.temporary_path());
     RecordingInfo info;
     const BuildInfo build = build_info();
     info.version = build.version;
@@ -113,7 +135,10 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.device = s.options.device;
     info.note = options.note;
     write_recording_header(target.temporary_path(), info, simulation, s.options);
-    target.commit();
+    // Another recorder may have begun meanwhile.
+    const bool is_beside = s.growing != place_behind_links(path);
+    if (is_beside && !remove_left_file(s.growing)) refuse_second_writer(path, kWhat);
+    target.commit_new();
     s.disk_space = std::make_unique<DiskSpace>(s.growing);
     s.disk_space->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
@@ -159,8 +184,8 @@ void Recorder::set_device_tick(const DeviceTick& tick) noexcept {
   state_->has_device_tick = true;
 }
 
-void Recorder::on_exchange() noexcept { state_->over = true; }
-void Recorder::on_removal(const BlockVoxels& /*removed*/) noexcept { state_->over = true; }
+void Recorder::on_exchange() noexcept { state_->over = state_->exchanged = true; }
+void Recorder::on_removal(const BlockVoxels& /*removed*/) noexcept { on_exchange(); }
 
 void Recorder::on_step(const ObservedStep& step) noexcept {
   State& s = *state_;
@@ -179,6 +204,36 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
   s.recorded.fetch_add(1, std::memory_order_relaxed);
 }
 
+// All that a step depends on, and how a replay gets it. "Ends": a change ends the recording, by `on_exchange` or
+// `on_removal`. "Begins": `Simulation::is_fresh` is demanded, and from then on the replayed steps make it.
+//
+// | Simulation::State                                    | in a replay                                               |
+// |------------------------------------------------------|-----------------------------------------------------------|
+// | input, also of refused steps                         | pose, velocity, dt                                        |
+// | coupling given to the step                           | output_path, hand, coupling, coupling_dt                  |
+// | workpiece: material                                  | initial; ends                                             |
+// | workpiece: pool                                      | reserved_blocks, free_blocks; `clone` makes leaves as a   |
+// |                                                      | file does                                                 |
+// | workpiece: undo marks                                | a step does not depend on them                            |
+// | tool, other_cutter                                   | initial; ends                                             |
+// | config: effects                                      | effects, from a step on                                   |
+// | config: law                                          | ReplayOptions::law, or the default                        |
+// | config: friction, removal; the rest                  | initial; ends; constant                                   |
+// | contact_stages (also the turn of a voxel_budget),    | from workpiece, tool and config; then by the steps        |
+// | X_VW, voxel_volume, head_stiffness                   |                                                           |
+// | has_pose, last_X_WH, after_refusal, mean_velocity,   | begins                                                    |
+// | jumped_to, load, cutting_share, deep_contact,        |                                                           |
+// | anchor, removal list, result.energy                  |                                                           |
+// | parted, altered                                      | begins with false; ends                                   |
+// | motor                                                | halted, spindle_set, spindle_setting; then by the steps   |
+// | held                                                 | spindle_held                                              |
+// | held_setting                                         | acts when the hold ends, which is a spindle_set           |
+// | output                                               | hand_released; then by the steps                          |
+// | steps                                                | number                                                    |
+// | chooses_stiffness, observers, times, counters        | a step does not depend on them                            |
+//
+// A VirtualCoupling moves the tool and answers to the step, and both are recorded; a reading that it refuses makes no
+// step, but a hand_released.
 void Recorder::State::note(const ObservedStep& step) noexcept {
   RecordedStep& row = message.step;
   row.number = step.number;
@@ -195,6 +250,8 @@ void Recorder::State::note(const ObservedStep& step) noexcept {
   row.free_blocks = step.free_blocks;
   row.hand_released = step.hand_released;
   row.halted = step.halted;
+  row.spindle_set = step.spindle_set;
+  row.spindle_held = step.spindle_held;
   row.path = step.path;
   row.hand = step.path == OutputPath::coupled ? step.hand : HandOutput{};
   note_result(step.result, row);
@@ -235,7 +292,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
   disk_space->require(length + unflushed + kHeadroom);
   // Effects first: a reader of a step then finds its effects.
   for (const Message& one : batch) {
-    if (one.effects == last_effects) continue;  // == is enough, because no effect is NaN
+    if (same_bits(one.effects, last_effects)) continue;
     last_effects = one.effects;
     effects_appenders[1].append(last_effects.data(), 1);
     effects_appenders[0].append(&one.step.number, 1);
@@ -258,7 +315,9 @@ void Recorder::close() {
   try {
     hdf5::File file(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
     const std::uint64_t all = s.recorded.load() + s.lost.load();
-    write_recording_end(file.get(), failure.empty() ? s.lost.load() : all - s.written, s.simulation.workpiece().hash());
+    std::optional<std::uint64_t> hash;
+    if (!s.exchanged) hash = s.simulation.workpiece().hash();
+    write_recording_end(file.get(), failure.empty() ? s.lost.load() : all - s.written, hash);
     if (file.reset() < 0) hdf5::fail("closing it");
   } catch (const hdf5::Failure& error) {
     s.ending_failed.store(true, std::memory_order_release);
@@ -273,6 +332,7 @@ void Recorder::close() {
     s.ending_failed.store(true, std::memory_order_release);
     fail(s.path, code.message() + "; it is complete in '" + s.growing.string() + "'");
   }
+  s.lock.release();
 }
 
 }  // namespace hapticut

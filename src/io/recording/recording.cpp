@@ -61,7 +61,8 @@ RecordingInfo read_info(RecordingSource& source) {
                 (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version"));
   for (const auto& [name, text] : kInfoTexts) info.*text = source.text_attribute("", name);
   info.closed = source.has_attribute("", "closed");
-  if (info.closed) info.workpiece_hash_at_end = source.number_attribute("", "workpiece_hash_at_end");
+  if (info.closed && source.has_attribute("", "workpiece_hash_at_end"))
+    info.workpiece_hash_at_end = source.number_attribute("", "workpiece_hash_at_end");
   return info;
 }
 

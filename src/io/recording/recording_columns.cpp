@@ -116,7 +116,10 @@ std::vector<Column> make_columns() {
   list.add(input, "reserved_blocks", "1", none, "requested free blocks for cutting", at(&Step::reserved_blocks));
   list.add(input, "free_blocks", "1", none, "free blocks for cutting before the step", at(&Step::free_blocks));
   list.add(input, "hand_released", "1", none, "1: release_hand was called before the step", at(&Step::hand_released));
-  list.add(input, "halted", "1", none, "1: halt_spindle was called before the step", at(&Step::halted));
+  list.add(input, "halted", "1", none, "1: the spindle was halted before the step", at(&Step::halted));
+  list.add(input, "spindle_set", "1", none, "1: its speed was set before the step, after the last halt",
+           at(&Step::spindle_set));
+  list.add(input, "spindle_held", "1", none, "1: it is held at standstill", at(&Step::spindle_held));
   list.add(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", at(&Step::path));
   list.add(input, "hand", "", "X_WD", "pose of the hand, with a coupling", at(&Step::hand, &HandOutput::X_WD));
   list.add(input, "coupling", "", "on the hand about its Ho, in W", "wrench of the coupling",

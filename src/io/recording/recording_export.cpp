@@ -8,6 +8,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/interruption.hpp"
 #include "io/atomic_file.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/text_lines.hpp"
@@ -112,6 +113,7 @@ void write_csv(const Recording& recording, const std::filesystem::path& path) {
       const std::uint64_t count = std::min(kRowsAtOnce, recording.size() - first);
       for (std::size_t n = 0; n < columns.size(); ++n) read_rows(recording, *columns[n], first, count, rows[n]);
       for (std::uint64_t row = 0; row < count; ++row) {
+        look_for_interruption();
         line.clear();
         for (std::size_t n = 0; n < columns.size(); ++n) {
           const Column& column = *columns[n];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "hapticut/io/recording/recorder.hpp"
@@ -35,7 +36,8 @@ void write_recording_header(const std::filesystem::path& path, const RecordingIn
                             const RecorderOptions& options);
 
 /// Marks the recording as complete.
-void write_recording_end(hid_t file, std::uint64_t lost, std::uint64_t workpiece_hash);
+/// @param workpiece_hash  of the workpiece after the last recorded step; empty: it is another one by now
+void write_recording_end(hid_t file, std::uint64_t lost, std::optional<std::uint64_t> workpiece_hash);
 
 /// The result of a step in the form of a row.
 void note_result(const StepResult& result, RecordedStep& row) noexcept;

@@ -91,9 +91,9 @@ void write_recording_header(const std::filesystem::path& path, const RecordingIn
   if (file.reset() < 0) hdf5::fail("closing it");
 }
 
-void write_recording_end(hid_t file, std::uint64_t lost, std::uint64_t workpiece_hash) {
+void write_recording_end(hid_t file, std::uint64_t lost, std::optional<std::uint64_t> workpiece_hash) {
   hdf5::write_attribute(file, "lost", lost);
-  hdf5::write_attribute(file, "workpiece_hash_at_end", workpiece_hash);
+  if (workpiece_hash) hdf5::write_attribute(file, "workpiece_hash_at_end", *workpiece_hash);
   hdf5::write_attribute(file, "closed", 1);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/interruption.hpp"
 #include "hapticut/sound/drill_sound.hpp"
 #include "io/atomic_file.hpp"
 #include "io/byte_reader.hpp"
@@ -86,6 +87,7 @@ void write_wav(const Recording& recording, const std::filesystem::path& path, do
     double bytes = 0;
     for (std::uint64_t first = 0; first < recording.size(); first += kStepsHeardAtOnce)
       for (const RecordedStep& step : recording.read(first, kStepsHeardAtOnce)) {
+        look_for_interruption();
         text.clear();
         for (const float sample : listener.listen(step))
           append_bytes_of(text, std::int16_t(std::lround(sample * 32767.0F)));

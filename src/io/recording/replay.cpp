@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/interruption.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/recording/recording_file.hpp"
 
@@ -12,14 +13,27 @@ namespace {
 
 constexpr std::uint64_t kStepsPerRead = 1024;  // steps
 
+/// Brings the motor into the state in which the recorded one began the step. Of all calls since the last step, only the
+/// last halt and the last setting after it matter; a hold begins with a halt, and ends with a setting.
+void prepare_spindle(Simulation& simulation, const RecordedStep& step) {
+  if (!step.spindle_held) simulation.hold_spindle(false);
+  if (step.halted) simulation.halt_spindle();
+  simulation.hold_spindle(step.spindle_held);
+  // Older recordings do not say whether the speed was set.
+  if (step.spindle_set || (!step.spindle_held && simulation.spindle_setting() != step.spindle_setting))
+    simulation.set_spindle_speed(step.spindle_setting * units::rad_per_s);
+}
+
+/// Fills the pool as it was. `reserve_blocks` never makes it smaller.
+void prepare_blocks(Simulation& simulation, const RecordedStep& step) {
+  if (simulation.workpiece().reserved_blocks() < step.free_blocks) simulation.reserve_blocks(step.free_blocks);
+  if (simulation.config().reserved_blocks != step.reserved_blocks) simulation.reserve_blocks(step.reserved_blocks);
+}
+
 /// Applies the settings that changed between the recorded steps.
 void prepare(Simulation& simulation, const RecordedStep& step) {
-  if (step.halted) simulation.halt_spindle();
-  if (simulation.spindle_setting() != step.spindle_setting)
-    simulation.set_spindle_speed(step.spindle_setting * units::rad_per_s);
-  if (simulation.config().reserved_blocks != step.reserved_blocks ||
-      simulation.workpiece().reserved_blocks() != step.free_blocks)
-    simulation.reserve_blocks(std::size_t(step.reserved_blocks));
+  prepare_spindle(simulation, step);
+  prepare_blocks(simulation, step);
 }
 
 /// Returns the recorded outputs of the coupling.
@@ -90,6 +104,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
   auto next_effects = recording.effects().begin() + 1;
   for (std::uint64_t first = 0; first < steps; first += kStepsPerRead) {
     for (const RecordedStep& recorded : recording.read(first, std::min(kStepsPerRead, steps - first))) {
+      look_for_interruption();
       if (next_effects != recording.effects().end() && next_effects->first_step == recorded.number)
         simulation.set_effects((next_effects++)->effects);
       prepare(simulation, recorded);

@@ -111,6 +111,23 @@ struct VdbFile {
   std::vector<VdbEntry> entries;
 };
 
+/// Deletes the nodes of grids at its end, see `delete_nodes`.
+class NodesOf {
+ public:
+  explicit NodesOf(const VdbFile& file) : file_(file) {}
+  ~NodesOf() {
+    for (const auto& grid : file_.grids) {
+      if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid)) delete_nodes(floats->tree());
+      if (const auto integers = openvdb::gridPtrCast<openvdb::Int32Grid>(grid)) delete_nodes(integers->tree());
+    }
+  }
+  NodesOf(const NodesOf&) = delete;
+  NodesOf& operator=(const NodesOf&) = delete;
+
+ private:
+  const VdbFile& file_;
+};
+
 VdbFile read_grids(std::string bytes) {
   openvdb::initialize();
   VdbFile file;
@@ -233,6 +250,7 @@ void copy_fill(const openvdb::FloatTree& density, FillTree& fill) {
 
 Workpiece parse(std::string bytes) {
   const VdbFile file = read_grids(std::move(bytes));
+  const NodesOf nodes(file);
   const auto density = require_grid<openvdb::FloatGrid>(file, "density");
   const auto material = require_grid<openvdb::Int32Grid>(file, "material");
   const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
@@ -258,6 +276,7 @@ void require_foreign(const VdbFile& file) {
 
 Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   const VdbFile file = read_grids(std::move(bytes));
+  const NodesOf nodes(file);
   require_foreign(file);
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
@@ -298,8 +317,7 @@ void with_grids(const Workpiece& workpiece, const Write& write) {
   const auto material = material_grid(workpiece, kUnit);
   describe(workpiece, *material);
   const auto density = density_grid(workpiece, kUnit);
-  auto centroid =
-      openvdb::Int32Grid::create(std::make_shared<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).centroid));
+  auto centroid = openvdb::Int32Grid::create(make_tree<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).centroid));
   centroid->setTransform(material->transformPtr());
   centroid->setName("centroid");
   write([&](std::ostream& stream) { FileWriter().write_file(stream, {density, material, centroid}); });

@@ -61,8 +61,12 @@ inline constexpr double kAnyCompression = 1e5;  ///< Zstandard reaches 2^15 on r
 ///         ratio
 void require_bytes(double needed, double available, double best_ratio);
 
+/// Allows what writers leave behind the values: less than a slice of zeros in a file of its own; in the file of the
+/// header also other bytes of less than a slice, and blanks and zeros of any number.
+/// @param slice      [bytes] of a slice
+/// @param same_file  the values follow their header
 /// @throws Error whose message begins with "its", when there are more bytes than the header claims, e.g. because a
 ///         hand-written header has a wrong type or size
-void require_no_more(std::uint64_t claimed, std::uint64_t available);
+void require_no_more(std::uint64_t claimed, std::string_view data, std::uint64_t slice, bool same_file);
 
 }  // namespace hapticut

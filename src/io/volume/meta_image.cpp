@@ -33,6 +33,18 @@ bool is_local(std::string_view data_file) {
   return data_file == "LOCAL" || data_file == "Local" || data_file == "local";
 }
 
+/// Whether the values are in the files of a list that follows, or in numbered files: `v%03d.raw 1 30 1`. Else a name
+/// may contain a percent sign, blanks and numbers.
+bool is_several_files(std::string_view data_file) {
+  if (data_file == "LIST" || data_file.starts_with("LIST ")) return true;
+  const std::size_t percent = data_file.find('%'), d = data_file.find('d', percent),
+                    blank = data_file.find_first_of(" \t", d);
+  if (percent == std::string_view::npos || d == std::string_view::npos || blank == std::string_view::npos) return false;
+  const std::string_view width = data_file.substr(percent + 1, d - percent - 1);
+  const std::optional<std::vector<double>> numbers = numbers_in(data_file.substr(blank), " \t");
+  return width.find_first_not_of("0123456789") == std::string_view::npos && numbers && numbers->size() >= 2;
+}
+
 /// Reads the lines of the header: up to the line before the values, or to the end of a header whose values are in
 /// another file.
 MetaHeader parse_meta_header(std::string_view bytes) {
@@ -53,7 +65,7 @@ MetaHeader parse_meta_header(std::string_view bytes) {
     const std::string name(trimmed(line.substr(0, equals)));
     const std::string& value = header.fields[name] = trimmed(line.substr(equals + 1));
     // A list is followed by file names; it is refused later.
-    if (name == "ElementDataFile" && (is_local(value) || value.starts_with("LIST"))) return header;
+    if (name == "ElementDataFile" && (is_local(value) || is_several_files(value))) return header;
   }
   if (text.size() < bytes.size()) throw Error("its header is longer than " + std::to_string(kMaxHeader) + " bytes.");
   if (!header.fields.contains("ElementDataFile"))
@@ -136,7 +148,8 @@ void read_values(const MetaHeader& header, std::string_view bytes, const DataFil
   const bool compressed = header.is_true("CompressedData");
   require_bytes(double(count), double(data.size()) - double(std::max<std::int64_t>(skip, 0)),
                 compressed ? kDeflate : kNotCompressed);
-  if (!local && !compressed && skip != -1) require_no_more(std::uint64_t(skip) + count, data.size());
+  if (!compressed && skip != -1)
+    require_no_more(std::uint64_t(skip) + count, data, count / std::uint64_t(image.geometry.dims[2]), local);
   if (compressed)
     image.bytes = unpack_gzip(data, count);
   else
@@ -158,8 +171,8 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
     throw Error("its values have a scale (ElementToIntensityFunctionSlope); save the scaled values.");
   const ValueType type = type_of_meta(header.get("ElementType", "none"));
   const std::string data = header.get("ElementDataFile", "");
-  if (data.empty() || data.rfind("LIST", 0) == 0 || data.find('%') != std::string::npos)
-    throw Error("its data are in several files; save them as one.");
+  if (data.empty()) throw Error("its field 'ElementDataFile' is empty; it must be LOCAL or the name of a file.");
+  if (is_several_files(data)) throw Error("its data are in several files; save them as one.");
   if (header.fields.count("BinaryData") != 0 && !header.is_true("BinaryData"))
     throw Error("its data are text; save them as binary data.");
 

@@ -122,20 +122,27 @@ Mat3 rotation_of(const NiftiHeader& h) {
 FileGeometry geometry_of_nifti(const NiftiHeader& h) {
   FileGeometry geometry;
   for (std::size_t axis = 0; axis < 3; ++axis) geometry.dims[axis] = int(h.dim[axis + 1]);
-  const Vec3 pixdim(std::abs(h.pixdim[1]), std::abs(h.pixdim[2]), std::abs(h.pixdim[3]));
+  const Vec3 pixdim(h.pixdim[1], h.pixdim[2], h.pixdim[3]);
   geometry.spacing_mm = pixdim;
-  Mat3 axes = h.rows.leftCols<3>();
+  const Mat3 axes = h.rows.leftCols<3>();
   const bool has_map = h.sform > 0 && axes != Mat3::Zero();
-  if (has_map || h.qform > 0) {
-    geometry.origin_mm = h.rows.col(3);
-    if (!has_map) {
-      axes = rotation_of(h) * Vec3(pixdim.x(), pixdim.y(), h.pixdim[0] < 0 ? -pixdim.z() : pixdim.z()).asDiagonal();
-      geometry.origin_mm = Vec3(h.quaternion[3], h.quaternion[4], h.quaternion[5]);
-    }
-    // In files, x points right and y to the front.
-    const Vec3 signs(-1, -1, 1);
+  // Programs differ: some take the absolute value, some mirror the axis, some take 1.
+  if (!has_map && pixdim.minCoeff() < 0)
+    throw Error("its spacing (pixdim) is " + format_number(pixdim.x()) + " x " + format_number(pixdim.y()) + " x " +
+                format_number(pixdim.z()) +
+                "; a spacing must be positive. Write it so, and an affine map (sform) that tells whether an axis is "
+                "mirrored.");
+  // In files, x points right and y to the front.
+  const Vec3 signs(-1, -1, 1);
+  if (has_map) {
     geometry.set_axes(signs.asDiagonal() * axes);
-    geometry.origin_mm = signs.cwiseProduct(geometry.origin_mm).eval();
+    geometry.origin_mm = signs.cwiseProduct(Vec3(h.rows.col(3)));
+  } else if (h.qform > 0) {
+    geometry.direction = signs.asDiagonal() * rotation_of(h);
+    if (h.pixdim[0] < 0) geometry.direction.col(2) *= -1;
+    geometry.origin_mm = signs.cwiseProduct(Vec3(h.quaternion[3], h.quaternion[4], h.quaternion[5]));
+  } else {
+    geometry.axes_assumed = true;
   }
   constexpr int kMetre = 1, kMicron = 3, kSpace = 7;
   geometry.scale((h.units & kSpace) == kMetre ? 1e3 : (h.units & kSpace) == kMicron ? 1e-3 : 1);
@@ -174,6 +181,7 @@ RawImage parse_unpacked(std::string_view bytes) {
   RawImage image;
   image.type = type_of_nifti(header.type);
   image.geometry = geometry_of_nifti(header);
+  require_no_more(std::uint64_t(needed), bytes, image.needed() / std::uint64_t(image.geometry.dims[2]), true);
   image.bytes = bytes.substr(std::size_t(header.offset), image.needed());
   if (header.swapped) swap_bytes(image);
   scale(header, image);
@@ -186,8 +194,8 @@ RawImage parse_nifti(std::string_view bytes) {
   if (!bytes.starts_with("\x1f\x8b")) return parse_unpacked(bytes);
   const double needed = bytes_needed(parse_nifti_header(start_of_gzip(bytes, kNifti2)));
   require_bytes(needed, double(bytes.size()), kDeflate);
-  constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] allowed after the values
-  return parse_unpacked(unpack_gzip(bytes, std::uint64_t(needed) + kMore));
+  return parse_unpacked(
+      unpack_gzip(bytes, 2 * std::uint64_t(needed) + (1U << 20U)));  // with what may follow the values
 }
 
 }  // namespace hapticut

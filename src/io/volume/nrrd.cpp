@@ -53,7 +53,7 @@ void append_value(double number, std::string& bytes) {
   if constexpr (std::is_integral_v<Value>) {
     const double end = std::ldexp(1.0, std::numeric_limits<Value>::digits);  // first value that does not fit
     if (!(number >= double(std::numeric_limits<Value>::min()) && number < end && number == std::floor(number)))
-      throw Error("it has the value " + format_number(number) + ", which does not fit its type.");
+      throw Error("it has the value " + format_number(number, std::round(number)) + ", which does not fit its type.");
   }
   append_bytes_of(bytes, Value(number));
 }
@@ -61,6 +61,7 @@ void append_value(double number, std::string& bytes) {
 std::string parse_text_values(std::string_view text, ValueType type, std::uint64_t count) {
   std::string bytes;
   TextLines words(text);
+  const auto is_end = [](std::string_view word) { return word.find_first_not_of('\0') == std::string_view::npos; };
   for (std::uint64_t n = 0; n < count; ++n) {
     std::string_view word = words.word_of_any_line();
     if (word.ends_with(',')) word.remove_suffix(1);
@@ -70,6 +71,9 @@ std::string parse_text_values(std::string_view text, ValueType type, std::uint64
                                : in_quotes(word) + " among its values is not a number.");
     with_value_type(type, [&](auto zero) { append_value<decltype(zero)>(*number, bytes); });
   }
+  if (const std::string_view more = words.word_of_any_line(); !is_end(more))
+    throw Error("it has more than " + std::to_string(count) + " values: " + in_quotes(more) +
+                " follows them. Check the sizes in its header.");
   return bytes;
 }
 
@@ -88,7 +92,9 @@ std::string from_hex(std::string_view text) {
   return bytes;
 }
 
-std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, std::uint64_t samples) {
+/// @param slices  number of slices among the values, 0 if they are a part of one
+std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, std::uint64_t samples,
+                              std::uint64_t slices) {
   const std::uint64_t needed = samples * size_of(header.type);
   data.remove_prefix(after_lines(data, header.line_skip));
   if (header.encoding == "ascii") {
@@ -108,7 +114,8 @@ std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, s
   const std::uint64_t nifti = header.encoding == "raw" ? 0 : nifti_header_in(unpacked);
   const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);
   require_bytes(double(offset) + double(needed), double(values.size()), kNotCompressed);
-  if (header.byte_skip >= 0 && !header.data_files.empty()) require_no_more(offset + needed, values.size());
+  if (header.byte_skip >= 0)
+    require_no_more(offset + needed, values, needed / std::max<std::uint64_t>(slices, 1), header.data_files.empty());
   return std::string(values.substr(offset, needed));
 }
 
@@ -122,9 +129,10 @@ RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
   const std::uint64_t samples = image.needed() / size_of(image.type),
                       files = std::max<std::size_t>(1, header.data_files.size());
   if (samples % files != 0) throw Error("its samples cannot be divided among its " + std::to_string(files) + " files.");
-  if (header.data_files.empty()) image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
+  const std::uint64_t slices = std::uint64_t(image.geometry.dims[2]) / files;
+  if (header.data_files.empty()) image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples, slices);
   for (const std::string& name : header.data_files)
-    image.bytes += parse_nrrd_values(header, data_file(name), samples / files);
+    image.bytes += parse_nrrd_values(header, data_file(name), samples / files, slices);
   if (header.big_endian != (std::endian::native == std::endian::big)) swap_bytes(image);
   return image;
 }

@@ -161,7 +161,11 @@ class NrrdFields {
   }
 
   [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
-  [[nodiscard]] bool is_list() const { return get("data file").starts_with("LIST"); }
+  /// `LIST`, or `LIST 2` with the dimension of each file.
+  [[nodiscard]] bool is_list() const {
+    const std::string_view name = get("data file");
+    return name == "LIST" || (name.starts_with("LIST ") && parse_whole(trimmed(name.substr(5))).has_value());
+  }
   [[nodiscard]] std::size_t end() const { return at_; }
 
  private:
@@ -199,6 +203,14 @@ class NrrdFields {
   std::map<std::string, std::string_view, std::less<>> fields_;
   std::vector<std::string> list_;
 };
+
+/// Whether numbers follow a name with a percent sign. Else the sign is a part of the name.
+bool is_numbered(std::string_view data_file) {
+  const std::size_t percent = data_file.find('%');
+  const std::size_t blank = data_file.find_first_of(" \t", percent);
+  return percent != std::string_view::npos && blank != std::string_view::npos &&
+         numbers_in(data_file.substr(blank), " \t").has_value();
+}
 
 /// `slice%03d.raw 1 30 1`: name, first number, last number, step.
 std::vector<std::string> numbered_files(const NrrdFields& fields) {
@@ -266,6 +278,7 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
     Mat3 steps;
     for (int axis = 0; axis < 3; ++axis) steps.col(axis) = directions[axes[std::size_t(axis)]].cwiseProduct(signs);
     geometry.set_axes(steps);
+    geometry.axes_assumed = !fields.has("space");
     if (fields.has("space origin")) geometry.origin_mm = fields.vectors("space origin", 1)[0].cwiseProduct(signs);
   } else {
     if (fields.has("spacings")) geometry.spacing_mm = three("spacings");
@@ -318,7 +331,7 @@ NrrdHeader parse_nrrd_header(std::string_view bytes) {
     const std::string_view name = fields.get("data file");
     if (fields.is_list())
       header.data_files = fields.list();
-    else if (name.find('%') != std::string_view::npos)
+    else if (is_numbered(name))
       header.data_files = numbered_files(fields);
     else
       header.data_files = {std::string(name)};

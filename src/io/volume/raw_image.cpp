@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/text_lines.hpp"
@@ -71,19 +72,27 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
     cannot_read(path, "its unit " + in_quotes(geometry.unknown_unit) +
                           " is not known; write m, cm, mm, um or nm into its header, or set "
                           "VolumeReadOptions::spacing.");
+  for (int axis = 0; axis < 3; ++axis)  // a negative spacing mirrors the axis, also when the caller gives its length
+    if (geometry.spacing_mm[axis] < 0) {
+      geometry.spacing_mm[axis] *= -1;
+      geometry.direction.col(axis) *= -1;
+    }
   // The caller's spacing also defines the length of an unknown unit.
   if (!geometry.unknown_unit.empty()) geometry.origin_mm *= spacing->norm() / units::mm / geometry.spacing_mm.norm();
+  if (!geometry.direction.allFinite())
+    cannot_read(path,
+                "the direction of one of its axes is zero or not a number. Write the directions of three axes into its "
+                "header.");
   if (spacing) geometry.spacing_mm = *spacing / units::mm;
   if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
     cannot_read(path, "it lacks the spacing of its samples (" + format_number(geometry.spacing_mm.x()) + " x " +
                           format_number(geometry.spacing_mm.y()) + " x " + format_number(geometry.spacing_mm.z()) +
                           " mm); set VolumeReadOptions::spacing.");
-  if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
-    cannot_read(path, "its origin or direction is not finite. Check its header.");
+  if (!is_finite(geometry.origin_mm)) cannot_read(path, "its origin is not finite. Check its header.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
   constexpr double kMaxLength = 1e5;  // [mm]
   if (!(extent.maxCoeff() <= kMaxLength))
-    cannot_read(path, "it is " + format_number(extent.maxCoeff() * 1e-3) + " m long; at most " +
+    cannot_read(path, "it is " + format_number(extent.maxCoeff() * 1e-3, kMaxLength * 1e-3) + " m long; at most " +
                           format_number(kMaxLength * 1e-3) + " m are allowed. Check its spacing, or set another one.");
   constexpr double kMaxDistance = 1e9;  // [mm]
   if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kMaxDistance))
@@ -100,13 +109,18 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   if (geometry.direction.determinant() < 0) turn_round_z(volume, geometry);
   volume.spacing = geometry.spacing_mm * units::mm;
   volume.X_WG = {geometry.direction, geometry.origin_mm * units::mm};
+  volume.remarks = image.remarks;
+  if (geometry.axes_assumed)
+    volume.remarks.push_back("'" + path.string() +
+                             "' does not say how its axes lie in the patient; they are taken for left, back and head.");
   return volume;
 }
 
 }  // namespace
 
 void require_sane_dims(const std::array<double, 3>& dims) {
-  const std::string claim = format_number(dims[0]) + " x " + format_number(dims[1]) + " x " + format_number(dims[2]);
+  const auto text = [](double n) { return format_number(n, std::round(n)); };
+  const std::string claim = text(dims[0]) + " x " + text(dims[1]) + " x " + text(dims[2]);
   for (const double n : dims)
     if (!(n >= 1) || n != std::floor(n))
       throw Error("it claims " + claim +
@@ -134,10 +148,16 @@ void require_bytes(double needed, double available, double best_ratio) {
                 format_number(available) + (compressed ? " compressed ones." : ".") + " Is it truncated?");
 }
 
-void require_no_more(std::uint64_t claimed, std::uint64_t available) {
-  if (available > claimed)
+void require_no_more(std::uint64_t claimed, std::string_view data, std::uint64_t slice, bool same_file) {
+  if (data.size() <= claimed) return;
+  constexpr std::uint64_t kFew = 64;  // [bytes]
+  const std::string_view more = data.substr(std::size_t(claimed));
+  const bool zeros = more.find_first_not_of('\0') == std::string_view::npos,
+             blank = more.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos,
+             few = more.size() < std::max(slice, kFew);
+  if (same_file ? !few && !blank : !few || !zeros)
     throw Error("its header claims " + std::to_string(claimed) + " bytes of data, but there are " +
-                std::to_string(available) + ". Check the type and the sizes that it names.");
+                std::to_string(data.size()) + ". Check the type and the sizes that it names.");
 }
 
 void swap_bytes(RawImage& image) {
@@ -159,11 +179,11 @@ GreyVolume to_grey_volume(const RawImage& image, const std::filesystem::path& pa
 LabelVolume to_label_volume(const RawImage& image, const std::filesystem::path& path,
                             const std::optional<Vec3>& spacing) {
   return to_volume<std::uint16_t>(image, path, spacing, [&](auto value) {
-    const auto label = double(value);
-    if (!(label >= 0 && label <= 65535 && label == std::floor(label)))
-      cannot_read(path, "it has the value " + format_number(label) +
+    const double given = double(value), label = std::round(given);
+    if (!(label >= 0 && label <= 65535 && std::abs(given - label) <= kLabelRounding))
+      cannot_read(path, "it has the value " + format_number(given, label) +
                             ", but labels are whole numbers from 0 to 65535. Read it as a grey volume instead.");
-    return std::uint16_t(value);
+    return std::uint16_t(label);
   });
 }
 

@@ -19,10 +19,11 @@ namespace hapticut {
 /// Geometry of a grid, in the units of files.
 struct FileGeometry {
   std::array<int, 3> dims = {0, 0, 0};
-  Vec3 spacing_mm = Vec3::Zero();     ///< zero: unknown
+  Vec3 spacing_mm = Vec3::Zero();     ///< zero: unknown; negative: the axis points against its direction
   Vec3 origin_mm = Vec3::Zero();      ///< position of sample (0,0,0)
   Mat3 direction = Mat3::Identity();  ///< columns: directions of the grid's axes
   std::string unknown_unit = {};      ///< unit of spacing and origin, if the file has an unknown one
+  bool axes_assumed = false;          ///< the file should say how its axes lie in the patient, and does not
 
   /// Sets spacing and directions.
   /// @param steps  columns: vector from a sample to the next one along each axis
@@ -41,7 +42,8 @@ struct RawImage {
   FileGeometry geometry;
   ValueType type = ValueType::uint8;
   std::string bytes;
-  std::vector<bool> padding;  ///< true: sample outside the field of view; missing elements are false
+  std::vector<bool> padding;              ///< true: sample outside the field of view; missing elements are false
+  std::vector<std::string> remarks = {};  ///< as in Volume
 
   /// [bytes] Required size of the values.
   [[nodiscard]] std::uint64_t needed() const {

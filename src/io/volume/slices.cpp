@@ -5,11 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/interruption.hpp"
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/picture_file.hpp"
+#include "io/volume/slice_names.hpp"
 
 namespace hapticut {
 namespace {
@@ -59,21 +61,42 @@ std::vector<SliceNumber> numbers_of_name(const fs::path& path) {
 void require_follows(const fs::path& folder, const SliceFile& before, const SliceFile& file, bool does) {
   if (!does)
     cannot_read(folder, "its slices '" + before.path.filename().string() + "' and '" + file.path.filename().string() +
-                            "' are not consecutive; one is missing, duplicated, or of another series.");
+                            "' are not consecutive; one is missing, duplicated, or of another series. Add the missing "
+                            "one, or move files of other series elsewhere.");
+}
+
+/// Refuses a file that has the name of a slice and is none, e.g. s06.bmp or s06.tif.part after s05.tif. It would end
+/// the volume early.
+void require_no_lost_slices(const fs::path& folder, const std::vector<SliceFile>& files,
+                            const std::vector<fs::path>& others) {
+  SliceNames names;
+  for (const SliceFile& file : files) names.add(file.path);
+  for (const fs::path& path : others)
+    if (names.is_name_of_slice(path) || names.is_slice_of_other_format(path))
+      cannot_read(folder, "'" + path.filename().string() + "' has the name of a slice, but " +
+                              what_is_no_slice(path, "PNG or TIFF file") +
+                              ". Save it as its neighbours, or remove it from the folder.");
 }
 
 /// The slices of a folder, ordered by the last number in their names that differs between them. The numbers need no
 /// leading zeros.
 std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   std::vector<SliceFile> files;
-  std::error_code code;
-  for (const auto& entry : fs::directory_iterator(folder, code))
-    if (const auto format = format_of(entry.path())) files.push_back({entry.path(), *format});
+  std::vector<fs::path> others;
+  std::error_code code, ignored;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    if (const auto format = format_of(entry.path()))
+      files.push_back({entry.path(), *format});
+    else if (entry.is_regular_file(ignored) && !entry.path().filename().string().starts_with('.'))
+      others.push_back(entry.path());
+  }
   if (code) cannot_read(folder, code.message() + ".");
+  std::sort(others.begin(), others.end());
   if (files.size() < 2) {
     for (const SliceFile& file : files) (void)read_picture(file);  // throws when a file has several pages
     cannot_read(folder, "it has fewer than two PNG or TIFF slices; a volume needs two.");
   }
+  require_no_lost_slices(folder, files, others);
   for (SliceFile& file : files) file.numbers = numbers_of_name(file.path);
   std::size_t n = files[0].numbers.size() - 1;
   for (const SliceFile& file : files) require_follows(folder, files[0], file, file.numbers.size() == n + 1);
@@ -96,6 +119,7 @@ std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
   std::array<int, 3> dims{};
   std::optional<PictureFile> first;
   for (const SliceFile& file : files) {
+    look_for_interruption();
     PictureFile picture = read_picture(file);
     if (!first) {
       first = PictureFile{picture.dims, picture.channels, picture.type, {}};

@@ -27,7 +27,7 @@ class TiffReader {
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &TiffReader::note_error, this);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &TiffReader::ignore, nullptr);
     tiff_.reset(TIFFOpenExt(path.c_str(), "rm", options.get()));
-    if (!tiff_) fail("its format differs from its extension");
+    if (!tiff_) fail("its format differs from its extension, or it is damaged; save it as TIFF again");
   }
 
   PictureFile read() {

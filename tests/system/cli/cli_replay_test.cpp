@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/program.hpp"
+#include "support/recordings.hpp"
 
 namespace hapticut::cli_replay_test {
 namespace {
@@ -58,6 +59,27 @@ TEST_F(Replay, SaysBeforeTheWorkThatARecordingCannotBeWritten) {
   std::ofstream(folder / "file") << "no folder";
   expect_refused("drill " + kBlock + kBall + kGroove + "--record " + path("file/a.h5"), {"file/a.h5"});
   EXPECT_EQ(read_bytes(folder / "stdout"), "");
+}
+
+// Two programs record to one file: the second is refused, and the first keeps its recording.
+TEST_F(Replay, OfAFileThatAnotherProgramIsRecording) {
+  const test::Scene& scene = find_scene("axial_flat");
+  for (const char* when : {"to a new file", "over an older recording"}) {
+    Simulation simulation = scene.make();
+    Recorder recorder(folder / "a.h5", simulation, patient());
+    for (int tick = 0; tick < 50; ++tick) recorder.step(scene.input(tick));
+    std::filesystem::create_directory_symlink(folder / "", folder / "link");
+    for (const std::string& name : {path("a.h5"), path("./link/a.h5")})
+      for (const std::string& command : {"drill " + kBlock + kBall + kGroove + "--record " + name,
+                                         "loop mock:spiral --seconds 0.1 --simulated_time --record " + name})
+        expect_refused(command, {"a.h5'", "still writing", "another file"});
+    std::filesystem::remove(folder / "link");
+    for (int tick = 50; tick < 100; ++tick) recorder.step(scene.input(tick));
+    recorder.close();
+    EXPECT_EQ(report("replay " + path("a.h5"))["steps"], 100) << when;
+  }
+  (void)drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
+  EXPECT_NE(report("replay " + path("a.h5"))["steps"], 100) << "the file is free again";
 }
 
 }  // namespace

@@ -6,10 +6,13 @@
 #include <zlib.h>
 
 #include <cstring>
+#include <fstream>
 
 #include "hapticut/core/errors.hpp"
+#include "support/no_disk_space.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
+#include "system/cli/view_desk.hpp"
 
 namespace hapticut::replay_page_test {
 namespace {
@@ -108,6 +111,52 @@ TEST(ReplayPage, HoldsEveryStepThatWasRecorded) {
   const test::TemporaryFolder folder;
   test::record_scene(folder / "a.h5", kScene, 510);
   expect_what_was_recorded(read_recording(folder / "a.h5"), 510);
+}
+
+// A hovering bur passes through the workpiece with a held spindle: it presses hard and crushes nothing. So does its
+// replay.
+TEST(ReplayPage, ABurThatHoversIntoTheWorkpieceReplaysWithTheSameBits) {
+  using units::mm;
+  const test::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  {
+    test::Desk desk;
+    desk.turn("Record", 1);
+    desk.lead(Vec3(0, 0, 1 * mm), false);
+    for (const double x : {1, -1, 1}) desk.lead(Vec3(x * mm, 0, -1 * mm), false);
+    desk.lead(Vec3(0, 0, 1 * mm), true);
+    desk.lead(Vec3(0, 0, -0.3 * mm), true);  // cuts
+    desk.lead(Vec3(1 * mm, 0, -1 * mm), false);
+    desk.session.hold();
+  }
+  std::filesystem::current_path(before);
+  const Recording recording = read_recording(folder / "session-1.h5");
+  std::uint64_t held_in_contact = 0;
+  double removed = 0;
+  for (const RecordedStep& step : recording.read(0, recording.size())) {
+    held_in_contact += step.spindle_held && step.contact.voxels > 0 ? 1 : 0;
+    removed += step.removed_volume;
+  }
+  EXPECT_GT(held_in_contact, 100U);
+  EXPECT_GT(removed, 0);
+  const ReplayReport report = replay(recording);
+  EXPECT_EQ(report.steps, recording.size());
+  EXPECT_TRUE(report.identical) << report.first_difference->column << " in step " << report.first_difference->step;
+}
+
+TEST(ReplayPage, ThatCannotBeWrittenLeavesTheOlderOneAsItIs) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"page.js", "page.css"}) std::ofstream(folder / name) << "/* page */";
+  std::ofstream(folder / "index.html")
+      << "<link rel=\"stylesheet\" href=\"page.css\"><script src=\"page.js\"></script>";
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", kScene, 20));
+  cli::write_replay_page(recording, folder / "", folder / "a.html");
+  const std::string page = test::read_bytes(folder / "a.html");
+  EXPECT_GT(page.size(), 1000U);
+  const test::NoDiskSpace full;
+  EXPECT_THROW(cli::write_replay_page(recording, folder / "", folder / "a.html"), Error);
+  EXPECT_EQ(test::read_bytes(folder / "a.html"), page);
 }
 
 /// A recording of 250 steps, a change outside the steps, and 100 more steps.

@@ -9,54 +9,15 @@
 #include <thread>
 
 #include "support/temporary_folder.hpp"
-#include "system/cli/small_scene.hpp"
-#include "unit/view/view_client.hpp"
+#include "system/cli/view_desk.hpp"
 
 namespace hapticut::view_session_test {
 namespace {
 
 using namespace std::chrono_literals;
-using cli::ViewSession;
-using test::small_scene;
+using test::Desk;
 using units::mm;
 using view_test::soon;
-
-/// A session with running frames, and a page that sends commands.
-struct Desk {
-  Desk() { session.begin(true); }
-  /// Waits until the model has executed the commands and the force is on (without it the spindle stands), plus one
-  /// tick.
-  void frames() {
-    const auto is_on = [&] { return session.device().is_running() && session.device().arming() == ArmingState::on; };
-    ASSERT_TRUE(soon([&] { return session.frame(0.016), session.is_settled() && is_on(); }));
-    std::this_thread::sleep_for(50ms);
-  }
-  void turn(const std::string& label, double value) {
-    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
-    for (const view::Control& control : controls.all())
-      if (control.label == label) return session.apply(view::SetControl{control.id, value});
-    ADD_FAILURE() << "there is no control " << label;
-  }
-  /// Moves the tip of the ball to a point, and runs frames until the hand is there.
-  void lead(const Vec3& tip, bool pressed) {
-    const Pose X_WT = Pose::from_translation(tip + Vec3(0, 0, 0.5 * mm));
-    session.apply(view::LookAt{});
-    session.apply(view::MoveHand{X_WT * session.tool().X_HT().inverse(), pressed});
-    ASSERT_TRUE(soon([&] {
-      session.frame(0.016);
-      return (session.latest().device.X_BS.translation - X_WT.translation).norm() < 1e-6;
-    }));
-    frames();
-  }
-  /// Ends the run, so the model can be inspected.
-  const Simulation& model() {
-    frames();
-    session.apply(view::WriterLeft{});
-    return session.simulation();
-  }
-  view::ViewServer server{{}};
-  ViewSession session{small_scene("block"), server, nullptr};
-};
 
 TEST(ViewSession, BeginsASentenceWithACapitalButKeepsNames) {
   const auto sentence = [](const char* text) { return cli::as_sentence(Error(text)); };

@@ -175,8 +175,13 @@ TEST(PartialVolume, DoesNotAffectLabels) {
   auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, LabelVolume{}.spacing, {});
   for (std::size_t n = 0; n < volume.size(); ++n) volume.values[n] = std::uint16_t(n / 7 % 3);
   const std::vector<LabelMaterial> materials = {{{1}, named("a")}, {{2}, named("b")}};
-  const auto on = build_from_labels(volume, materials, {.voxel_size = 0.7 * mm}).amounts();
-  const auto off = build_from_labels(volume, materials, {.voxel_size = 0.7 * mm, .partial_volume = false}).amounts();
+  const auto amounts = [&](bool partial_volume) {
+    return build_from_labels(
+               volume, materials,
+               {.voxel_size = 0.7 * mm, .partial_volume = partial_volume, .warn = [](const std::string&) {}})
+        .amounts();
+  };
+  const auto on = amounts(true), off = amounts(false);
   for (std::size_t n = 0; n < 2; ++n) EXPECT_EQ(on[n].volume, off[n].volume);
 }
 

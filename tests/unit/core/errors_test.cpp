@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
+
+#include "hapticut/core/description.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::errors_test {
 
@@ -34,6 +38,30 @@ TEST(Errors, MakeUtf8OfAnything) {
   EXPECT_EQ(shown("\xed\xa0\x80"), "???") << "half of a UTF-16 pair";
   EXPECT_EQ(shown("\xf4\x90\x80\x80"), "????") << "beyond the last character";
   EXPECT_EQ(shown("\xf8\x88\x80\x80\x80"), "?????") << "five bytes";
+}
+
+TEST(Numbers, InMessagesHaveSixDigitsUnlessTheyWouldLookRoundAndAreNot) {
+  EXPECT_EQ(format_number(0.3), "0.3");
+  EXPECT_EQ(format_number(0.1 + 0.2), "0.3") << "noise of an operation";
+  EXPECT_EQ(format_number(double(0.3F)), "0.3") << "a number in single precision";
+  EXPECT_EQ(format_number(1.0 / 3), "0.333333");
+  EXPECT_EQ(format_number(1e-5), "1e-05");
+  EXPECT_EQ(format_number(2.00000004), "2.00000004");
+  EXPECT_EQ(format_number(double(2.0000002F)), "2.0000002");
+  EXPECT_EQ(format_number(1000000.5), "1000000.5");
+  EXPECT_EQ(format_number(0), "0");
+  EXPECT_EQ(format_number(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(Numbers, ThatAreComparedInAMessageNeverLookTheSame) {
+  EXPECT_EQ(format_number(0.1 + 0.2, 0.3), "0.30000000000000004");
+  EXPECT_EQ(format_number(0.3, 0.1 + 0.2), "0.3");
+  EXPECT_EQ(format_number(1.2345678, 1.2345677), "1.2345678");
+  EXPECT_EQ(format_number(0.3, 0.3), "0.3");
+  const auto said = [](double value) { return test::refusal([&] { require_between(value, 0, 0.3, "x"); }); };
+  EXPECT_EQ(said(0.1 + 0.2), "x = 0.30000000000000004; must be between 0 and 0.3.");
+  EXPECT_EQ(said(0.3000000001), "x = 0.3000000001; must be between 0 and 0.3.");
+  EXPECT_EQ(test::refusal([] { require_within(0.1 + 0.2, Range::between(0, 0.3), "x"); }), said(0.1 + 0.2));
 }
 
 }  // namespace hapticut::errors_test

@@ -107,6 +107,53 @@ TEST(DicomFrames, WithoutPositionsAreNotAsFarApartAsTheyAreThick) {
   EXPECT_NEAR(read(e.set(0x00180088, "DS", "0.5")).spacing.z(), 0.5 * mm, 1e-12);
 }
 
+// PS3.3 0018,0088: a negative distance stacks the frames against the normal, from the position downwards.
+TEST(DicomFrames, WithANegativeDistanceAreStackedDownwards) {
+  DicomElements e = test::dicom_picture(1, 1, {1, 2, 3});
+  e.set(0x00280008, "IS", "3").set(0x00180088, "DS", "-0.5").set(kOrientation, "DS", "1\\0\\0\\0\\1\\0");
+  e.set(kPosition, "DS", "10\\20\\30");
+  for (const VolumeReadOptions& options : {VolumeReadOptions{}, {.spacing = Vec3(0.1, 0.2, 0.5) * mm}}) {
+    const GreyVolume volume = read(e, options);
+    EXPECT_NEAR(volume.spacing.z(), 0.5 * mm, 1e-12);
+    for (int k = 0; k < 3; ++k) {
+      const double frame = double(volume.at(0, 0, k)) + 1000 - 1;
+      EXPECT_LT((volume.position(0, 0, k) - Vec3(10, 20, 30 - 0.5 * frame) * mm).norm(), 1e-12) << k;
+    }
+  }
+}
+
+// PS3.3 C.8.8.3.2: offsets that begin with the height of the first frame are heights, whatever the normal.
+TEST(DicomFrames, OfADoseAreAtDistancesOrHeights) {
+  DicomElements e = test::dicom_picture(1, 1, {1, 2, 3});
+  e.set(0x00280008, "IS", "3").set(kPosition, "DS", "10\\20\\30").set(kOrientation, "DS", "1\\0\\0\\0\\-1\\0");
+  const std::pair<const char*, double> cases[] = {{"0\\1\\2", -1},  // along the normal, which points down
+                                                  {"0\\-1\\-2", 1},
+                                                  {"30\\31\\32", 1},
+                                                  {"30\\29\\28", -1}};
+  for (const auto& [offsets, upwards] : cases) {
+    const GreyVolume volume = read(e.set(0x3004000c, "DS", offsets));
+    for (int k = 0; k < 3; ++k) {
+      const double frame = double(volume.at(0, 0, k)) + 1000 - 1;
+      EXPECT_LT((volume.position(0, 0, k) - Vec3(10, 20, 30 + upwards * frame) * mm).norm(), 1e-12) << offsets;
+    }
+  }
+}
+
+TEST(DicomFrames, WithoutAnOrientationAreTakenForAxialAndRemarkedUnlessTheirPositionsDisagree) {
+  const std::vector<std::string> remarks = read(frames_at({0, 0.5, 1})).remarks;
+  ASSERT_EQ(remarks.size(), 1U);
+  expect_part(remarks[0], "does not say how its axes lie in the patient; they are taken for left, back and head");
+  DicomElements e = test::dicom_picture(1, 1, {1, 2});
+  std::vector<DicomElements> frames;
+  for (const char* place : {"0\\0\\0", "0\\0.5\\0"}) {
+    DicomElements position, frame;
+    frames.push_back(frame.set_items(0x00209113, {position.set(kPosition, "DS", place)}));
+  }
+  expect_part(error_of(e.set(0x00280008, "IS", "2").set_items(0x52009230, frames)),
+              "it lacks the orientation of its frames (Image Orientation), and their positions show");
+  EXPECT_TRUE(read(e.set(kOrientation, "DS", "0\\0\\1\\1\\0\\0")).remarks.empty());
+}
+
 /// Slices at given positions, named s0, s1, ...
 class DicomSlices : public testing::Test {
  protected:

@@ -69,28 +69,36 @@ TEST(RecorderChild, DISABLED_RecordsUntilItIsKilled) {
   }
 }
 
+/// Starts that process, and waits until it has made some steps.
+pid_t start_recorder(const TemporaryFolder& folder, SharedCounter& steps, long when) {
+  ::setenv(kFolderVariable, folder.operator/("").c_str(), 1);
+  std::string program = "/proc/self/exe", filter = "--gtest_filter=RecorderChild.*",
+              disabled = "--gtest_also_run_disabled_tests";
+  char* arguments[] = {program.data(), filter.data(), disabled.data(), nullptr};
+  pid_t child = 0;
+  posix_spawn_file_actions_t quietly;
+  ::posix_spawn_file_actions_init(&quietly);
+  ::posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  EXPECT_EQ(::posix_spawn(&child, program.c_str(), &quietly, nullptr, arguments, environ), 0);
+  ::posix_spawn_file_actions_destroy(&quietly);
+  while ((*steps).load() < when && ::waitpid(child, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return child;
+}
+
+void kill_recorder(pid_t child) {
+  ASSERT_EQ(::kill(child, SIGKILL), 0);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+}
+
 TEST(Recorder, LosesLessThanASecondWhenItsProcessIsKilled) {
   const long kAtOneKilohertz = 1000;  // steps per second
   for (const long when : {350, 1501}) {
     const TemporaryFolder folder;
     SharedCounter steps(folder / "counter");
-    ::setenv(kFolderVariable, folder.operator/("").c_str(), 1);
-    std::string program = "/proc/self/exe", filter = "--gtest_filter=RecorderChild.*",
-                disabled = "--gtest_also_run_disabled_tests";
-    char* arguments[] = {program.data(), filter.data(), disabled.data(), nullptr};
-    pid_t child = 0;
-    posix_spawn_file_actions_t quietly;
-    ::posix_spawn_file_actions_init(&quietly);
-    ::posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ASSERT_EQ(::posix_spawn(&child, program.c_str(), &quietly, nullptr, arguments, environ), 0);
-    ::posix_spawn_file_actions_destroy(&quietly);
-    while ((*steps).load() < when && ::waitpid(child, nullptr, WNOHANG) == 0)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ASSERT_EQ(::kill(child, SIGKILL), 0);
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
-
+    kill_recorder(start_recorder(folder, steps, when));
     const long made = (*steps).load();
     const Recording recording = read_recording(folder / "killed.h5");
     EXPECT_GE(long(recording.size()), made - kAtOneKilohertz);
@@ -103,6 +111,24 @@ TEST(Recorder, LosesLessThanASecondWhenItsProcessIsKilled) {
     EXPECT_TRUE(report.identical);
     EXPECT_EQ(report.steps, recording.size());
   }
+}
+
+TEST(Recorder, OfAnotherProcessKeepsItsFileUntilItIsKilled) {
+  const TemporaryFolder folder;
+  SharedCounter steps(folder / "counter");
+  const pid_t child = start_recorder(folder, steps, 10);
+  Simulation simulation = test::find_scene("axial_flat").make();
+  test::expect_part(test::refusal([&] { Recorder(folder / "killed.h5", simulation); }), "another program");
+  kill_recorder(child);
+  EXPECT_TRUE(replay(read_recording(folder / "killed.h5")).identical);
+  for (int times = 0; times < 2; ++times) {  // the second time over a complete recording
+    Simulation fresh = test::find_scene("axial_flat").make();
+    Recorder recorder(folder / "killed.h5", fresh, patient());
+    step_in_the_air(recorder, 10);
+    recorder.close();
+    EXPECT_EQ(read_recording(folder / "killed.h5").size(), 10U);
+  }
+  EXPECT_EQ(folder.file_count(), 2U) << "the counter and the recording";
 }
 
 TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {

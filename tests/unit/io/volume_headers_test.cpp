@@ -11,6 +11,7 @@
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
+#include "support/volumes.hpp"
 
 namespace hapticut::volume_headers_test {
 namespace {
@@ -61,7 +62,6 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
       {"v.nrrd", kNrrd + none + "spacings: nan nan nan\naxis mins: 1 2 3\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "spacings: 0.1 nan 0.7\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "spacings: 0 0 0\n\n" + ramp()},
-      {"v.nrrd", kNrrd + none + "spacings: -0.1 0.2 0.7\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "thicknesses: 1 1 1\nunits: \"mm\" \"mm\" \"mm\"\n\n" + ramp()},
       {"v.mha", kMeta3 + kLocal + ramp()},
       {"v.mha", kMeta3 + "ElementSpacing = 0 0 0\n" + kLocal + ramp()},
@@ -76,6 +76,56 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
   nifti.spacing = {0, 0, 0};
   nifti.values.resize(60);
   expect_refused("v.nii", nifti.bytes(), "; set VolumeReadOptions::spacing.");
+}
+
+// The first sample stays where it is, and the axis runs the other way.
+TEST(VolumeHeader, WithANegativeSpacingHasAnAxisThatRunsTheOtherWay) {
+  const std::string meta = kMeta3 + "ElementSpacing = 0.1 -0.2 0.7\nOffset = 1 2 3\n" + kLocal + ramp();
+  const std::string nrrd =
+      kNrrd + "dimension: 3\nsizes: 4 3 5\nspacings: 0.1 -0.2 0.7\naxis mins: 0.95 2.1 2.65\n\n" + ramp();
+  const VolumeReadOptions spaced = {.spacing = Vec3(0.1, 0.2, 0.7) * mm};
+  for (const auto& [name, bytes] : {std::pair("v.mha", meta), std::pair("v.nrrd", nrrd)})
+    for (const VolumeReadOptions& options : {VolumeReadOptions{}, spaced}) {
+      const GreyVolume volume = read(name, bytes, options);
+      EXPECT_TRUE(volume.spacing.isApprox(Vec3(0.1, 0.2, 0.7) * mm, 1e-9));
+      EXPECT_TRUE(is_rotation(volume.X_WG.rotation, 1e-9)) << name;
+      test::for_each_sample(volume, [&](int i, int j, int k) {  // sample n of the file has the value n + 1
+        const int n = int(volume.at(i, j, k)) - 1;
+        const Vec3 place(1 + 0.1 * (n % 4), 2 - 0.2 * (n / 4 % 3), 3 + 0.7 * (n / 12));
+        EXPECT_LT((volume.position(i, j, k) - place * mm).norm(), 1e-9) << name << ", sample " << n;
+      });
+    }
+}
+
+TEST(VolumeHeader, WithoutTheDirectionsOfThePatientIsRemarked) {
+  test::NiftiFile nifti;
+  nifti.values.resize(60);
+  const GreyVolume volume = read("v.nii", nifti.bytes());
+  ASSERT_EQ(volume.remarks.size(), 1U);
+  test::expect_part(volume.remarks[0], "does not say how its axes lie in the patient");
+  nifti.rows = {0.1F, 0, 0, 0, 0, 0.2F, 0, 0, 0, 0, 0.7F, 0};
+  EXPECT_TRUE(read("v.nii", nifti.bytes()).remarks.empty());
+}
+
+TEST(LabelVolumes, OfValuesNearAWholeNumberAreRead) {
+  const auto label = [](float value) {
+    const test::TemporaryFolder folder;
+    std::string bytes;
+    for (int n = 0; n < 60; ++n) bytes += test::little(n == 0 ? value : 3.0F);
+    test::write_bytes(folder / "v.nrrd",
+                      "NRRD0005\ntype: float\nendian: little\nencoding: raw\ndimension: 3\nsizes: 4 3 5\n"
+                      "spacings: 1 1 1\n\n" +
+                          bytes);
+    return read_label_volume(folder / "v.nrrd").values[0];
+  };
+  EXPECT_EQ(label(2.0000002F), 2);
+  EXPECT_EQ(label(1.9999999F), 2);
+  EXPECT_EQ(label(0.988F + 0.003F), 1);  // of labels that were scaled to 8 bits
+  EXPECT_EQ(label(65534.996F), 65535);
+  EXPECT_EQ(label(-1e-7F), 0);
+  test::expect_refused([&] { return label(2.0118F); }, "it has the value 2.0118, but labels");
+  test::expect_refused([&] { return label(-0.5F); }, "it has the value -0.5, but labels");
+  test::expect_refused([&] { return label(65536); }, "it has the value 65536, but labels");
 }
 
 TEST(Nrrd, KnowsUnitsByTheirUsualNames) {

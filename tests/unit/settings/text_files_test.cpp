@@ -114,6 +114,36 @@ TEST(TextFiles, NameEachColumnOnce) {
   EXPECT_EQ(refusal(kReadPoses, "t_s,x_mm,y_mm,z_mm,,\n0,1,2,3,,\n1,1,2,3,,\n"), "");
 }
 
+// Poses whose rotations have other names: each is refused by name, and read after the cure.
+TEST(PosesOfText, RefuseColumnsThatWouldBeLeftOut) {
+  const std::string rows = "\n0,1,2,3,0,60,0\n1,1,2,4,0,60,0\n", plain = "t_s,x_mm,y_mm,z_mm";
+  for (const auto& [names, part] : std::vector<std::pair<std::string, std::string>>{
+           {",roll_deg,pitch_deg,yaw_deg", "there is no column roll_deg; must be one of t_s, x_mm"},
+           {",rx_rad,ry_rad,rz_rad", "there is no column rx_rad"},
+           {",q_w,q_x,q_y", "there is no column q_w"},
+           {",vx,vy,vz", "there is no column vx"},
+           {",r0,r1,r2", "Leave it out, or name it comment if it says nothing about the poses."}}) {
+    const std::string said = refusal(kReadPoses, plain + names + rows);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_TRUE(said.starts_with("a.csv:1: ")) << said;
+  }
+  EXPECT_EQ(refusal(kReadPoses, plain + "\n0,1,2,3\n1,1,2,4\n"), "") << "left out";
+  EXPECT_EQ(refusal(kReadPoses, plain + ",comment,,\n0,1,2,3,60,,\n1,1,2,4,60,,\n"), "") << "called a comment";
+  EXPECT_NE(refusal(kReadPoses, "t_s,x_mm,y_mm,z\n0,1,2,3\n1,1,2,4\n").find("Did you mean z_mm?"), std::string::npos);
+  EXPECT_EQ(refusal(kReadPoses, plain + ",note,Index,frame,status,force_x_N\n0,1,2,3,a,1,1,ok,0\n1,1,2,4,b,2,2,ok,0\n"),
+            "");
+}
+
+TEST(TextFiles, HaveColumnsInUpperOrLowerCase) {
+  const auto lower = kReadPoses("t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,1,2,3,0,0,0,1\n1,1,2,4,0,0,0,1\n"),
+             upper = kReadPoses("T_S, X_mm,Y_MM,z_mm, QW,QX,Qy,qZ\n0,1,2,3,0,0,0,1\n1,1,2,4,0,0,0,1\n");
+  ASSERT_EQ(upper.size(), lower.size());
+  EXPECT_EQ(upper[1].pose.rotation, lower[1].pose.rotation);
+  EXPECT_EQ(upper[1].pose.translation, lower[1].pose.translation);
+  EXPECT_NE(refusal(kReadPoses, "t_s,x_mm,y_mm,z_mm,Z_mm\n0,1,2,3,4\n").find("Z_mm is named twice"), std::string::npos);
+  EXPECT_EQ(kReadProfile("Rho_mm,Z_mm\n0,0\n1,1\n").edges.size(), 1U);
+}
+
 TEST(ProfileOfText, HasItsTipAtZero) {
   const Profile profile = kReadProfile("z_mm,rho_mm,kind\n1,0,cutting\n1.5,0.75,smooth\n");
   ASSERT_EQ(profile.edges.size(), 1U);

@@ -6,11 +6,13 @@ order in which the runs end. A killed sweep continues where it stopped.
 """
 from __future__ import annotations
 
+import contextlib
 import multiprocessing
 import os
+import signal
 import sys
 import types
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -23,6 +25,9 @@ from .study import Study, load_traces
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from . import outcome, spaces
+    from . import study as study_
 
 __all__ = ["Parameters", "Run", "design", "generator", "grid", "latin_hypercube", "load_traces", "sobol", "sweep"]
 
@@ -72,6 +77,9 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     Error
         When the space is empty, the folder cannot be written or holds another study, or the executor dies. Finished
         runs are kept.
+    KeyboardInterrupt
+        After Ctrl-C, within a second. Finished runs are kept: call sweep again to continue. The processes of the
+        default pool are ended; an executor that you pass finishes the runs that it has begun.
     """
     try:
         import pandas  # noqa: F401
@@ -95,10 +103,29 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
         if executor is None and missing:
             # A forked child of a process with threads may hang; a spawned one does not.
             context = multiprocessing.get_context("spawn")
-            executor = stack.enter_context(ProcessPoolExecutor(processes, mp_context=context))
+            executor = stack.enter_context(_ended_by_interrupts(
+                ProcessPoolExecutor(processes, mp_context=context, initializer=_leave_interrupts_to_the_parent)))
         if executor is not None:
             _make(study, missing, run, seed, executor, processes if owned else 0, progress)
     return study.table(units or {})
+
+
+def _leave_interrupts_to_the_parent() -> None:
+    """In a worker: a terminal sends Ctrl-C to all its processes, but only the parent knows which results to keep."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextlib.contextmanager
+def _ended_by_interrupts(pool: ProcessPoolExecutor) -> Iterator[ProcessPoolExecutor]:
+    """Waits at the end for the processes of a pool; ends them when an exception such as KeyboardInterrupt leaves."""
+    try:
+        yield pool
+    except BaseException:
+        for process in list((getattr(pool, "_processes", None) or {}).values()):
+            process.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: Executor, processes: int,
@@ -119,13 +146,18 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
         failure = error
     try:
         for future in _with_bar(as_completed(futures), len(study.space), len(missing), progress):
-            futures.discard(future)  # frees its traces
             try:
                 outcome = future.result()
             except Exception as error:
                 failure = failure or error
             else:
                 study.keep(outcome)
+            futures.discard(future)  # frees its traces
+    except BaseException:  # KeyboardInterrupt
+        for future in futures:
+            if not future.cancel() and future.done() and future.exception() is None:
+                study.keep(future.result())  # finished, but not stored yet
+        raise
     finally:
         for future in futures:
             future.cancel()
@@ -152,12 +184,23 @@ def _with_bar(finished: Iterable[Future[Outcome]], total: int, missing: int, sho
     return bar
 
 
-class _CallableModule(types.ModuleType):
+class CallableModule(types.ModuleType):
     """Makes `hapticut.sweep` both a function and a module."""
 
-    def __call__(self, *arguments: Any, **keywords: Any) -> pd.DataFrame:
-        return sweep(*arguments, **keywords)
+    if TYPE_CHECKING:
+        __call__ = staticmethod(sweep)
+        sweep = staticmethod(sweep)
+        design = staticmethod(spaces.design)
+        generator = staticmethod(outcome.generator)
+        grid = staticmethod(spaces.grid)
+        latin_hypercube = staticmethod(spaces.latin_hypercube)
+        load_traces = staticmethod(study_.load_traces)
+        sobol = staticmethod(spaces.sobol)
+    else:
+
+        def __call__(self, *arguments, **keywords):
+            return sweep(*arguments, **keywords)
 
 
 export(__name__)
-sys.modules[__name__].__class__ = _CallableModule
+sys.modules[__name__].__class__ = CallableModule

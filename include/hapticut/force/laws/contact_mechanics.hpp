@@ -26,6 +26,7 @@ class ContactMechanicsLaw final : public LumpedLaw {
   explicit ContactMechanicsLaw(double effective_modulus) : modulus_(effective_modulus) {
     require_positive(effective_modulus, "ContactMechanicsLaw::effective_modulus [Pa]");
   }
+  [[nodiscard]] double effective_modulus() const { return modulus_; }  ///< [Pa] E*
 
   void require_head(const ToolHead& head) const override {
     if (std::holds_alternative<ProfileHead>(head.shape()))

@@ -30,6 +30,7 @@ class DampingMatrixLaw final : public LumpedLaw {
     require_positive(c_.resistance, "DampingMatrixLaw::resistance [N s/m^3]");
     require_not_negative(c_.friction, "DampingMatrixLaw::friction [1]");
   }
+  [[nodiscard]] const Constants& constants() const { return c_; }
 
   [[nodiscard]] LumpedForce lump(const ToolHead&, const HeadMotion& m,
                                  const ContactMoments& moments) const noexcept override {

@@ -29,6 +29,7 @@ class HertzianBurrLaw final : public LumpedLaw {
   explicit HertzianBurrLaw(double stiffness) : stiffness_(stiffness) {
     require_positive(stiffness, "HertzianBurrLaw::stiffness [Pa]");
   }
+  [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [Pa] C1
 
   void require_head(const ToolHead& head) const override {
     if (!std::holds_alternative<SphereHead>(head.shape()))

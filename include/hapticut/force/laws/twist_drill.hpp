@@ -36,6 +36,7 @@ class TwistDrillLaw final : public LumpedLaw {
     require_positive(c_.specific_energy, "TwistDrillLaw::specific_energy [J/m^3]");
     require_positive(c_.max_feed_per_revolution, "TwistDrillLaw::max_feed_per_revolution [m]");
   }
+  [[nodiscard]] const Constants& constants() const { return c_; }
 
   void require_head(const ToolHead& head) const override {
     if (!(point_angle(head) > 0))

@@ -49,8 +49,9 @@ class Recorder final : public StepObserver {
  public:
   /// Writes everything that is known before the first step. If `path` exists, the recording is written to the same name
   /// with the suffix `.new`, and `close` moves it to `path`.
-  /// @param simulation  has made no step since construction or reset; must outlive the recorder, at the same address
-  /// @throws Error when the simulation has made steps, an option is out of range, or the file cannot be written
+  /// @param simulation  is fresh (Simulation::is_fresh); must outlive the recorder, at the same address
+  /// @throws Error when the simulation is not fresh, an option is out of range, the file cannot be written, or another
+  ///         recorder, of this or another program, is still writing it
   Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options = {});
 
   /// Without a call of `close`, the recording lacks the hash at the end, and a `.new` file keeps its name.
@@ -66,7 +67,8 @@ class Recorder final : public StepObserver {
   /// @realtime no allocation, no lock
   void set_device_tick(const DeviceTick& tick) noexcept;
 
-  /// Records a step and the settings changed since the last step (spindle speed, effects, reserved blocks).
+  /// Records a step and the settings changed since the last step (spindle speed, halts, holds, effects, reserved
+  /// blocks).
   /// @realtime no allocation, no lock, unless RecorderOptions::wait_when_full
   void on_step(const ObservedStep& step) noexcept override;
   void on_exchange() noexcept override;

@@ -26,11 +26,13 @@ struct RecordedStep {
 
   // Input.
   StepInput input;
-  double spindle_setting = 0;         ///< [rad/s] set speed of the spindle
+  double spindle_setting = 0;         ///< [rad/s] set speed of the spindle; 0 while it is held
   std::uint64_t reserved_blocks = 0;  ///< number of blocks requested
   std::uint64_t free_blocks = 0;      ///< free blocks before the step
   bool hand_released = false;         ///< Simulation::release_hand was called before the step
-  bool halted = false;                ///< Simulation::halt_spindle was called before the step
+  bool halted = false;                ///< Simulation::halt_spindle was called before the step, or a hold began
+  bool spindle_set = false;           ///< the speed was set before the step, after the last halt; or a hold ended
+  bool spindle_held = false;          ///< Simulation::hold_spindle
   OutputPath path = OutputPath::direct;
   HandOutput hand;  ///< output of the coupling, if `path` is coupled
 
@@ -60,7 +62,7 @@ struct RecordingInfo {
 
   bool closed = false;     ///< false: the program ended before `close`; the last moment is missing
   std::uint64_t lost = 0;  ///< number of steps dropped because the buffer was full; a replay ends before the first
-  std::optional<std::uint64_t> workpiece_hash_at_end;  ///< Workpiece::hash, only when closed
+  std::optional<std::uint64_t> workpiece_hash_at_end;  ///< Workpiece::hash; only when closed, and not after an exchange
   std::vector<std::string> remarks;                    ///< remarks in sentences: lost steps, a missing end
 };
 

@@ -19,7 +19,8 @@
 ///
 /// The world axes are x to the patient's left, y to the back, z to the head (LPS), for any convention of the file.
 /// Origin and direction of the file become `Volume::X_WG`. A left-handed grid is reversed along its last axis: the pose
-/// becomes right-handed, and every sample keeps its place.
+/// becomes right-handed, and every sample keeps its place. `Volume::remarks` says which files of a folder were left
+/// out, and whether the directions of the axes were assumed.
 ///
 /// Every function throws an Error that names the file when it cannot be opened, has another format than its name says,
 /// is truncated, does not have three dimensions and one value per sample, has sheared axes, or claims more samples than
@@ -45,7 +46,8 @@ struct VolumeReadOptions {
 ///              series is the distance between its slices, not their thickness.
 [[nodiscard]] GreyVolume read_grey_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
 
-/// Reads labels, from the formats of `read_grey_volume`. Every value must be a whole number, 0 ... 65535.
+/// Reads labels, from the formats of `read_grey_volume`. Every value must be a whole number, 0 ... 65535, or at most
+/// kLabelRounding away from one.
 [[nodiscard]] LabelVolume read_label_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
 
 /// Reads labels from a folder of colour slices: each listed colour is a label, every other colour is 0. Pixels that are

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/label_amounts.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+namespace {
+
+using Amounts = ByMaterial<double>;
+
+/// [samples] Part of each sample of an axis between two places.
+std::vector<double> parts_between(double low, double high, int count) {
+  std::vector<double> parts(std::size_t(count), 0.0);
+  for (int n = 0; n < count; ++n)
+    parts[std::size_t(n)] = std::clamp(std::min(high, n + 0.5) - std::max(low, n - 0.5), 0.0, 1.0);
+  return parts;
+}
+
+/// [samples] Amount of each material within the box of the voxels.
+Amounts amounts_of_labels(const LabelVolume& volume, const std::vector<MaterialId>& material_of,
+                          const IndexBox& samples, const std::array<Vec3, 2>& voxels) {
+  std::array<std::vector<double>, 3> parts;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    parts[axis] = parts_between(voxels[0][int(axis)], voxels[1][int(axis)], volume.dims[axis]);
+  const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
+  const auto add_slices = [&](const tbb::blocked_range<int>& slices, Amounts amounts) {
+    for (int k = slices.begin(); k != slices.end(); ++k)
+      for (int j = samples.min[1]; j <= samples.max[1]; ++j) {
+        const double part = parts[2][std::size_t(k)] * parts[1][std::size_t(j)];
+        const std::uint16_t* row = &volume.at(0, j, k);
+        for (int i = samples.min[0]; i <= samples.max[0]; ++i)
+          amounts[material_of[row[i]]] += part * parts[0][std::size_t(i)];
+      }
+    return amounts;
+  };
+  const auto sum = [](Amounts a, const Amounts& b) {
+    for (std::size_t n = 0; n < a.size(); ++n) a[n] += b[n];
+    return a;
+  };
+  return tbb::parallel_deterministic_reduce(rows, Amounts{}, add_slices, sum);
+}
+
+std::string cubic_mm(double volume) { return format_number(std::round(volume / units::mm3 * 1e4) / 1e4) + " mm^3"; }
+
+}  // namespace
+
+void compare_with_labels(const Workpiece& workpiece, const LabelVolume& volume,
+                         const std::vector<MaterialId>& material_of, const IndexBox& samples,
+                         const std::array<Vec3, 2>& voxels, const std::function<void(const std::string&)>& warn) {
+  constexpr double kDifference = 0.05;  // [1] rounded corners of a body of a few samples stay below
+  const Amounts labels = amounts_of_labels(volume, material_of, samples, voxels);
+  const double sample = volume.spacing.prod();
+  std::string list;
+  for (const MaterialAmount& amount : workpiece.amounts()) {
+    const double wanted = labels[amount.material] * sample;
+    if (std::abs(amount.volume - wanted) <= kDifference * wanted) continue;
+    list += std::string(list.empty() ? "'" : ", '") + workpiece.materials()[amount.material].name + "' fills " +
+            cubic_mm(amount.volume) + ", its labels " + cubic_mm(wanted);
+  }
+  if (list.empty()) return;
+  const double smallest = volume.spacing.minCoeff();
+  const bool cubes = volume.spacing.maxCoeff() <= smallest * (1 + 1e-6);
+  const std::string sentence =
+      "parts of the labels are too thin for voxels of " + format_number(workpiece.voxel_size() / units::mm) +
+      " mm: " + list + ". " +
+      (cubes ? "Choose voxels of " + format_number(smallest / units::mm) + " mm, the spacing of the labels"
+             : "Resample the labels to cubes first, and choose voxels of that size");
+  if (!warn) throw Error(sentence + ", or set VolumeBuildOptions::warn to go on.");
+  warn(sentence + ".");
+}
+
+}  // namespace hapticut

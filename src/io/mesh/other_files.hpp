@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// @file
+/// Recognizes files that have the ending of a mesh and hold something else.
+namespace hapticut {
+
+/// What a file is, and what to do, if its first bytes show another kind of file than its ending: "it is a web page
+/// ...". Empty when they do not.
+/// @param head    the first bytes of the file, 1000 or all
+/// @param ending  of its name, in lower case: ".stl"
+[[nodiscard]] std::string kind_unlike_ending(std::string_view head, std::string_view ending);
+
+}  // namespace hapticut

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+# Configures, builds, installs and uses hapticut with some of its parts off: library, C interface and program.
+#   cmake -DWITHOUT=part,... -DHIDDEN=part,... -DOPTIONS=-D...,... -DKERNELS=... -DSOURCE=... -DBUILD=...
+#     -DCXX=... -DCC=... -DLAUNCHER=... -P configuration.cmake
+#
+# WITHOUT  parts whose option is OFF, e.g. IO,ITK,ASSIMP
+# HIDDEN   parts whose packages CMake does not find, as on a machine without them: their option is AUTO. A second
+#          configuration finds them, as after `apt-get install`.
+# OPTIONS  further options of the configuration
+# BUILD    build folder. It and KERNELS (HAPTICUT_KERNELS) are chosen so that ccache finds the objects of build/release.
+cmake_minimum_required(VERSION 3.25)
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  set(output "${output}" PARENT_SCOPE)
+  set(code "${code}" PARENT_SCOPE)
+endfunction()
+macro(must)
+  run(${ARGN})
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "failed with ${code}: ${ARGN}\n${output}")
+  endif()
+endmacro()
+# must_have(part on|off): the last configuration reported the part so.
+function(must_have part state)
+  if(NOT output MATCHES "  ${part}: ${state} ")
+    message(FATAL_ERROR "the configuration does not report ${part}: ${state}\n${output}")
+  endif()
+endfunction()
+foreach(list WITHOUT HIDDEN OPTIONS)
+  string(REPLACE "," ";" ${list} "${${list}}")
+endforeach()
+set(ENV{CMAKE_C_COMPILER_LAUNCHER} "${LAUNCHER}")
+set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
+
+set(hidden_folders "")
+set(options -DHAPTICUT_WITH_TESTS=OFF -DHAPTICUT_WITH_BENCHMARKS=OFF -DHAPTICUT_WITH_EXAMPLES=OFF
+    "-DHAPTICUT_KERNELS=${KERNELS}" ${OPTIONS})
+foreach(part SIMD IO ITK ASSIMP SETTINGS C VIEW CLI)
+  set(value ON)
+  if(part IN_LIST HIDDEN)
+    set(value AUTO)
+    set(places "")
+    string(TOLOWER "${part}" name)
+    foreach(place /usr/lib/cmake /usr/lib/*/cmake /lib/cmake /lib/*/cmake)
+      list(APPEND places "${place}/${part}*" "${place}/${name}*")
+    endforeach()
+    file(GLOB folders ${places})
+    list(APPEND hidden_folders ${folders})
+  elseif(part IN_LIST WITHOUT)
+    set(value OFF)
+  endif()
+  set(has_${part} FALSE)
+  if(value STREQUAL "ON")
+    set(has_${part} TRUE)
+  endif()
+  list(APPEND options -DHAPTICUT_WITH_${part}=${value})
+endforeach()
+
+# --- the build, and its installation ----------------------------------------------------------------------------------
+set(prefix "${BUILD}/prefix")
+file(REMOVE_RECURSE "${BUILD}")
+set(hidden "${BUILD}/hidden.cmake")
+file(WRITE "${hidden}" "set(CMAKE_IGNORE_PATH \"${hidden_folders}\" CACHE STRING \"\")\n")
+set(configure "${CMAKE_COMMAND}" -S "${SOURCE}" --preset release -B "${BUILD}" "-DCMAKE_CXX_COMPILER=${CXX}"
+    "-DCMAKE_C_COMPILER=${CC}" ${options})
+must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" ${configure} -C "${hidden}")
+foreach(part IN LISTS WITHOUT HIDDEN)
+  must_have(${part} off)
+endforeach()
+if(has_CLI)
+  # As after scripts/demo.sh: only the program is built.
+  must("${CMAKE_COMMAND}" --build "${BUILD}" -t hapticut_cli)
+  run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
+  if(code EQUAL 0 OR EXISTS "${prefix}" OR NOT output MATCHES "-t[^\n]* hapticut_heat")
+    message(FATAL_ERROR "an installation of a part must fail, write nothing and give the command that builds the rest:\n${output}")
+  endif()
+endif()
+must("${CMAKE_COMMAND}" --build "${BUILD}")
+must("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
+if(has_CLI)
+  must("${prefix}/bin/hapticut" --version)
+  must("${prefix}/bin/hapticut" inspect molar --voxel_mm 0.5)
+endif()
+
+# --- programs that use it ---------------------------------------------------------------------------------------------
+set(absent "")
+foreach(part IO ITK ASSIMP C VIEW)
+  if(NOT has_${part})
+    string(TOLOWER "${part}" part)
+    list(APPEND absent "${part}")
+  endif()
+endforeach()
+list(JOIN absent "," absent)
+set(components "build,surface,heat,islands,sound,analysis")
+foreach(part IO SETTINGS C)
+  if(has_${part})
+    string(TOLOWER "${part}" part)
+    list(APPEND components "${part}")
+  endif()
+endforeach()
+foreach(component IN LISTS components)
+  string(REGEX REPLACE ",.*" "" consumer "${BUILD}/consumer_${component}")
+  if(component STREQUAL "c")
+    set(absent "")  # a program in C looks up nothing else
+  endif()
+  must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${consumer}" -G Ninja -DCMAKE_BUILD_TYPE=Release
+       "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${prefix}"
+       "-DCOMPONENT=${component}" "-DABSENT=${absent}" -C "${hidden}")
+  must("${CMAKE_COMMAND}" --build "${consumer}")
+  must("${CMAKE_COMMAND}" -E chdir "${consumer}" "${consumer}/consumer")
+endforeach()
+
+# --- packages that appear later ---------------------------------------------------------------------------------------
+if(HIDDEN)
+  must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" ${configure} -DCMAKE_IGNORE_PATH=)
+  foreach(part IN LISTS HIDDEN)
+    must_have(${part} on)
+  endforeach()
+  must("${CMAKE_COMMAND}" --build "${BUILD}")
+  must("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
+  must("${prefix}/bin/hapticut" --version)
+endif()

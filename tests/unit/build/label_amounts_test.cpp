@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layers of labels that are thinner than the voxels are not lost without a word.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "hapticut/build/volume_builders.hpp"
+#include "support/named_material.hpp"
+#include "support/refusal.hpp"
+#include "support/volumes.hpp"
+
+namespace hapticut::label_amounts_test {
+namespace {
+
+using test::named;
+using units::mm;
+
+/// A block of dentin under a layer of enamel, one sample thick.
+LabelVolume crowned_block(const Vec3& spacing) {
+  auto volume = test::volume_of<std::uint16_t>({40, 40, 20}, spacing);
+  test::for_each_sample(volume, [&](int i, int j, int k) {
+    if (i >= 4 && i < 36 && j >= 4 && j < 36 && k >= 4 && k < 13) volume.at(i, j, k) = k < 12 ? 1 : 2;
+  });
+  return volume;
+}
+
+const std::vector<LabelMaterial> kMaterials = {{{1}, named("dentin")}, {{2}, named("enamel")}};
+
+struct Built {
+  Workpiece workpiece;
+  std::vector<std::string> said;
+};
+
+Built built(const LabelVolume& volume, VolumeBuildOptions options) {
+  std::vector<std::string> said;
+  options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+  Workpiece workpiece = build_from_labels(volume, kMaterials, options);
+  return {std::move(workpiece), std::move(said)};
+}
+
+TEST(BuildFromLabels, SaysWhichMaterialsAreTooThinForItsVoxels) {
+  const LabelVolume volume = crowned_block(Vec3::Constant(0.1 * mm));  // the enamel is 3.2 x 3.2 x 0.1 mm: 1.024 mm^3
+  const Built coarse = built(volume, {.voxel_size = 0.35 * mm});
+  ASSERT_EQ(coarse.said.size(), 1U);
+  test::expect_part(coarse.said[0], "too thin for voxels of 0.35 mm");
+  test::expect_part(coarse.said[0], "'enamel' fills ");
+  test::expect_part(coarse.said[0], ", its labels 1.024 mm^3");
+  test::expect_part(coarse.said[0], "Choose voxels of 0.1 mm, the spacing of the labels.");
+  const Built cured = built(volume, {.voxel_size = 0.1 * mm});
+  EXPECT_TRUE(cured.said.empty());
+  EXPECT_NEAR(cured.workpiece.amounts()[1].volume, 1.024e-9, 1e-15);
+}
+
+TEST(BuildFromLabels, RefusesWhatItWouldHaveToSayIfNobodyListens) {
+  const LabelVolume volume = crowned_block(Vec3::Constant(0.1 * mm));
+  test::expect_refused([&] { return build_from_labels(volume, kMaterials, {.voxel_size = 0.35 * mm}); },
+                       {"'enamel' fills ", "or set VolumeBuildOptions::warn to go on."});
+  EXPECT_NO_THROW((void)build_from_labels(volume, kMaterials));
+}
+
+TEST(BuildFromLabels, SaysThatSamplesThatAreNoCubesShouldBeResampled) {
+  auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, Vec3(0.1, 0.1, 0.3) * mm);
+  for (int i = 2; i < 18; ++i) volume.at(i, 10, 10) = 2;  // a wire: its corners are rounded
+  const Built wire = built(volume, {});
+  ASSERT_EQ(wire.said.size(), 1U);
+  test::expect_part(wire.said[0], "Resample the labels to cubes first");
+}
+
+TEST(BuildFromLabels, SaysNothingOfBodiesThatAreThickEnoughAlsoWhereItCrops) {
+  auto volume = test::volume_of<std::uint16_t>({60, 60, 60}, Vec3(0.1, 0.1, 0.15) * mm, {});
+  test::add_ball(volume, Vec3(3, 3, 4.5), 2.5, 1);
+  test::add_ball(volume, Vec3(3, 3, 4.5), 1.5, 2);
+  for (const double voxel : {0.07, 0.1, 0.2, 0.3}) {
+    EXPECT_TRUE(built(volume, {.voxel_size = voxel * mm}).said.empty()) << voxel;
+    const Box half{Vec3(0, 0, 0), Vec3(3.01, 6, 9) * mm};
+    EXPECT_TRUE(built(volume, {.voxel_size = voxel * mm, .crop = half}).said.empty()) << voxel;
+  }
+}
+
+}  // namespace
+}  // namespace hapticut::label_amounts_test
