@@ -129,8 +129,8 @@ TEST(Replay, HasTheReservedBlocksOfTheRun) {
   EXPECT_TRUE(has_any(seen, StepStatus::blocks_exhausted));
 }
 
-// Where a tool has emptied voxels and has left no partly filled one, the workpiece keeps memory that a file does not
-// tell of. A clone does not keep it, so that the run takes as many blocks from the reserve as its replay.
+// Where voxels were emptied, the workpiece keeps their materials, and memory for fills even if no other voxel is partly
+// filled. A file has neither, so a clone has neither: the run takes as many blocks from the reserve as its replay.
 TEST(Replay, OfACutWorkpieceTakesTheBlocksThatTheRunTook) {
   const TemporaryFolder folder;
   SimulationConfig config;
@@ -144,6 +144,9 @@ TEST(Replay, OfACutWorkpieceTakesTheBlocksThatTheRunTook) {
       ASSERT_TRUE(simulation.remove_voxels(corner));
     }
   simulation.reset(simulation.workpiece().clone());
+  const BlockView block = simulation.workpiece().block(corner.origin);
+  EXPECT_EQ(block.fill, nullptr);
+  EXPECT_EQ(block.material[0], kEmpty);
   (void)record_and_repeat(
       simulation, 500, [](int) {}, folder / "a.h5");
   EXPECT_LT(simulation.workpiece().reserved_blocks(), 100U);
