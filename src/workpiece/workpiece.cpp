@@ -60,10 +60,13 @@ bool is_full(const Leaf<FillTree>& fill, const Leaf<MaterialTree>& material) {
   return true;
 }
 
-/// A copy that has leaves of fills only where a voxel is partly filled, as after writing and reading a file. Cutting
-/// leaves others behind. They do not change the material, but a later cut finds its memory in them and not in the pool.
+/// A copy as after writing and reading a file. Cutting leaves two things behind that a file does not have: leaves of
+/// fills where no voxel is partly filled, and the materials of emptied voxels. They do not change the workpiece, but a
+/// later cut finds its memory in the leaves and not in the pool, and a force is summed in another order.
 std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees) {
   auto copy = std::unique_ptr<VoxelTrees>(new VoxelTrees{trees.material, FillTree(1.0F), trees.centroid});
+  for (auto leaf = copy->material.beginLeaf(); leaf; ++leaf)
+    for (auto voxel = leaf->beginValueOff(); voxel; ++voxel) voxel.setValue(kEmpty);
   for (auto fill = trees.fill.cbeginLeaf(); fill; ++fill) {
     const auto* material = trees.material.probeConstLeaf(fill->origin());
     if (material == nullptr || !is_full(*fill, *material)) copy->fill.addLeaf(new Leaf<FillTree>(*fill));

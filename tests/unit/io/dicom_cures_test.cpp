@@ -80,7 +80,7 @@ TEST(CuresOfDicom, ASliceThatIsEmptyOrCutIsNamedAndTheSeriesIsReadWithACompleteO
 TEST(CuresOfDicom, AnUnfinishedDownloadAndAnEmptyFileWithoutExtensionAreNamed) {
   expect_cured({"s4.dcm.part': it is empty", "", series({{"s4.dcm.part", ""}}), {{"s4.dcm.part", std::nullopt}}});
   Files bare;
-  for (int n = 0; n < 4; ++n) bare.emplace("A" + std::to_string(n) + "F", slice(n));
+  for (int n = 0; n < 4; ++n) bare.emplace(std::string("A").append(std::to_string(n)).append("F"), slice(n));
   bare.emplace("B3", std::string(90, '\0'));
   expect_cured({"B3': it is no DICOM file", "", bare, {{"B3", std::nullopt}}});
 }
