@@ -106,6 +106,7 @@ struct Workpiece::State {
 /// Access to the trees for other files of the library.
 struct WorkpieceAccess {
   static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
+  static VoxelTrees& trees(Workpiece& workpiece) { return *workpiece.state_->trees; }
   static const BlockPool& pool(const Workpiece& workpiece) { return workpiece.state_->pool; }
   static BlockPool& pool(Workpiece& workpiece) { return workpiece.state_->pool; }
   static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);
