@@ -53,27 +53,6 @@ const std::uint64_t* mask_words(const LeafNode& leaf) noexcept {
   return &const_cast<Mask&>(leaf.getValueMask()).template getWord<openvdb::Index64>(0);
 }
 
-/// Whether each solid voxel of a block is full.
-bool is_full(const Leaf<FillTree>& fill, const Leaf<MaterialTree>& material) {
-  for (auto voxel = material.cbeginValueOn(); voxel; ++voxel)
-    if (fill.getValue(voxel.pos()) != 1) return false;
-  return true;
-}
-
-/// A copy as after writing and reading a file. Cutting leaves two things behind that a file does not have: leaves of
-/// fills where no voxel is partly filled, and the materials of emptied voxels. They do not change the workpiece, but a
-/// later cut finds its memory in the leaves and not in the pool, and a force is summed in another order.
-std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees) {
-  auto copy = std::unique_ptr<VoxelTrees>(new VoxelTrees{trees.material, FillTree(1.0F), trees.centroid});
-  for (auto leaf = copy->material.beginLeaf(); leaf; ++leaf)
-    for (auto voxel = leaf->beginValueOff(); voxel; ++voxel) voxel.setValue(kEmpty);
-  for (auto fill = trees.fill.cbeginLeaf(); fill; ++fill) {
-    const auto* material = trees.material.probeConstLeaf(fill->origin());
-    if (material == nullptr || !is_full(*fill, *material)) copy->fill.addLeaf(new Leaf<FillTree>(*fill));
-  }
-  return copy;
-}
-
 }  // namespace
 
 Workpiece::Workpiece(std::unique_ptr<State> state) : state_(std::move(state)) {}
