@@ -119,11 +119,6 @@ bool encloses(const WindingNumber& surface, const Piece& piece) {
   return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) > 0.5; });
 }
 
-/// Whether a surface winds around no end of a piece, not even near a hole of the surface.
-bool is_clear_of(const WindingNumber& surface, const Piece& piece) {
-  return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) < 0.2; });
-}
-
 /// Whether the box around a piece contains the box around another piece.
 bool box_holds(const Piece& piece, const Piece& other) {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -190,14 +185,12 @@ void orient_alike(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>&
 void orient_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
   const std::vector<Piece> pieces = pieces_of(mesh, neighbours);
   const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
-  if (std::ranges::none_of(pieces, faces_inwards)) return;
-  const bool all_closed = std::ranges::all_of(pieces, &Piece::closed);
+  if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
   const WindingNumber all(mesh);
   std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     look_for_interruption();
-    if (!pieces[n].closed || !faces_inwards(pieces[n])) continue;
-    if (all_closed ? encloses(all, pieces[n]) : !is_clear_of(all, pieces[n])) continue;
+    if (!faces_inwards(pieces[n]) || encloses(all, pieces[n])) continue;
     flips[n] = true;
     for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) flips[within] = true;
   }
