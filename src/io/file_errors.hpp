@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "core/lack_of_memory.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -27,9 +27,8 @@ auto naming(const std::filesystem::path& path, const Work& work) {
     const std::string reason = error.what();
     if (reason.starts_with("cannot read ")) throw;  // the message names a file already
     cannot_read(path, reason);
-  } catch (const std::bad_alloc&) {
-    cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
-  } catch (const std::length_error&) {
+  } catch (const std::exception& error) {
+    if (!is_lack_of_memory(error) && dynamic_cast<const std::length_error*>(&error) == nullptr) throw;
     cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
   }
 }
