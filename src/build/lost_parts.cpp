@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "build/pieces.hpp"
 #include "build/repeated_faces.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -21,7 +22,7 @@ constexpr double kThin = 2;             // [voxels]
 constexpr std::size_t kFewFaces = 4;    // a body has at least so many
 constexpr std::size_t kMaxFaces = 256;  // that are looked at in a part
 
-/// Groups of triangles that share vertices, each group as a list of triangles.
+/// Groups of triangles that share vertices, and closed pieces of them, each as a list of triangles.
 std::vector<std::vector<std::uint32_t>> parts_of(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> places = places_of(mesh.vertices);
   std::vector<std::uint32_t> parent(mesh.vertices.size());
@@ -35,6 +36,11 @@ std::vector<std::vector<std::uint32_t>> parts_of(const TriangleMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> parts(mesh.vertices.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) parts[root_of(places[mesh.triangles[t][0]])].push_back(t);
   std::erase_if(parts, [](const auto& part) { return part.empty(); });
+  const std::size_t count = parts.size();
+  std::vector<Piece> pieces = pieces_of(mesh, connections_in(mesh));
+  if (pieces.size() == count) return parts;
+  for (Piece& piece : pieces)
+    if (piece.closed) parts.push_back(std::move(piece.triangles));
   return parts;
 }
 

@@ -37,7 +37,8 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) {
   for (const Triangle& t : triangles_) middle += centroid(t) / double(triangles_.size());
   double volume = 0;  // of the cones from the middle, so that holes have little effect
   for (const Triangle& t : triangles_) volume += (centroid(t) - middle).dot(area_vector(t));
-  if (volume < 0)
+  turned_ = volume < 0;
+  if (turned_)
     for (Triangle& t : triangles_) std::swap(t[1], t[2]);
   nodes_.reserve(triangles_.size());
   build(0, std::uint32_t(triangles_.size()));

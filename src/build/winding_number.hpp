@@ -24,6 +24,9 @@ class WindingNumber {
   /// If the whole surface is inside out, it is flipped.
   explicit WindingNumber(const TriangleMesh& mesh);
 
+  /// Whether the surface was inside out, and has been flipped.
+  [[nodiscard]] bool is_turned() const { return turned_; }
+
   /// @return [1], within about 0.02 of the exact value
   [[nodiscard]] double at(const Vec3& point) const;
 
@@ -47,6 +50,7 @@ class WindingNumber {
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
+  bool turned_ = false;
 };
 
 }  // namespace hapticut

@@ -28,7 +28,8 @@ Polygons polygons_in(const std::filesystem::path& path, const MeshFormat& format
   try {
     return format.read(path);
   } catch (const Error&) {
-    const std::string other = kind_unlike_ending(first_bytes(path, kHead), format.ending);
+    const std::string other =
+        kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format.ending);
     if (other.empty()) throw;
     throw Error(other);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/mesh/stl_layout.hpp"
 #include "io/text_lines.hpp"
 
 namespace hapticut {
@@ -56,11 +57,21 @@ std::string renamed(std::string_view name, std::string_view ending) {
   return "it is " + std::string(name) + "; rename it to end in " + std::string(ending) + ".";
 }
 
+/// Whether the number of triangles that the file announces explains its size.
+bool is_binary_stl(std::string_view head, std::uintmax_t size) {
+  std::uint32_t triangles = 0;
+  if (head.size() < kStlHeader) return false;
+  for (std::size_t n = 0; n < 4; ++n)
+    triangles |= std::uint32_t(static_cast<unsigned char>(head[kStlHeader - 4 + n])) << (8 * n);
+  return triangles > 0 && size == kStlHeader + std::uintmax_t(triangles) * kStlTriangle;
+}
+
 }  // namespace
 
-std::string kind_unlike_ending(std::string_view head, std::string_view ending) {
+std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::string_view ending) {
   for (const Kind& kind : kKinds)
     if (head.starts_with(kind.begin)) return "it is " + std::string(kind.name) + "; " + std::string(kind.cure) + ".";
+  if (ending != ".stl" && is_binary_stl(head, size)) return renamed("an STL file", ".stl");
   if (head.starts_with("glTF")) return ending == ".glb" ? "" : renamed("a binary glTF file", ".glb");
   TextLines lines(head.substr(std::min(leading_comments(head).size(), head.size())));
   const std::string_view word = lines.word_of_any_line();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,7 +12,8 @@ namespace hapticut {
 /// What a file is, and what to do, if its first bytes show another kind of file than its ending: "it is a ZIP
 /// archive ...". Empty when they do not.
 /// @param head    the first bytes of the file, 1000 or all
+/// @param size    [bytes] of the file: a binary STL file shows itself only by its size
 /// @param ending  of its name, in lower case: ".stl"
-[[nodiscard]] std::string kind_unlike_ending(std::string_view head, std::string_view ending);
+[[nodiscard]] std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::string_view ending);
 
 }  // namespace hapticut
