@@ -88,8 +88,8 @@ TEST(CuresOfDicom, AnUnfinishedDownloadAndAnEmptyFileWithoutExtensionAreNamed) {
   expect_cured({"s4.dcm.part': it is empty", "", series({{"s4.dcm.part", ""}}), {{"s4.dcm.part", std::nullopt}}});
   Files bare;
   for (int n = 0; n < 4; ++n) bare.emplace(std::string("A").append(std::to_string(n)).append("F"), slice(n));
-  bare.emplace("B3", std::string(90, '\0'));
-  expect_cured({"B3': it is no DICOM file", "", bare, {{"B3", std::nullopt}}});
+  bare.emplace("Q3", std::string(90, '\0'));
+  expect_cured({"Q3': it is no DICOM file", "", bare, {{"Q3", std::nullopt}}});
 }
 
 // A repository or a folder in a cloud, of which not all was fetched, and what else may stand for a slice.

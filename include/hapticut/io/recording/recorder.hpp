@@ -78,7 +78,7 @@ class Recorder final : public StepObserver {
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< number of recorded steps
   [[nodiscard]] std::uint64_t lost() const noexcept;  ///< number of steps lost: buffer full, or recording over; after
                                                       ///< `close` also those that could not be written
-  [[nodiscard]] bool failed() const noexcept;  ///< whether writing or `close` failed; `close` throws why
+  [[nodiscard]] bool failed() const noexcept;         ///< whether writing or `close` failed; `close` throws why
 
   /// Writes the remaining steps and the hash of the workpiece, and ends the recording. On a full disk the recording
   /// keeps the steps that fit and the number of missing steps.
