@@ -59,7 +59,7 @@ LONG = {
                       "options=hapticut.VolumeBuildOptions(voxel_size=0.06 * mm, subsamples=16, large=True))",
     "HeatField.advance": "hapticut.heat.HeatField(block()).advance(1e9)",
     "max_stable_stiffness": "analysis.max_stable_stiffness(loop, lambda k: analysis.LinearWall(k, one_sided=False), "
-                            "analysis.StabilitySearch(settle=1e6, window=1e6))",
+                            "analysis.StabilitySearch(settle=1e4))",
 }
 PREPARED = {
     "build_from_mesh": "mesh = hapticut.extract_surface(hapticut.build_molar(0.3 * mm)).mesh",
@@ -84,7 +84,15 @@ phase = np.arange(n) * 1e-3
 hand = np.column_stack([1 * mm * np.cos(phase), 1 * mm * np.sin(phase), np.full(n, 0.5 * mm)])
 poses = hapticut.Pose.from_translation(hand)
 again = hapticut.Simulation(block(2.2 * mm, 0.04 * mm), simulation.tool)
-begun()
+
+def tell_when_it_is_in_use():
+    while True:
+        try:
+            simulation.steps
+        except hapticut.Error:
+            return begun()
+
+threading.Thread(target=tell_when_it_is_in_use, daemon=True).start()
 try:
     simulation.run(poses, np.zeros((n, 6)), 1 * ms)
 except KeyboardInterrupt:
