@@ -55,7 +55,7 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
       "__deepcopy__", [](const V& v, const py::dict&) { return V(v); }, py::arg("memo"));
   volume_class.def(py::pickle(
       [](const py::object& self) {
-        return py::make_tuple(self.attr("values"), self.attr("spacing"), self.attr("X_WG"), self.attr("padding"));
+        return detail::attributes_of(self, {"values", "spacing", "X_WG", "padding"});
       },
       [](const py::tuple& state) {
         detail::require_parts(state, 4, "the volume");

@@ -79,8 +79,8 @@ void require_ray(const Vec3& origin, const Vec3& direction, const std::string& w
                 "and a direction of any length but zero.");
 }
 
-py::array_t<RayHitRow> first_hits(const PythonWorkpiece& self, const Float64Array& origins,
-                                  const Float64Array& directions, double max_length, const MaterialChoice& choice) {
+py::array first_hits(const PythonWorkpiece& self, const Float64Array& origins, const Float64Array& directions,
+                     double max_length, const MaterialChoice& choice) {
   require_length(max_length, "max_length");
   const std::span<const double> from = numbers_of(origins, "origins", {-1, 3});
   const std::span<const double> along = numbers_of(directions, "directions", {-1, 3});
@@ -90,7 +90,7 @@ py::array_t<RayHitRow> first_hits(const PythonWorkpiece& self, const Float64Arra
   const MaterialId material = material_of(self.read().materials(), choice);
   const std::size_t rays = from.size() / 3;
   for (std::size_t n = 0; n < rays; ++n)
-    require_ray(Vec3(from.data() + 3 * n), Vec3(along.data() + 3 * n), " " + std::to_string(n));
+    require_ray(Vec3(from.data() + 3 * n), Vec3(along.data() + 3 * n), std::string(" ") += std::to_string(n));
   py::array_t<RayHitRow> rows{py::ssize_t(rays)};
   RayHitRow* row = rows.mutable_data();
   const Workpiece& workpiece = self.read();

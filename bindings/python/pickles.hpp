@@ -29,6 +29,13 @@ inline void require_parts(const py::tuple& state, std::size_t count, const char*
                 ".vdb files and runs as recordings.");
 }
 
+/// The values of attributes. Their names would otherwise have types of C++ in the signature.
+inline py::tuple attributes_of(const py::object& self, const std::vector<const char*>& names) {
+  py::list values;
+  for (const char* name : names) values.append(self.attr(name));
+  return py::tuple(values);
+}
+
 }  // namespace detail
 
 /// A class whose objects are made again from the attributes that its constructor takes, in their order.
@@ -36,9 +43,7 @@ template <class Binding>
 void pickled_by_constructor(Binding& binding, std::initializer_list<const char*> attributes) {
   const std::vector<const char*> names(attributes);
   binding.def("__reduce__", [names](const py::object& self) {
-    py::list given;
-    for (const char* name : names) given.append(self.attr(name));
-    return py::make_tuple(py::type::of(self), py::tuple(given));
+    return py::make_tuple(py::type::of(self), detail::attributes_of(self, names));
   });
 }
 

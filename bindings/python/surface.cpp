@@ -44,7 +44,7 @@ void bind_whole_surface(py::module_& m) {
   surface_class
       .def(py::pickle(
           [](const py::object& self) {
-            return py::make_tuple(self.attr("mesh"), self.attr("normals"), self.attr("materials"));
+            return detail::attributes_of(self, {"mesh", "normals", "materials"});
           },
           [](const py::tuple& state) {
             detail::require_parts(state, 3, "the surface");

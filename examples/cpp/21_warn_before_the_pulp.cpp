@@ -32,7 +32,7 @@ int main() {
   config.contact_time = ContactTime::end;
   Simulation simulation(
       build_layered_slab(box, 0.1 * mm,
-                         {{presets::enamel(), 0.3 * mm}, {presets::dentin(), 1.2 * mm}, {presets::pulp(), 3 * mm}}),
+                         {{presets::enamel(), 0.3 * mm}, {presets::dentin(), 1 * mm}, {presets::pulp(), 3 * mm}}),
       Tool(SphereHead{0.6 * mm}, RayHandle{0}, common_spindle(40000 * rpm)), config);
   const MaterialTable& materials = simulation.workpiece().materials();
   const MaterialId pulp = materials.id_of("pulp");
@@ -40,7 +40,7 @@ int main() {
   VirtualCoupling coupling(simulation, CouplingGains{});
 
   bool warned = false;
-  for (int n = 1; n <= 8000; ++n) {  // the hand goes down by 0.5 mm/s, to 3.4 mm below the top of the tooth
+  for (int n = 1; n <= 12000; ++n) {  // the hand goes down by 0.5 mm/s, to 5.3 mm below the top of the tooth
     const double time = n * 1e-3;
     const Pose X_WD = Pose::from_translation(Vec3(0, 0, 0.7 * mm - 0.5 * mm * time));
     const CoupledResult& tick = coupling.step(X_WD, {Vec3(0, 0, -0.5 * mm), Vec3::Zero()}, 1 * ms);

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import NDArray
 from PIL import Image
 
 import hapticut
@@ -34,13 +34,13 @@ shank = hapticut.Profile(tip=3.3 * mm, edges=[edge(0.7 * mm, 3.3 * mm), edge(0.8
                                               edge(0.8 * mm, 9 * mm), edge(0, 9 * mm)])
 parts = [hapticut.mesh_of_revolution(profile, 48) for profile in (head.profile(), shank)]
 # The camera shows all meshes. Three specks around all places of the tool keep it still.
-specks = np.array([[2, 0, 20], [-2, 0, 20], [0, 0, -16]]) * mm
-specks = hapticut.TriangleMesh(np.vstack([specks, specks + [1e-9, 0, 0], specks + [0, 1e-9, 0]]),
+corners = np.array([[2, 0, 20], [-2, 0, 20], [0, 0, -16]]) * mm
+specks = hapticut.TriangleMesh(np.vstack([corners, corners + [1e-9, 0, 0], corners + [0, 1e-9, 0]]),
                                [[n, n + 3, n + 6] for n in range(3)])
 camera = hapticut.io.PictureOptions(width=640, height=480, view_direction=[-0.35, 0.6, -1], scale_bar=False)
 
 
-def moved(mesh: hapticut.TriangleMesh, to: ArrayLike) -> hapticut.ColoredMesh:
+def moved(mesh: hapticut.TriangleMesh, to: NDArray[np.float64]) -> hapticut.ColoredMesh:
     return hapticut.ColoredMesh(hapticut.TriangleMesh(mesh.vertices + to, mesh.triangles), [steel] * len(mesh.vertices))
 
 
@@ -50,7 +50,7 @@ for steps in np.array_split(np.arange(len(hand)), frames):
     force.append(np.linalg.norm(trace["force"], axis=1).max())
     molar = hapticut.io.colored(hapticut.extract_surface(simulation.workpiece), simulation.workpiece.materials)
     bur = [moved(part, hand[steps[-1]]) for part in parts]
-    hapticut.io.write_picture([molar, *bur, moved(specks, [0, 0, 0])], camera, folder / "frame.png")
+    hapticut.io.write_picture([molar, *bur, moved(specks, np.zeros(3))], camera, folder / "frame.png")
     pictures.append(Image.open(folder / "frame.png").convert("RGB"))
 (folder / "frame.png").unlink()
 pictures[0].save(folder / "drilling.webp", save_all=True, append_images=pictures[1:], duration=len(hand) // frames,

@@ -15,6 +15,7 @@ simulation = hapticut.Simulation(tooth, tool)
 above, down = np.array([0, 0, 12 * mm]), np.array([0.0, 0, -1])
 surface = tooth.first_hit(above, down)
 pulp = tooth.first_hit(above, down, material="pulp")
+assert surface is not None and pulp is not None  # None: the ray misses
 print(f"{names[surface.material - 1]} at z = {surface.point_W[2] / mm:.2f} mm, "
       f"pulp {(pulp.distance - surface.distance) / mm:.2f} mm below")
 

@@ -27,11 +27,6 @@ bool encloses(const WindingNumber& surface, const Piece& piece) {
   return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) > 0.5; });
 }
 
-/// Whether a surface winds around no end of a piece, not even near a hole of the surface.
-bool is_clear_of(const WindingNumber& surface, const Piece& piece) {
-  return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) < 0.2; });
-}
-
 /// Whether the box around a piece contains the box around another piece.
 bool box_holds(const Piece& piece, const Piece& other) {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -95,37 +90,25 @@ void orient_alike(TriangleMesh& mesh, const std::vector<std::vector<NeighbourTri
   }
 }
 
-/// Whether other pieces fill the space inside a closed piece that faces inwards, completely or not at all.
-struct Around {
-  bool filled = true;
-  bool empty = true;
-};
-
-Around around(const TriangleMesh& mesh, const WindingNumber& all, const Piece& piece) {
-  constexpr double kFilled = 0.5, kClear = 0.2;
-  Around result;
-  for (const Vec3& point : points_inside(mesh, piece)) {
+/// Whether other pieces fill the space inside a closed piece that faces inwards: then it is a cavity.
+bool is_filled_by_others(const TriangleMesh& mesh, const WindingNumber& all, const Piece& piece) {
+  constexpr double kFilled = 0.5;
+  return std::ranges::all_of(points_inside(mesh, piece), [&](const Vec3& point) {
     const double others = (all.is_turned() ? -all.at(point) : all.at(point)) + 1;  // the piece itself counts -1
-    result.filled &= std::abs(others) > kFilled;
-    result.empty &= std::abs(others) < kClear;
-    if (!result.filled && !result.empty) break;
-  }
-  return result;
+    return std::abs(others) > kFilled;
+  });
 }
 
 /// Flips closed outer pieces that face inwards, together with all pieces inside them.
 void orient_outwards(TriangleMesh& mesh, const Connections& connections) {
   const std::vector<Piece> pieces = pieces_of(mesh, connections);
   const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
-  if (std::ranges::none_of(pieces, faces_inwards)) return;
-  const bool all_closed = std::ranges::all_of(pieces, &Piece::closed);
+  if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
   const WindingNumber all(mesh);
   std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     look_for_interruption();
-    if (!pieces[n].closed || !faces_inwards(pieces[n])) continue;
-    const Around others = around(mesh, all, pieces[n]);
-    if (all_closed ? others.filled : !others.empty && !is_clear_of(all, pieces[n])) continue;
+    if (!faces_inwards(pieces[n]) || is_filled_by_others(mesh, all, pieces[n])) continue;
     flips[n] = true;
     for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) flips[within] = true;
   }

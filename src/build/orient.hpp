@@ -14,7 +14,7 @@ namespace hapticut {
 ///
 /// At last, closed outer pieces that face inwards are flipped, e.g. the mirrored half of a jaw, together with all
 /// pieces inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. If any piece
-/// is open, only pieces are flipped that are clearly outside of all others.
+/// is open, this step is left out.
 /// @throws Error as `without_repeated_faces`
 [[nodiscard]] TriangleMesh oriented(TriangleMesh mesh);
 

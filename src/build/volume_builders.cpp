@@ -15,6 +15,7 @@
 #include "build/volume_fields.hpp"
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/coverage.hpp"
 
@@ -55,6 +56,10 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   require_not_negative(options.voxel_size, "VolumeBuildOptions::voxel_size [m]");
   require_between(options.subsamples, 1, kMaxSubsamples, "VolumeBuildOptions::subsamples");
   const double size = options.voxel_size > 0 ? options.voxel_size : volume.spacing.minCoeff();
+  if (options.voxel_size <= 0 && size > kMaxVoxelSize)
+    throw Error("its samples are " + format_number(size / units::mm) + " mm apart; voxels have at most " +
+                format_number(kMaxVoxelSize / units::mm) +
+                " mm. The unit in the file may be wrong: set VolumeReadOptions::spacing.");
   require_metres(size, kMaxVoxelSize, "voxel size [m]");
 
   Layout layout;

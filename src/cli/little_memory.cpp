@@ -10,6 +10,8 @@
 #include <exception>
 #include <new>
 
+#include "core/lack_of_memory.hpp"
+
 namespace hapticut::cli {
 namespace {
 
@@ -25,8 +27,8 @@ void on_no_memory() {
 bool is_no_memory(const std::exception_ptr& exception) {
   try {
     if (exception) std::rethrow_exception(exception);
-  } catch (const std::bad_alloc&) {
-    return true;
+  } catch (const std::exception& error) {
+    return is_lack_of_memory(error);
   } catch (...) {
   }
   return false;

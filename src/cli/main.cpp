@@ -16,7 +16,9 @@
 #include "cli/commands/command.hpp"
 #include "cli/little_memory.hpp"
 #include "cli/reports/delivery.hpp"
+#include "core/lack_of_memory.hpp"
 #include "hapticut/core/build_info.hpp"
+#include "io/atomic_file.hpp"
 #include "settings/settings_file.hpp"
 
 namespace hapticut::cli {
@@ -64,7 +66,7 @@ void require_own_files(const std::vector<Setting>& settings, const std::string& 
   std::map<std::filesystem::path, std::string> taken;  // file -> setting that names it
   const auto place_of = [](const std::filesystem::path& file) {
     std::error_code unknown;
-    const std::filesystem::path path = std::filesystem::absolute(file);
+    const std::filesystem::path path = place_behind_links(std::filesystem::absolute(file));
     const std::filesystem::path place = std::filesystem::weakly_canonical(path, unknown);
     return unknown ? path : place;
   };
@@ -174,14 +176,8 @@ int main_with(int argc, char** argv) {
     return kFailed;
   } catch (const UsageError& error) {
     return complain(error.what(), kWrongUsage);
-  } catch (const std::bad_alloc&) {
-    return complain(kNoMemory, kFailed);
-  } catch (const std::system_error& error) {  // a thread that could not be started
-    const bool no_memory =
-        error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
-    return complain(no_memory ? kNoMemory : error.what(), kFailed);
   } catch (const std::exception& error) {
-    return complain(error.what(), kFailed);
+    return complain(is_lack_of_memory(error) ? kNoMemory : error.what(), kFailed);
   }
   return 0;
 }
@@ -198,7 +194,8 @@ int main(int argc, char** argv) {
     code = hapticut::cli::main_with(argc, argv);
     hapticut::cli::print_on_stdout("");    // flushes what others have printed, e.g. the help
   } catch (const std::exception& error) {  // also out of memory while parsing the arguments
-    std::fprintf(stderr, "hapticut: %s\n", error.what());
+    std::fprintf(stderr, "hapticut: %s\n",
+                 hapticut::is_lack_of_memory(error) ? hapticut::cli::kNoMemory : error.what());
     if (code == 0) code = hapticut::cli::kFailed;
   } catch (...) {
     std::fputs("hapticut: failed for an unknown reason.\n", stderr);

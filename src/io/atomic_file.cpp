@@ -76,14 +76,27 @@ void cannot_write(const fs::path& path, const std::string& reason, const std::st
 }
 
 fs::path place_behind_links(const fs::path& path) {
+  constexpr int kMaxLinks = 40;  // as in Linux
   std::error_code code;
-  return fs::is_symlink(path, code) ? fs::weakly_canonical(path, code) : path;
+  if (!fs::is_symlink(path, code)) return path;
+  if (fs::exists(path, code)) {
+    fs::path place = fs::canonical(path, code);
+    return code ? path : place;  // the target of /dev/stdout can be a pipe, which has no path
+  }
+  fs::path place = path;  // `weakly_canonical` does not follow a link whose target is missing
+  for (int links = 0; links < kMaxLinks && fs::is_symlink(place, code); ++links) {
+    const fs::path target = fs::read_symlink(place, code);
+    if (code) return path;
+    place = place.parent_path() / target;
+  }
+  return place;
 }
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(place_behind_links(path)) {
   std::error_code code;
   if (!path.has_filename()) cannot_write(path, "it has no file name");
   const fs::file_status status = fs::status(path_, code);
+  if (status.type() == fs::file_type::none) cannot_write(path, code.message());  // such as a circle of links
   if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it exists and is not a regular file");
   if (path_.filename().string().size() > kMaxName) cannot_write(path, text_of_errno(ENAMETOOLONG));
   if (has_writer_lock(path_)) refuse_second_writer(path);

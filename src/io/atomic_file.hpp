@@ -16,7 +16,7 @@ namespace hapticut {
 [[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& reason,
                                const std::string& what = "");
 
-/// The file behind a symbolic link: the link stays, and its target is replaced.
+/// The file behind a symbolic link: the link stays, and its target is replaced, or made if it is missing.
 [[nodiscard]] std::filesystem::path place_behind_links(const std::filesystem::path& path);
 
 /// A file being written. Write to `temporary_path()`; `commit()` moves it to `path`. Without a commit, the destructor

@@ -2,9 +2,28 @@
 #include "io/file_errors.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 
 namespace hapticut {
+
+std::string not_the_file(std::string_view head) {
+  if (head.starts_with(kGitLfsPointer))
+    return "it is a Git LFS pointer, a text in place of the file; run 'git lfs pull' in its repository, or download "
+           "the "
+           "file itself.";
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+  const auto begins_with = [&](std::string_view tag) {
+    return head.size() > tag.size() && std::equal(tag.begin(), tag.end(), head.begin(), [](char of_tag, char c) {
+             return of_tag == std::tolower(static_cast<unsigned char>(c));
+           });
+  };
+  if (begins_with("<!doctype html") || begins_with("<html") || begins_with("<head"))
+    return "it is a web page in place of the file: a download went wrong, so download the file itself.";
+  return "";
+}
 
 std::uint64_t readable_size(const std::filesystem::path& path) {
   std::error_code code;
@@ -12,11 +31,8 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
   if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder; name a file.");
   if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
-  if (first_bytes(path, kGitLfsPointer.size()) == kGitLfsPointer)
-    cannot_read(
-        path,
-        "it is a Git LFS pointer, a text in place of the file; run 'git lfs pull' in its repository, or download "
-        "the file itself.");
+  constexpr std::size_t kHead = 200;  // [bytes]
+  if (const std::string other = not_the_file(first_bytes(path, kHead)); !other.empty()) cannot_read(path, other);
   if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
   const auto size = std::filesystem::file_size(path, code);
   if (code) cannot_read(path, code.message() + ".");

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "core/lack_of_memory.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -27,9 +27,8 @@ auto naming(const std::filesystem::path& path, const Work& work) {
     const std::string reason = error.what();
     if (reason.starts_with("cannot read ")) throw;  // the message names a file already
     cannot_read(path, reason);
-  } catch (const std::bad_alloc&) {
-    cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
-  } catch (const std::length_error&) {
+  } catch (const std::exception& error) {
+    if (!is_lack_of_memory(error) && dynamic_cast<const std::length_error*>(&error) == nullptr) throw;
     cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
   }
 }
@@ -37,8 +36,14 @@ auto naming(const std::filesystem::path& path, const Work& work) {
 /// The first line of the small text that Git stores in place of a large file.
 inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/v1";
 
+/// What a download or a copy of a repository may have left in place of a file, and what to do: "it is a Git LFS pointer
+/// ...", "it is a web page ...". Empty for anything else.
+/// @param head  the first bytes of the file, 200 or all
+[[nodiscard]] std::string not_the_file(std::string_view head);
+
 /// Size of a regular file that can be opened for reading.
-/// @throws Error for anything else (a pipe or a device may have no end), an empty file and a Git LFS pointer
+/// @throws Error for anything else (a pipe or a device may have no end), an empty file, a Git LFS pointer and a web
+/// page
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, up to `count`.

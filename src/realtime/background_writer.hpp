@@ -8,12 +8,16 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 namespace hapticut {
+
+/// Why a BackgroundWriter fails when memory is lacking.
+inline constexpr const char* kNoMemoryToWrite = "there is not enough memory";
 
 /// A bounded queue of messages from a loop to a background thread that writes them. The loop's side takes no lock.
 /// A sink decides where and how the messages are written. If the sink throws, the writing ends.
@@ -87,6 +91,8 @@ class BackgroundWriter {
           next_flush = Clock::now() + period;
         }
       }
+    } catch (const std::bad_alloc&) {
+      fail(kNoMemoryToWrite);
     } catch (const std::exception& error) {
       fail(error.what());
     } catch (...) {

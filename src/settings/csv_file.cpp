@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "io/file_errors.hpp"
 #include "io/text_lines.hpp"
 #include "settings/setting.hpp"
 
@@ -26,6 +27,18 @@ bool same_name(const std::string& a, const std::string& b) { return lower_case(a
 
 auto find_name(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find_if(names, [&](const std::string& other) { return same_name(name, other); });
+}
+
+/// Whether a name is empty or has digits and no letters, as in a table without names: "-1,5".
+bool is_like_a_number(const std::string& name) {
+  return name.find_first_not_of("0123456789+-.,eE ") == std::string::npos &&
+         !std::isalpha(name.empty() ? '0' : name[0]);
+}
+
+/// Whether two names differ in what follows the last underscore, the unit: t_ms and t_s.
+bool differ_in_unit(const std::string& a, const std::string& b) {
+  const std::size_t unit = a.rfind('_');
+  return unit != std::string::npos && b.rfind('_') == unit && same_name(a.substr(0, unit), b.substr(0, unit));
 }
 
 /// The most frequent separator of the first line; a blank when there is none of them.
@@ -63,6 +76,9 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, con
   if (!file->is_open())
     throw Error(std::filesystem::absolute(path).string() + ": this " + what +
                 " does not exist or cannot be read. Check the name given to " + flag + ".");
+  constexpr std::size_t kHead = 200;  // [bytes]
+  if (const std::string other = not_the_file(first_bytes(path, kHead)); !other.empty())
+    throw Error(std::filesystem::absolute(path).string() + ": " + other);
   stream_ = std::move(file);
 }
 
@@ -71,6 +87,7 @@ CsvFile::CsvFile(std::string text, std::string name)
 
 const std::vector<std::string>& CsvFile::read_names(const std::string& must) {
   if (!next(names_)) fail("the file is empty; its first line must " + must + ".");
+  if (std::ranges::all_of(names_, is_like_a_number)) fail("the first line has numbers; it must " + must + ".");
   for (auto name = names_.begin(); name != names_.end(); ++name)
     if (!name->empty() &&
         std::find_if(names_.begin(), name, [&](const auto& n) { return same_name(n, *name); }) != name)
@@ -86,7 +103,10 @@ std::optional<std::size_t> CsvFile::column(const std::string& name) const {
 void CsvFile::require_known(const std::vector<std::string>& known, const std::vector<std::string>& skipped) const {
   for (const std::string& name : names_) {
     if (name.empty() || find_name(known, name) != known.end() || find_name(skipped, name) != skipped.end()) continue;
-    fail("there is no column " + name + "; must be one of " + joined(known) + "." + suggestion(name, known) +
+    const auto other_unit = std::ranges::find_if(known, [&](const auto& one) { return differ_in_unit(name, one); });
+    fail("there is no column " + name + "; must be one of " + joined(known) + "." +
+         (other_unit == known.end() ? suggestion(name, known)
+                                    : " If it is " + *other_unit + " in another unit, convert its numbers.") +
          (skipped.empty() ? "" : " Leave it out, or name it comment if it says nothing about the poses."));
   }
 }

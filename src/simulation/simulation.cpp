@@ -19,7 +19,10 @@ constexpr double kMinThickness = 1.5;                    // [voxels] of a head: 
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
-    throw Error("the workpiece is empty; check the threshold, crop box or labels that it was built from.");
+    throw Error(
+        "the workpiece is empty: nothing is left of it to cut. If it was built from a volume, check the threshold, "
+        "crop box "
+        "or labels.");
   validate_head(tool.head(), workpiece.voxel_size());
 }
 

@@ -37,6 +37,8 @@ void visit_parts(Archive& archive, T& value) {
     archive(value.X_WD, value.wrench, value.dt);
   } else if constexpr (std::is_same_v<T, SpindleLoad>) {
     archive(value.torque, value.hand_speed, value.first_torque, value.first_speed, value.settled);
+  } else if constexpr (std::is_same_v<T, BlockIds>) {
+    archive(value.origin, value.ids);
   } else if constexpr (std::is_same_v<T, IndexBox>) {
     archive(value.min, value.max);
   } else if constexpr (std::is_same_v<T, MaterialSet>) {
@@ -164,7 +166,8 @@ std::string SimulationMemory::bytes_of(const Simulation& simulation) {
   Writer writer;
   ReservedNodes nodes = reserved_nodes(workpiece);
   std::size_t undo_blocks = workpiece.undo_blocks();
-  writer(undo_blocks, nodes.material_leaves, nodes.fill_leaves, nodes.fill_branches, nodes.target);
+  std::vector<BlockIds> cut = ids_of_cut_blocks(workpiece);
+  writer(cut, undo_blocks, nodes.material_leaves, nodes.fill_leaves, nodes.fill_branches, nodes.target);
   visit(writer, *simulation.state_);  // a writer changes nothing
   return std::move(writer.bytes);
 }
@@ -177,7 +180,9 @@ Simulation SimulationMemory::restored(Workpiece workpiece, Tool tool, Simulation
   Reader reader(bytes);
   std::size_t undo_blocks = 0;
   ReservedNodes nodes;
-  reader(undo_blocks, nodes.material_leaves, nodes.fill_leaves, nodes.fill_branches, nodes.target);
+  std::vector<BlockIds> cut;
+  reader(cut, undo_blocks, nodes.material_leaves, nodes.fill_leaves, nodes.fill_branches, nodes.target);
+  set_ids_of_cut_blocks(s.workpiece, cut);
   if (undo_blocks > 0) s.workpiece.reserve_undo(undo_blocks);
   set_reserved_nodes(s.workpiece, nodes);
   visit(reader, s);

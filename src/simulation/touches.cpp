@@ -64,8 +64,9 @@ class Unknown {
 MaterialSet ContactStages::find_touched(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                         const MaterialSet& known) noexcept {
   MaterialSet found;
-  Unknown unknown(workpiece_.materials().size(), known);
-  if (unknown.none() || blocks.empty()) return found;
+  const int materials = workpiece_.materials().size();
+  if (known.size() >= materials || blocks.empty()) return found;
+  Unknown unknown(materials, known);
   const kernels::ContactJob job = {head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_,
                                    false};
   for (const CuttableBlock& block : blocks) {

@@ -22,4 +22,28 @@ void set_reserved_nodes(Workpiece& workpiece, const ReservedNodes& nodes) {
   pool.target = nodes.target;
 }
 
+std::vector<BlockIds> ids_of_cut_blocks(const Workpiece& workpiece) {
+  const VoxelTrees& trees = WorkpieceAccess::trees(workpiece);
+  std::vector<BlockIds> blocks;
+  for (auto leaf = trees.fill.cbeginLeaf(); leaf; ++leaf) {
+    const auto* material = trees.material.probeConstLeaf(leaf->origin());
+    if (material == nullptr) continue;
+    BlockIds& block = blocks.emplace_back();
+    block.origin = to_index(leaf->origin());
+    std::copy_n(material->buffer().data(), kBlockVoxels, block.ids.begin());
+  }
+  return blocks;
+}
+
+void set_ids_of_cut_blocks(Workpiece& workpiece, const std::vector<BlockIds>& blocks) {
+  workpiece.reserve_blocks(blocks.size() + 1);
+  for (const BlockIds& block : blocks) {
+    (void)workpiece.writable_fill(block.origin);
+    auto* leaf = WorkpieceAccess::trees(workpiece).material.probeLeaf(to_coord(block.origin));
+    if (leaf == nullptr) continue;
+    for (openvdb::Index n = 0; n < kBlockVoxels; ++n)
+      if (!leaf->isValueOn(n)) leaf->buffer().setValue(n, block.ids[n]);
+  }
+}
+
 }  // namespace hapticut

@@ -55,6 +55,11 @@ struct VoxelTrees {
   }
 };
 
+/// A copy as after writing and reading a file. Cutting leaves two things behind that a file does not have: leaves of
+/// fills where no voxel is partly filled, and the materials of emptied voxels. They do not change the workpiece, but a
+/// later cut finds its memory in the leaves and not in the pool, and a force is summed in another order.
+[[nodiscard]] std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees);
+
 /// A tree for a grid of OpenVDB that is deleted without allocating memory.
 template <class Tree, class... Arguments>
 std::shared_ptr<Tree> make_tree(const Arguments&... arguments) {
@@ -106,6 +111,7 @@ struct Workpiece::State {
 /// Access to the trees for other files of the library.
 struct WorkpieceAccess {
   static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
+  static VoxelTrees& trees(Workpiece& workpiece) { return *workpiece.state_->trees; }
   static const BlockPool& pool(const Workpiece& workpiece) { return workpiece.state_->pool; }
   static BlockPool& pool(Workpiece& workpiece) { return workpiece.state_->pool; }
   static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);

@@ -53,24 +53,6 @@ const std::uint64_t* mask_words(const LeafNode& leaf) noexcept {
   return &const_cast<Mask&>(leaf.getValueMask()).template getWord<openvdb::Index64>(0);
 }
 
-/// Whether each solid voxel of a block is full.
-bool is_full(const Leaf<FillTree>& fill, const Leaf<MaterialTree>& material) {
-  for (auto voxel = material.cbeginValueOn(); voxel; ++voxel)
-    if (fill.getValue(voxel.pos()) != 1) return false;
-  return true;
-}
-
-/// A copy that has leaves of fills only where a voxel is partly filled, as after writing and reading a file. Cutting
-/// leaves others behind. They do not change the material, but a later cut finds its memory in them and not in the pool.
-std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees) {
-  auto copy = std::unique_ptr<VoxelTrees>(new VoxelTrees{trees.material, FillTree(1.0F), trees.centroid});
-  for (auto fill = trees.fill.cbeginLeaf(); fill; ++fill) {
-    const auto* material = trees.material.probeConstLeaf(fill->origin());
-    if (material == nullptr || !is_full(*fill, *material)) copy->fill.addLeaf(new Leaf<FillTree>(*fill));
-  }
-  return copy;
-}
-
 }  // namespace
 
 Workpiece::Workpiece(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -31,6 +31,9 @@ poses: NDArray[np.float64]
 velocities: NDArray[np.float64]
 array: NDArray[np.float64]
 dt: float
+X_WH: NDArray[np.float64]
+origin: NDArray[np.float64]
+direction: NDArray[np.float64]
 """
 
 
@@ -49,7 +52,8 @@ def types() -> None:
 
 
 def test_the_examples_have_the_types_that_they_say(tmp_path):
-    assert not errors_of_mypy(tmp_path, sorted(EXAMPLES.glob("*.py")))
+    errors = errors_of_mypy(tmp_path, sorted(EXAMPLES.glob("*.py")))
+    assert not errors, errors
 
 
 def programs_of_the_pages() -> dict[str, str]:
@@ -70,7 +74,8 @@ def test_the_code_of_the_pages_has_the_types_that_it_says(tmp_path):
         paths.append(tmp_path / f"{name}.py")
         # The README's program stands alone.
         paths[-1].write_text(("" if name.startswith("README") else BEFORE) + code, encoding="utf-8")
-    assert not errors_of_mypy(tmp_path, paths)
+    errors = errors_of_mypy(tmp_path, paths)
+    assert not errors, errors
 
 
 WRONG = """

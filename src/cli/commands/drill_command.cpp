@@ -43,16 +43,16 @@ void run_drill(const DrillSettings& s) {
   DrillReport report{summarize(source, scene.workpiece), s.scene.simulation.rate_Hz, std::move(scene.warnings)};
   Simulation simulation(std::move(scene.workpiece), scene.tool, scene.config);
 
-  RunRecorder recorder(delivery.wants(s.output.record) ? s.output.record : "", simulation, Pace::own, nullptr);
+  const auto recorder = start_recording(delivery, s.output.record, simulation, Pace::own, nullptr);
   const DrillResult result = drill(simulation, *scene.motion, report.rate, delivery.wants(s.output.steps_csv));
-  recorder.close();
+  recorder->close();
   for (std::string& warning : warnings_of(result, simulation)) report.warnings.push_back(std::move(warning));
   const std::string empty = warning_of_empty_outputs(s.output, simulation.workpiece());
   if (!empty.empty()) report.warnings.push_back(empty);
   write_json(delivery, s.output.json, to_json(report, result, simulation));
   delivery.print(to_table(report, result, simulation));
   write_files(delivery, s.output, result, simulation.workpiece());
-  delivery.attempt([&] { recorder.require_complete(); });
+  delivery.attempt([&] { recorder->require_complete(); });
   delivery.attempt([&] { require_every_step(result); });
   delivery.finish();
 }

@@ -147,8 +147,8 @@ void run_loop(LoopSettings s) {
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
   const StopSignals signals;  // a signal ends the run, and the report covers the time until then
-  RunRecorder recorder(delivery.wants(s.record) ? s.record : "", simulation,
-                       s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
+  const auto recorder =
+      start_recording(delivery, s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
   if (coupled) model_options.coupling = coupling_gains(device->capabilities());
@@ -167,10 +167,11 @@ void run_loop(LoopSettings s) {
     report.seen = watch(loop, *device);
     report.run = loop.wait();
   }
-  report.steps_lost = recorder.close();
+  report.steps_lost = recorder->close();
+  report.recording_failure = recorder->failure();
   write_json(delivery, s.json, to_json(report));
   delivery.print(to_table(report));
-  delivery.attempt([&] { recorder.require_complete(); });
+  delivery.attempt([&] { recorder->require_complete(); });
   delivery.attempt([&] { require_whole(s, report); });
   delivery.finish();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands/recording_source.hpp"
 
+#include <utility>
+
 #include "cli/commands/command.hpp"
 #include "hapticut/core/errors.hpp"
 #ifdef HAPTICUT_HAS_IO
@@ -55,6 +57,13 @@ void use_recordings_if_possible() {}
 #endif
 
 RunRecorder::~RunRecorder() = default;
+
+std::unique_ptr<RunRecorder> start_recording(Delivery& delivery, const std::string& path, Simulation& simulation,
+                                             Pace pace, const Device* device) {
+  std::unique_ptr<RunRecorder> recorder;
+  delivery.begin(path, [&] { recorder = std::make_unique<RunRecorder>(path, simulation, pace, device); });
+  return recorder ? std::move(recorder) : std::make_unique<RunRecorder>("", simulation, pace, device);
+}
 
 void RunRecorder::require_complete() const {
   if (!failure_.empty()) throw Error(failure_);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/reports/delivery.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
@@ -29,6 +30,9 @@ class RunRecorder {
   /// @return number of lost steps
   std::uint64_t close();
 
+  /// Why the recording could not be written completely; empty if it could.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
   /// @throws Error when the recording could not be written completely
   void require_complete() const;
 
@@ -37,6 +41,12 @@ class RunRecorder {
   std::string failure_;
   std::unique_ptr<State> state_;
 };
+
+/// Starts the recording of a run, if it is wanted. A failure is told, and the run goes on without it.
+/// @return never null
+/// @throws AlreadyTold when the recording fails and the run has no other output
+[[nodiscard]] std::unique_ptr<RunRecorder> start_recording(Delivery& delivery, const std::string& path,
+                                                           Simulation& simulation, Pace pace, const Device* device);
 
 /// Registers the device `replay:FILE` if this program can read recordings.
 void use_recordings_if_possible();

@@ -80,7 +80,9 @@ void run_replay(const ReplaySettings& s) {
   table.add("recorded", info.begun + " by hapticut " + info.version + (info.commit.empty() ? "" : " " + info.commit) +
                             ", " + info.compiler + ", " + info.cpu);
   table.add("steps", std::to_string(report.steps) + " of " + std::to_string(recording.size()));
-  table.add("identical", report.identical ? "yes, every bit" : "no");
+  const char* const same =
+      recording.size() > 0 ? "yes, every bit" : "yes, but it has no steps, so nothing was compared";
+  table.add("identical", report.identical ? same : "no");
   if (report.first_difference) table.add("difference", text_of(*report.first_difference));
   if (!report.identical) table.add("force", "at most " + rounded(report.max_force_difference) + " N off");
   for (const std::string& remark : info.remarks) table.add("remark", remark);
@@ -108,13 +110,13 @@ void write_html(const Recording& recording, const ExportSettings& s) {
 }
 
 void run_export(const ExportSettings& s) {
-  const Recording recording = read_recording(s.recording);
   const std::string extension = extension_in_lower_case(s.target);
   if (extension != ".csv" && extension != ".npz" && extension != ".wav" && extension != ".html")
-    throw Error("cannot write '" + s.target + "': its extension must be .csv, .npz, .wav or .html.");
+    throw UsageError("cannot write '" + s.target + "': its extension must be .csv, .npz, .wav or .html.");
   if (!s.page.empty() && extension != ".html")
-    throw Error(
+    throw UsageError(
         "--page is set; must be left out, because only a .html shows the page. Leave it out, or write a .html.");
+  const Recording recording = read_recording(s.recording);
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <new>
 #include <system_error>
 
 #include "cli/reports/flag_words.hpp"
 #include "cli/reports/json_file.hpp"
+#include "core/lack_of_memory.hpp"
 #include "hapticut/core/errors.hpp"
 #include "io/atomic_file.hpp"
 
@@ -41,18 +41,17 @@ void write_text(const std::string& file, const std::string& text) {
 Delivery::Delivery(const std::vector<std::string>& texts, const std::vector<std::string>& files) {
   prints_on_stderr_ = std::ranges::find(texts, kStandardOutput) != texts.end();
   std::vector<std::string> errors;
-  bool any = false;
   const auto check = [&](const std::string& file) {
     try {
       require_writable(file);
-      any = true;
+      ++usable_;
     } catch (const Error& error) {
       errors.emplace_back(error.what());
       failed_files_.insert(file);
     }
   };
   for (const std::string& file : texts) {
-    if (file == kStandardOutput) any = true;
+    if (file == kStandardOutput) ++usable_;
     if (!file.empty() && file != kStandardOutput) check(file);
   }
   for (const std::string& file : files) {
@@ -66,9 +65,9 @@ Delivery::Delivery(const std::vector<std::string>& texts, const std::vector<std:
   if (errors.empty()) return;
   failed_ = true;
   const std::string last = errors.back();
-  if (!any) errors.pop_back();
+  if (usable_ == 0) errors.pop_back();
   for (const std::string& error : errors) tell_error(error);
-  if (!any) throw Error(last);
+  if (usable_ == 0) throw Error(last);
 }
 
 void Delivery::print(const std::string& text) {
@@ -81,6 +80,12 @@ void Delivery::print(const std::string& text) {
 
 bool Delivery::wants(const std::string& file) const { return !file.empty() && !failed_files_.contains(file); }
 
+void Delivery::begin(const std::string& file, const std::function<void()>& work) {
+  if (!wants(file) || attempted(work, "'" + file + "'")) return;
+  failed_files_.insert(file);
+  if (--usable_ == 0) throw AlreadyTold();
+}
+
 void Delivery::write(const std::string& file, const std::function<void()>& work) {
   if (wants(file) && !attempted(work, "'" + file + "'")) failed_files_.insert(file);
 }
@@ -91,10 +96,10 @@ bool Delivery::attempted(const std::function<void()>& work, const std::string& w
   try {
     work();
     return true;
-  } catch (const std::bad_alloc&) {
-    tell_error("there is not enough memory to write " + what + ". Use larger voxels or a smaller piece.");
   } catch (const std::exception& error) {
-    tell_error(error.what());
+    tell_error(is_lack_of_memory(error)
+                   ? "there is not enough memory to write " + what + ". Use larger voxels or a smaller piece."
+                   : error.what());
   }
   failed_ = true;
   return false;

@@ -47,6 +47,10 @@ class Delivery {
   /// Whether a file is wanted, and has not failed so far.
   [[nodiscard]] bool wants(const std::string& file) const;
 
+  /// Begins a file that grows during the work, if it is wanted.
+  /// @throws AlreadyTold when it fails and no other output is left
+  void begin(const std::string& file, const std::function<void()>& work);
+
   /// Writes a file, if it is wanted.
   void write(const std::string& file, const std::function<void()>& work);
 
@@ -59,6 +63,7 @@ class Delivery {
  private:
   bool attempted(const std::function<void()>& work, const std::string& what);
 
+  std::size_t usable_ = 0;  // outputs that can be written, when the work begins
   bool prints_on_stderr_ = false, print_failed_ = false, failed_ = false;
   std::set<std::string> failed_files_;
 };

@@ -24,6 +24,8 @@ constexpr FlagWords kFlagWords[] = {
     {"RawLayout::skip", "--raw_skip_bytes"},
     {"RawLayout::type", "--raw_type"},
     {"ReplayOptions::law", "--law"},
+    {"a file cannot store a law; pass the same law to the replay",
+     "a file cannot store a law; name the same law: hapticut replay FILE --law NAME"},
     {"SetScale::scale", "--scale"},
     {"Shank::neck_diameter", "--shank-neck-mm"},
     {"SimulationConfig::quadrature", "--quadrature"},

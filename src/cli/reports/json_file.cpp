@@ -16,7 +16,14 @@ Json build_json() {
 
 void require_writable(const std::filesystem::path& path) {
   if (path.empty()) return;
-  std::error_code refused;  // if this fails, writing the file fails too and reports the reason
+  std::error_code refused;
+  const std::filesystem::file_status status = std::filesystem::status(path, refused);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status))
+    throw Error("cannot write '" + path.string() +
+                "': it exists and is not a regular file. Give another name; a file of text can be -, which is standard "
+                "output.");
+  // If this fails, writing the file fails too and reports the reason.
   std::filesystem::create_directories(path.parent_path(), refused);
   const AtomicFile unused(path);
 }

@@ -67,8 +67,9 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
-    warnings.push_back("the disk was too slow: " + std::to_string(r.steps_lost) +
-                       " steps are missing in the recording.");
+    warnings.push_back((r.recording_failure.empty() ? "the disk was too slow: " : "the recording failed early: ") +
+                       std::to_string(r.steps_lost) + " steps are missing in the recording." +
+                       (r.recording_failure.empty() ? "" : " The reason: " + r.recording_failure));
   return warnings;
 }
 

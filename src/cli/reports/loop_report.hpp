@@ -23,7 +23,8 @@ struct LoopReport {
   bool coupled;  ///< true: by a virtual coupling
   LoopWatch seen;
   RunReport run;
-  std::uint64_t steps_lost;  ///< steps that the recorder lost
+  std::uint64_t steps_lost;            ///< steps that the recorder lost
+  std::string recording_failure = {};  ///< why the recording ended before the run, as a sentence; empty: it did not
 };
 
 /// Warnings about the forces, as sentences.

@@ -39,9 +39,10 @@ bool has_extension(const std::string& path, const std::vector<std::string>& exte
   return std::ranges::find(extensions, extension_in_lower_case(path)) != extensions.end();
 }
 
-void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
-  if (path.empty() || has_extension(path, extensions)) return;
-  throw Error("cannot write '" + path + "': its extension must be one of " + joined(extensions) + ".");
+/// The sentence about a file of another extension; empty if there is nothing to say.
+std::string wrong_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  if (path.empty() || has_extension(path, extensions)) return "";
+  return "cannot write '" + path + "': its extension must be one of " + joined(extensions) + ".";
 }
 
 /// Checks that this program can write a file of this format.
@@ -81,16 +82,20 @@ Setting workpiece_file(std::string key, std::string flag, std::string& target, s
 }
 
 Delivery delivery_of(const OutputSettings& outputs) {
-  require_extension(outputs.workpiece, {".vdb", ".nrrd"});
-  require_extension(outputs.surface, {".stl", ".ply"});
-  require_extension(outputs.picture, {".png"});
+  std::string wrong;
+  for (const std::string& sentence :
+       {wrong_extension(outputs.workpiece, {".vdb", ".nrrd"}), wrong_extension(outputs.surface, {".stl", ".ply"}),
+        wrong_extension(outputs.picture, {".png"})})
+    wrong += (wrong.empty() || sentence.empty() ? "" : " ") + sentence;
+  if (!wrong.empty()) throw UsageError(wrong);
   for (const std::string& path : {outputs.workpiece, outputs.surface, outputs.picture}) require_writer(path);
   return Delivery({outputs.json, outputs.steps_csv},
                   {outputs.workpiece, outputs.surface, outputs.picture, outputs.record});
 }
 
 void check_workpiece_file(const std::string& path) {
-  require_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
+  const std::string wrong = wrong_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
+  if (!wrong.empty()) throw UsageError(wrong);
   require_writer(path);
   require_writable(path);
 }

@@ -24,10 +24,12 @@ struct OutputSettings {
                                                std::string meaning);
 
 /// Checks before the work begins that the files can be written.
-/// @throws Error when a file has an unknown extension, or none of them can be written
+/// @throws UsageError that names all files of an unknown extension
+/// @throws Error when none of the files can be written
 [[nodiscard]] Delivery delivery_of(const OutputSettings& outputs);
 
 /// Checks before the work begins that a workpiece can be written to a file.
+/// @throws UsageError when its extension is unknown
 /// @throws Error that names the file, also when this program does not write its format
 void check_workpiece_file(const std::string& path);
 

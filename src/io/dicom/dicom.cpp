@@ -78,19 +78,28 @@ bool is_directory_file(const WithoutPicture& file) {
 }
 
 /// Adds the files that were meant to be slices and are none to the unread ones. Reports, previews and notes are not.
+/// @param others  what is no DICOM file: also links to nothing, pipes and folders, which must not be opened
 void add_lost_slices(const SliceNames& names, const std::set<std::string>& classes,
                      const std::vector<WithoutPicture>& without_picture, const std::vector<fs::path>& others,
                      DicomFolder& found) {
-  constexpr const char* kCure = " Get a complete copy of it.";
+  constexpr const char* kCure = "Get a complete copy of it.";
   for (const WithoutPicture& file : without_picture)
     if (!is_directory_file(file) && (file.has_rows || file.kind.empty() || classes.contains(file.kind)))
       found.unread.push_back({file.path, file.series.empty() ? std::nullopt : std::optional(file.series),
-                              std::string("it ends before its picture.") + kCure});
+                              std::string("it has no picture: it ends before one, or never had one. ") + kCure +
+                                  (file.series.empty() ? "" : " If it never had one, remove it from the folder.")});
   for (const fs::path& path : others) {
-    const std::string begin = first_bytes(path, 133);
-    const bool cut_preamble = begin.size() <= 132 && begin.find_first_not_of('\0') == std::string::npos;
-    if (names.is_name_of_slice(path) || (cut_preamble && names.have_no_extension() && !path.has_extension()))
-      found.unread.push_back({path, std::nullopt, what_is_no_slice(path, "DICOM file") + "." + kCure});
+    const auto cut_preamble = [&] {
+      std::error_code code;
+      if (!fs::is_regular_file(path, code)) return false;
+      const std::string begin = first_bytes(path, 133);
+      return begin.size() <= 132 && begin.find_first_not_of('\0') == std::string::npos;
+    };
+    if (names.is_name_of_slice(path) || names.is_slice_of_other_format(path) ||
+        (names.have_no_extension() && !path.has_extension() && cut_preamble())) {
+      const NoSlice lost = what_is_no_slice(path, "DICOM file");
+      found.unread.push_back({path, std::nullopt, lost.what + ". " + (lost.cure.empty() ? kCure : lost.cure)});
+    }
   }
 }
 
@@ -99,13 +108,10 @@ DicomFolder pictures_in(const fs::path& folder) {
   std::vector<fs::path> files, others;
   std::error_code code, ignored;
   for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(ignored)) {
-      const bool hidden = entry.path().filename().string().starts_with('.');
-      if (is_dicom_file(entry.path()))
-        files.push_back(entry.path());
-      else if (!hidden)
-        others.push_back(entry.path());
-    }
+    if (entry.is_regular_file(ignored) && is_dicom_file(entry.path()))
+      files.push_back(entry.path());
+    else if (may_be_lost_slice(entry.path()))
+      others.push_back(entry.path());
   if (code) cannot_read(folder, code.message() + ".");
   std::sort(files.begin(), files.end());
   std::sort(others.begin(), others.end());
@@ -225,13 +231,20 @@ std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::str
   RawImage image;
   const std::vector<DicomSlice> slices = slices_of_series(folder, series, image.remarks);
   if (slices.empty()) return std::nullopt;
+  if (const std::string remark = remark_on_subfolders(folder, "DICOM files", is_dicom_file); !remark.empty())
+    image.remarks.push_back(remark);
   if (slices.size() == 1 && slices.front().picture.geometry.dims[2] > 1) {
     RawImage frames = read_dicom_file(slices.front().path);
     frames.remarks = image.remarks;
     return frames;
   }
-  for (const DicomSlice& slice : slices)
-    if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; name the file itself.");
+  // All slices are of one kind, so all have as many frames.
+  if (const int frames = slices.front().picture.geometry.dims[2]; frames != 1)
+    cannot_read(folder, "its DICOM series is in " + std::to_string(slices.size()) + " files of " +
+                            std::to_string(frames) + " frames, the first is '" +
+                            slices.front().path.filename().string() +
+                            "'. If each is a part of the volume, join them in one file, e.g. as NRRD or NIfTI; if each "
+                            "is a volume, name one of the files.");
   if (slices.size() < 2) cannot_read(folder, "its DICOM series has only one slice; a volume needs two.");
   std::vector<Vec3> places;
   for (const DicomSlice& slice : slices) {

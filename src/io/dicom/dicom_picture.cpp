@@ -15,20 +15,19 @@ namespace hapticut {
 namespace {
 
 constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16),
-                        kBetweenSlices = dicom_tag(0x18, 0x88), kSeries = dicom_tag(0x20, 0xe),
-                        kPosition = dicom_tag(0x20, 0x32), kOrientation = dicom_tag(0x20, 0x37),
-                        kChannels = dicom_tag(0x28, 2), kPhotometric = dicom_tag(0x28, 4), kFrames = dicom_tag(0x28, 8),
-                        kRows = dicom_tag(0x28, 0x10), kColumns = dicom_tag(0x28, 0x11),
-                        kPixelSpacing = dicom_tag(0x28, 0x30), kAllocated = dicom_tag(0x28, 0x100),
-                        kStored = dicom_tag(0x28, 0x101), kHigh = dicom_tag(0x28, 0x102),
-                        kSign = dicom_tag(0x28, 0x103), kPadding = dicom_tag(0x28, 0x120),
-                        kPaddingLimit = dicom_tag(0x28, 0x121), kIntercept = dicom_tag(0x28, 0x1052),
-                        kSlope = dicom_tag(0x28, 0x1053), kTable = dicom_tag(0x28, 0x3000),
-                        kTableLayout = dicom_tag(0x28, 0x3002), kTableValues = dicom_tag(0x28, 0x3006),
-                        kFrameOffsets = dicom_tag(0x3004, 0xc), kSharedGroups = dicom_tag(0x5200, 0x9229),
-                        kFrameGroups = dicom_tag(0x5200, 0x9230), kPlanePosition = dicom_tag(0x20, 0x9113),
-                        kPlaneOrientation = dicom_tag(0x20, 0x9116), kMeasures = dicom_tag(0x28, 0x9110),
-                        kTransformation = dicom_tag(0x28, 0x9145);
+                        kBetweenSlices = dicom_tag(0x18, 0x88), kPosition = dicom_tag(0x20, 0x32),
+                        kOrientation = dicom_tag(0x20, 0x37), kChannels = dicom_tag(0x28, 2),
+                        kPhotometric = dicom_tag(0x28, 4), kFrames = dicom_tag(0x28, 8), kRows = dicom_tag(0x28, 0x10),
+                        kColumns = dicom_tag(0x28, 0x11), kPixelSpacing = dicom_tag(0x28, 0x30),
+                        kAllocated = dicom_tag(0x28, 0x100), kStored = dicom_tag(0x28, 0x101),
+                        kHigh = dicom_tag(0x28, 0x102), kSign = dicom_tag(0x28, 0x103),
+                        kPadding = dicom_tag(0x28, 0x120), kPaddingLimit = dicom_tag(0x28, 0x121),
+                        kIntercept = dicom_tag(0x28, 0x1052), kSlope = dicom_tag(0x28, 0x1053),
+                        kTable = dicom_tag(0x28, 0x3000), kTableLayout = dicom_tag(0x28, 0x3002),
+                        kTableValues = dicom_tag(0x28, 0x3006), kFrameOffsets = dicom_tag(0x3004, 0xc),
+                        kSharedGroups = dicom_tag(0x5200, 0x9229), kFrameGroups = dicom_tag(0x5200, 0x9230),
+                        kPlanePosition = dicom_tag(0x20, 0x9113), kPlaneOrientation = dicom_tag(0x20, 0x9116),
+                        kMeasures = dicom_tag(0x28, 0x9110), kTransformation = dicom_tag(0x28, 0x9145);
 constexpr const char* kDoseClass = "1.2.840.10008.5.1.4.1.1.481.2";
 /// Enhanced and converted CT, MR and PET, and X-ray 3D, whose functional groups hold the positions of the frames.
 constexpr const char* kEnhanced[] = {"1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
@@ -201,6 +200,9 @@ void require_grey_picture(const DicomFile& file, const DicomPicture& picture) {
   if (!photometric.empty() && photometric != "MONOCHROME1" && photometric != "MONOCHROME2")
     throw Error("its values mean " + in_quotes(photometric) +
                 "; only grey values are supported (MONOCHROME1, MONOCHROME2).");
+  if (picture.allocated == 1)
+    throw Error(
+        "its values have 1 bit, as a segmentation (DICOM SEG); save it as labels in NRRD or NIfTI, e.g. by dcmqi.");
   const bool whole_bytes = picture.allocated == 8 || picture.allocated == 16 || picture.allocated == 32;
   if (!whole_bytes || picture.stored < 1 || picture.high >= picture.allocated || picture.high + 1 < picture.stored)
     throw Error("its values have " + std::to_string(picture.stored) + " bits up to bit " +
@@ -304,8 +306,6 @@ std::string plain_frame(const DicomFile& file, const DicomPicture& picture, std:
 }
 
 }  // namespace
-
-std::string series_of(const DicomFile& file) { return file.data.text(kSeries); }
 
 std::string kind_of(const DicomFile& file) {
   const std::string kind = file.data.text(kClass);

@@ -52,7 +52,7 @@ struct DicomPicture {
                                                     FileGeometry& geometry);
 
 /// The Series Instance UID of a file.
-[[nodiscard]] std::string series_of(const DicomFile& file);
+[[nodiscard]] inline std::string series_of(const DicomFile& file) { return file.data.text(dicom_tag(0x20, 0xe)); }
 
 /// The SOP Class UID of a file; empty when it has none.
 [[nodiscard]] std::string kind_of(const DicomFile& file);

@@ -76,8 +76,6 @@ std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::
   TextLines lines(head.substr(std::min(leading_comments(head).size(), head.size())));
   const std::string_view word = lines.word_of_any_line();
   const std::string lower = lower_case(word);
-  if (lower.starts_with("<!doctype") || lower.starts_with("<html") || lower.starts_with("<head"))
-    return "it is a web page, not a mesh: a download went wrong, so download the file itself.";
   if (lower.starts_with("<?xml") || lower.starts_with("<collada"))
     return "it is an XML file; " + std::string(kConvert) + ".";
   if (word.starts_with('{') && head.find("\"asset\"") != std::string_view::npos)

@@ -9,8 +9,8 @@
 /// Recognizes files that have the ending of a mesh and hold something else.
 namespace hapticut {
 
-/// What a file is, and what to do, if its first bytes show another kind of file than its ending: "it is a web page
-/// ...". Empty when they do not.
+/// What a file is, and what to do, if its first bytes show another kind of file than its ending: "it is a ZIP
+/// archive ...". Empty when they do not.
 /// @param head    the first bytes of the file, 1000 or all
 /// @param size    [bytes] of the file: a binary STL file shows itself only by its size
 /// @param ending  of its name, in lower case: ".stl"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/io/recording/recorder.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <cstring>
 #include <ctime>
@@ -60,8 +62,23 @@ bool has_recorder(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  if (reason.starts_with(kNoMemoryToWrite))  // the disk is not to blame
+    throw Error(std::string("cannot write ") + kWhat + "'" + path.string() + "': " + reason +
+                ". Use larger voxels, a smaller piece or a shorter run.");
   cannot_write(path, reason, kWhat);
 }
+
+/// Removes a recording that did not come to its first step.
+class Remains {
+ public:
+  Remains() = default;
+  ~Remains() {
+    if (!path.empty()) ::unlink(path.c_str());
+  }
+  Remains(const Remains&) = delete;
+  Remains& operator=(const Remains&) = delete;
+  std::filesystem::path path;  // empty: nothing to remove
+};
 
 }  // namespace
 
@@ -120,6 +137,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     s.options.capabilities = device->capabilities();
   }
   s.last_effects = pack(simulation.config().effects);
+  Remains remains;
   try {
     if (has_recorder(path)) refuse_second_writer(path, kWhat);
     { const AtomicFile may_be_written(path); }
@@ -139,6 +157,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     const bool is_beside = s.growing != place_behind_links(path);
     if (is_beside && !remove_left_file(s.growing)) refuse_second_writer(path, kWhat);
     target.commit_new();
+    remains.path = s.growing;
     s.disk_space = std::make_unique<DiskSpace>(s.growing);
     s.disk_space->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
@@ -164,11 +183,15 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
       BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
                                       [&s] { s.flush(); }});
   simulation.add_observer(*this);
+  remains.path.clear();
 }
 
 Recorder::~Recorder() {
-  state_->simulation.remove_observer(*this);
-  if (state_->writer->running()) (void)state_->end_writing();
+  State& s = *state_;
+  s.simulation.remove_observer(*this);
+  if (!s.writer->running()) return;
+  (void)s.end_writing();
+  if (s.written == 0) ::unlink(s.growing.c_str());
 }
 
 // --- loop thread -----------------------------------------------------------------------------------------------------
@@ -311,13 +334,18 @@ void Recorder::close() {
   if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
   s.over = true;  // later steps are dropped without waiting
   const std::string failure = s.end_writing();
+  // A failed writer leaves steps in the buffer.
+  if (!failure.empty()) s.lost.fetch_add(s.recorded.exchange(s.written) - s.written);
   const hdf5::Quiet quiet;
+  if (!failure.empty() && s.written == 0) {
+    ::unlink(s.growing.c_str());
+    fail(s.path, failure);
+  }
   try {
     hdf5::File file(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
-    const std::uint64_t all = s.recorded.load() + s.lost.load();
     std::optional<std::uint64_t> hash;
     if (!s.exchanged) hash = s.simulation.workpiece().hash();
-    write_recording_end(file.get(), failure.empty() ? s.lost.load() : all - s.written, hash);
+    write_recording_end(file.get(), s.lost.load(), hash);
     if (file.reset() < 0) hdf5::fail("closing it");
   } catch (const hdf5::Failure& error) {
     s.ending_failed.store(true, std::memory_order_release);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/lack_of_memory.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "io/file_errors.hpp"
 #include "io/recording/recording_access.hpp"
@@ -24,14 +25,13 @@ template <class Function>
 auto reading(const std::filesystem::path& path, const Function& function) {
   try {
     return function();
-  } catch (const std::bad_alloc&) {
-    cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
   } catch (const hdf5::Failure& failure) {
     const std::string reason = failure.what();
     if (reason.starts_with("it is not")) cannot_read(path, reason + ".");
     cannot_read(path, (reason.starts_with("it is") ? "" : "it is damaged, or another program changed it: ") + reason +
                           (reason.ends_with("copy") ? "." : ". Get a complete copy, or record it again."));
   } catch (const std::exception& error) {
+    if (is_lack_of_memory(error)) cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
     const std::string reason = error.what();
     cannot_read(path, reason + (reason.ends_with('.') ? "" : "."));
   }
@@ -150,9 +150,10 @@ void remark(RecordingInfo& info, std::uint64_t size) {
     info.remarks.push_back("The recording has no end: it is still being written, or its program was killed after " +
                            std::to_string(size) + " steps.");
   if (info.lost > 0)
-    info.remarks.push_back(std::to_string(info.lost) +
-                           " steps are missing: the disk was too slow, or workpiece, tool, materials, friction or "
-                           "removal changed between steps. A replay ends before the first of them.");
+    info.remarks.push_back(
+        std::to_string(info.lost) +
+        " steps are missing: the disk was too slow or full, or workpiece, tool, materials, friction or "
+        "removal changed between steps. A replay ends before the first of them.");
 }
 
 }  // namespace

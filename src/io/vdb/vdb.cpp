@@ -3,12 +3,15 @@
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <new>
 #include <sstream>
 
+#include "core/lack_of_memory.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/openvdb.hpp"
 #include "io/atomic_file.hpp"
@@ -97,9 +100,8 @@ auto reading(const Function& function) {
     return function();
   } catch (const Error&) {
     throw;
-  } catch (const std::bad_alloc&) {
-    throw Error("there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
+    if (is_lack_of_memory(error)) throw Error("there is not enough memory for it; it is too large or damaged.");
     throw Error(std::string("it is damaged, or not a supported .vdb file (OpenVDB: ") + error.what() +
                 "); get a complete copy, or save it again with the program that wrote it.");
   }
@@ -128,10 +130,24 @@ class NodesOf {
   const VdbFile& file_;
 };
 
+/// Tries whether memory can be had, because the decompressor of OpenVDB writes to address 0 where it is lacking.
+/// @throws std::bad_alloc
+void require_memory(std::uint64_t bytes) {
+  constexpr std::uint64_t kForPacking = std::uint64_t(32) << 20U;  // [bytes] buffers of the (de)compressor
+  const std::uint64_t all = bytes + kForPacking;
+  void* const place = ::mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(place, all);
+}
+
 VdbFile read_grids(std::string bytes) {
   openvdb::initialize();
   VdbFile file;
+  require_memory(0);
   file.entries = check_vdb(bytes);
+  std::uint64_t trees = 0;  // [bytes]
+  for (const VdbEntry& entry : file.entries) trees += entry.memory;
+  require_memory(trees);
   std::istringstream stream(std::move(bytes), std::ios_base::binary);
   // OpenVDB does not check the state of the stream after reading.
   stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
@@ -320,6 +336,7 @@ void with_grids(const Workpiece& workpiece, const Write& write) {
   auto centroid = openvdb::Int32Grid::create(make_tree<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).centroid));
   centroid->setTransform(material->transformPtr());
   centroid->setName("centroid");
+  require_memory(0);
   write([&](std::ostream& stream) { FileWriter().write_file(stream, {density, material, centroid}); });
 }
 

@@ -121,13 +121,13 @@ std::vector<VdbEntry> check_vdb(std::string& bytes) {
     in.skip(2 * sizeof(std::int64_t));  // position of its data
     const auto end = in.read<std::uint64_t>();
     // A repeated grid name has a separator and a number appended.
-    entries.push_back({std::string(name.substr(0, name.find('\x1e'))), type_of_value(type)});
+    entries.push_back({std::string(name.substr(0, name.find('\x1e'))), type_of_value(type), 0});
     if (is_usable(type)) {
       VdbStorage storage;
       storage.compression = in.read<std::uint32_t>();
       storage.half = check_metadata(in, bytes) && entries.back().type == "float";
       check_transform(in);
-      if (!is_instance) check_vdb_tree(in, storage);
+      if (!is_instance) entries.back().memory = check_vdb_tree(in, storage);
     } else {
       if (!has_offsets)
         throw Error("it has the grid '" + entries.back().name + "' of type '" + entries.back().type +

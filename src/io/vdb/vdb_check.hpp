@@ -14,8 +14,9 @@ namespace hapticut {
 
 /// Description of a grid in its file.
 struct VdbEntry {
-  std::string name;  ///< may be empty
-  std::string type;  ///< type of its values: "float", "int32", "vec3s", "ptdataidx32" ...
+  std::string name;          ///< may be empty
+  std::string type;          ///< type of its values: "float", "int32", "vec3s", "ptdataidx32" ...
+  std::uint64_t memory = 0;  ///< [bytes] of its tree, once it is read; 0 for a removed grid
 };
 
 /// Checks the bytes of a .vdb file and keeps only the grids that a workpiece can use: float and int32.
@@ -37,7 +38,8 @@ struct VdbStorage {
 };
 
 /// Walks through the nodes and values of a tree of float or int32 with the usual 32^3, 16^3 and 8^3 branches.
+/// @return [bytes] memory of the tree, once it is read
 /// @throws Error whose message begins with "it" or "its", when the tree is damaged
-void check_vdb_tree(ByteReader& in, const VdbStorage& storage);
+std::uint64_t check_vdb_tree(ByteReader& in, const VdbStorage& storage);
 
 }  // namespace hapticut

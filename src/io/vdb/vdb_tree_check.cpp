@@ -73,6 +73,15 @@ class TreeWalk {
     }
   }
 
+  /// [bytes] of the nodes in memory.
+  [[nodiscard]] std::uint64_t memory() const {
+    constexpr std::uint64_t kOfEntry = 8;   // a value or a pointer, in a node
+    constexpr std::uint64_t kOfLeaf = 256;  // besides its values
+    constexpr std::uint64_t kMaskOfLeaf = 64;
+    return leaves_ * (kLeaf * kValueSize + kMaskOfLeaf + kOfLeaf) + lower_ * kLower * kOfEntry +
+           upper_ * kUpper * kOfEntry;
+  }
+
  private:
   std::array<std::int32_t, 3> read_origin() {
     std::array<std::int32_t, 3> origin{};
@@ -95,6 +104,8 @@ class TreeWalk {
 
   void walk_upper() {
     const std::uint64_t children = walk_node(kUpper);
+    ++upper_;
+    lower_ += children;
     for (std::uint64_t n = 0; n < children; ++n) {
       const std::uint64_t leaves = walk_node(kLower);
       in_.skip(leaves * kLeaf / 8);
@@ -163,11 +174,15 @@ class TreeWalk {
 
   ByteReader& in_;
   VdbStorage storage_;
-  std::uint64_t leaves_ = 0;
+  std::uint64_t leaves_ = 0, lower_ = 0, upper_ = 0;  // nodes
 };
 
 }  // namespace
 
-void check_vdb_tree(ByteReader& in, const VdbStorage& storage) { TreeWalk(in, storage).walk(); }
+std::uint64_t check_vdb_tree(ByteReader& in, const VdbStorage& storage) {
+  TreeWalk tree(in, storage);
+  tree.walk();
+  return tree.memory();
+}
 
 }  // namespace hapticut

@@ -62,7 +62,7 @@ inline constexpr double kAnyCompression = 1e5;  ///< Zstandard reaches 2^15 on r
 void require_bytes(double needed, double available, double best_ratio);
 
 /// Allows what writers leave behind the values: less than a slice of zeros in a file of its own; in the file of the
-/// header also other bytes of less than a slice, and blanks and zeros of any number.
+/// header blanks and zeros of any number.
 /// @param slice      [bytes] of a slice
 /// @param same_file  the values follow their header
 /// @throws Error whose message begins with "its", when there are more bytes than the header claims, e.g. because a

@@ -154,7 +154,7 @@ void read_values(const MetaHeader& header, std::string_view bytes, const DataFil
     image.bytes = unpack_gzip(data, count);
   else
     image.bytes = data.substr(skip == -1 ? data.size() - count : std::size_t(skip), count);
-  if (image.bytes.size() != count) throw Error("its compressed data are damaged or truncated.");
+  if (image.bytes.size() != count) throw Error("its compressed data are damaged or truncated. Get a complete copy.");
   if (header.is_true("BinaryDataByteOrderMSB") || header.is_true("ElementByteOrderMSB")) swap_bytes(image);
 }
 

@@ -19,6 +19,7 @@ constexpr std::size_t kExtensions = 4;  // [bytes] after the header, which tell 
 /// A NIfTI header, in the units of the file.
 struct NiftiHeader {
   bool swapped = false;
+  int version = 1;
   std::array<double, 8> dim{}, pixdim{};  ///< [0]: number of dimensions; handedness of the quaternion
   int type = 0;
   double offset = 0;  ///< [bytes] position of the values
@@ -55,7 +56,7 @@ class NiftiFields {
 double at_least(double offset, std::size_t least) { return offset < double(least) ? double(least) : offset; }
 
 NiftiHeader parse_nifti_header(std::string_view bytes) {
-  if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header.");
+  if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header. Get a complete copy.");
   for (const bool swapped : {false, true}) {
     const NiftiFields fields(bytes, swapped);
     NiftiHeader h;
@@ -82,6 +83,7 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
     if (length == std::int32_t(kNifti2) && bytes.size() >= kNifti2) {
       if (bytes.substr(4, 4) != std::string_view("n+2\0", 4))
         throw Error("its values are in another file, or its header is damaged; save it as one .nii.");
+      h.version = 2;
       h.type = fields.at<std::int16_t>(12);
       fields.read<std::int64_t>(16, h.dim);
       fields.read<double>(104, h.pixdim);
@@ -158,6 +160,17 @@ double bytes_needed(const NiftiHeader& h) {
   return h.offset + h.dim[1] * h.dim[2] * h.dim[3] * double(size_of(type_of_nifti(h.type)));
 }
 
+/// @throws Error when the values would begin where the file has extensions, which then are read as values
+void require_room_for_extensions(const NiftiHeader& h, std::string_view bytes) {
+  constexpr double kLeast = 16;  // [bytes] of an extension
+  const std::size_t end = h.version == 1 ? kNifti1 : kNifti2;
+  if (bytes[end] != 0 && h.offset < double(end + kExtensions) + kLeast)
+    throw Error("it has extensions behind its header (its byte " + std::to_string(end) + " is not 0), but its values " +
+                "begin at byte " + format_number(h.offset) +
+                ", too. Write the position of the values into its header (vox_offset), or 0 into that byte if it has " +
+                "no extensions.");
+}
+
 /// Applies the scale of the file; a slope of 0 means no scale.
 void scale(const NiftiHeader& h, RawImage& image) {
   if (h.slope == 0 || !std::isfinite(h.slope) || (h.slope == 1 && h.intercept == 0)) return;
@@ -178,6 +191,7 @@ RawImage parse_unpacked(std::string_view bytes) {
   const NiftiHeader header = parse_nifti_header(bytes);
   const double needed = bytes_needed(header);
   require_bytes(needed, double(bytes.size()), kNotCompressed);
+  require_room_for_extensions(header, bytes);
   RawImage image;
   image.type = type_of_nifti(header.type);
   image.geometry = geometry_of_nifti(header);

@@ -116,6 +116,15 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   return volume;
 }
 
+/// [bytes] What a copy as a text may have put before the line feeds of binary data: the number of line feeds, if a
+/// carriage return precedes each; else 0.
+std::size_t added_returns(std::string_view data) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = data.find('\n', at)) != std::string_view::npos; ++at, ++count)
+    if (at == 0 || data[at - 1] != '\r') return 0;
+  return count;
+}
+
 }  // namespace
 
 void require_sane_dims(const std::array<double, 3>& dims) {
@@ -152,10 +161,13 @@ void require_no_more(std::uint64_t claimed, std::string_view data, std::uint64_t
   if (data.size() <= claimed) return;
   constexpr std::uint64_t kFew = 64;  // [bytes]
   const std::string_view more = data.substr(std::size_t(claimed));
+  if (const std::size_t added = added_returns(data); added == more.size())
+    throw Error("it was copied as a text, which has put " + std::to_string(added) + (added == 1 ? " byte" : " bytes") +
+                " (CR) among its values. Copy it as binary data.");
   const bool zeros = more.find_first_not_of('\0') == std::string_view::npos,
              blank = more.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos,
              few = more.size() < std::max(slice, kFew);
-  if (same_file ? !few && !blank : !few || !zeros)
+  if (same_file ? !blank : !few || !zeros)
     throw Error("its header claims " + std::to_string(claimed) + " bytes of data, but there are " +
                 std::to_string(data.size()) + ". Check the type and the sizes that it names.");
 }

@@ -72,10 +72,12 @@ void require_no_lost_slices(const fs::path& folder, const std::vector<SliceFile>
   SliceNames names;
   for (const SliceFile& file : files) names.add(file.path);
   for (const fs::path& path : others)
-    if (names.is_name_of_slice(path) || names.is_slice_of_other_format(path))
-      cannot_read(folder, "'" + path.filename().string() + "' has the name of a slice, but " +
-                              what_is_no_slice(path, "PNG or TIFF file") +
-                              ". Save it as its neighbours, or remove it from the folder.");
+    if (names.is_name_of_slice(path) || names.is_slice_of_other_format(path)) {
+      const NoSlice found = what_is_no_slice(path, "PNG or TIFF file");
+      cannot_read(folder, "'" + path.filename().string() + "' has the name of a slice, but " + found.what + ". " +
+                              (found.cure.empty() ? "Save it as its neighbours, or remove it from the folder."
+                                                  : found.cure + " If it is no slice, remove it from the folder."));
+    }
 }
 
 /// The slices of a folder, ordered by the last number in their names that differs between them. The numbers need no
@@ -83,11 +85,11 @@ void require_no_lost_slices(const fs::path& folder, const std::vector<SliceFile>
 std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   std::vector<SliceFile> files;
   std::vector<fs::path> others;
-  std::error_code code, ignored;
+  std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
     if (const auto format = format_of(entry.path()))
       files.push_back({entry.path(), *format});
-    else if (entry.is_regular_file(ignored) && !entry.path().filename().string().starts_with('.'))
+    else if (may_be_lost_slice(entry.path()))
       others.push_back(entry.path());
   }
   if (code) cannot_read(folder, code.message() + ".");
@@ -133,6 +135,12 @@ std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
   return dims;
 }
 
+void remark_on_subfolders_of(const fs::path& folder, std::vector<std::string>& remarks) {
+  const std::string remark = remark_on_subfolders(folder, "PNG or TIFF files",
+                                                  [](const fs::path& path) { return format_of(path).has_value(); });
+  if (!remark.empty()) remarks.push_back(remark);
+}
+
 }  // namespace
 
 bool has_slices(const fs::path& folder) {
@@ -154,6 +162,7 @@ RawImage read_slices(const fs::path& folder) {
     image.type = picture.type;
     image.bytes += picture.bytes;
   });
+  remark_on_subfolders_of(folder, image.remarks);
   return image;
 }
 
@@ -185,6 +194,7 @@ LabelVolume read_color_slices(const fs::path& folder, const std::map<Color, std:
   });
   if (!found) cannot_read(folder, "its slices have no pixel of the given colours.");
   volume.spacing = spacing;
+  remark_on_subfolders_of(folder, volume.remarks);
   return volume;
 }
 

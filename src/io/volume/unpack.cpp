@@ -40,7 +40,8 @@ class Inflater {
     stream_.next_out = reinterpret_cast<Bytef*>(to);
     stream_.avail_out = uInt(capacity);
     const int status = inflate(&stream_, flush);
-    if (status != Z_OK && status != Z_STREAM_END) throw Error("its compressed data are damaged or truncated.");
+    if (status != Z_OK && status != Z_STREAM_END)
+      throw Error("its compressed data are damaged or truncated. Get a complete copy.");
     ended_ = status == Z_STREAM_END;
     left_.remove_prefix(give - stream_.avail_in);
     return capacity - stream_.avail_out;
@@ -87,7 +88,7 @@ std::string unpack_bzip2(std::string_view packed, std::uint64_t max_bytes) {
   std::string unpacked;
   for (;;) {
     const auto count = archive_read_data(reader.get(), buffer.data(), buffer.size());
-    if (count < 0) throw Error("its compressed data are damaged or truncated.");
+    if (count < 0) throw Error("its compressed data are damaged or truncated. Get a complete copy.");
     if (count == 0) return unpacked;
     append_unpacked(unpacked, buffer.data(), std::size_t(count), max_bytes);
   }

@@ -215,11 +215,11 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
   expect("stability --json " + nowhere, kFailed, "cannot write");
   expect("calibrate tests.csv --json " + nowhere, kFailed, "cannot write");
-  expect("convert molar " + path("x.doc"), kFailed, "extension must be");
+  expect("convert molar " + path("x.doc"), kWrongUsage, "extension must be");
   for (const char* flag : {"--json", "--save", "--steps_csv"})
     expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
-  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "extension must be");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kWrongUsage, "extension must be");
   if (::geteuid() != 0) {  // root may write everywhere
     std::filesystem::create_directory(folder / "closed");
     std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);

@@ -130,6 +130,20 @@ TEST(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
   EXPECT_NE(cli::warnings_of(report).front().find("at the end the hand was inside material"), std::string::npos);
 }
 
+TEST(LoopWarnings, BlameTheDiskForItsSpeedOnlyWhenTheRecordingCameToItsEnd) {
+  using units::mm;
+  const std::unique_ptr<Device> device = open_device("mock:rest");
+  const Simulation simulation(
+      build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.2 * mm, presets::cortical_bone()),
+      Tool(SphereHead{1 * mm}, RayHandle{20 * mm}, Spindle{3000 * units::rad_per_s}));
+  cli::LoopReport report{cli::summarize("block", simulation.workpiece()), *device, simulation, true, {}, {}, 7};
+  ASSERT_EQ(cli::warnings_of(report).size(), 1U);
+  EXPECT_NE(cli::warnings_of(report).front().find("too slow: 7 steps"), std::string::npos);
+  report.recording_failure = "No space left on device.";
+  EXPECT_EQ(cli::warnings_of(report).front(),
+            "the recording failed early: 7 steps are missing in the recording. The reason: No space left on device.");
+}
+
 #ifdef HAPTICUT_HAS_IO
 // Like Ctrl-C: the signal arrives while the loop runs, because its recording has steps.
 TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {

@@ -65,12 +65,13 @@ TEST_F(Outputs, OfARunThatCutsEverythingAwayAreAllWrittenWithAWarning) {
 
 TEST_F(Outputs, ThatCannotBeWrittenLeaveTheOthers) {
   write_bytes(folder / "file", "");
+  std::filesystem::create_symlink("/dev/full", folder / "full.vdb");
   const std::string nowhere = path("file/no/folder/");
   const Outcome outcome = run("drill " + kBlock + kBall + kLine + "--json " + path("a.json") + " --steps_csv " +
-                              nowhere + "a.csv --save /dev/full.vdb");
+                              nowhere + "a.csv --save " + path("full.vdb"));
   EXPECT_EQ(outcome.code, kFailed);
   EXPECT_NE(outcome.errors.find("a.csv"), std::string::npos) << outcome.errors;
-  EXPECT_NE(outcome.errors.find("/dev/full.vdb"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("full.vdb"), std::string::npos) << outcome.errors;
   EXPECT_EQ(lines_of(outcome.errors), 2U) << outcome.errors;
   EXPECT_GT(read_json(folder / "a.json")["steps"], 0);
   EXPECT_NE(outcome.out.find("removed"), std::string::npos);
@@ -137,9 +138,60 @@ TEST_F(Outputs, CalledADashAreStandardOutputAlone) {
 TEST_F(Outputs, CalledADashAreOfTextAndOne) {
   const std::string drill = "drill " + kBlock + kBall + kLine;
   expect_refused(drill + "--json - --steps_csv -", {"would overwrite '-', the file of --json"});
-  expect_refused(drill + "--save -", {"extension must be"});
+  expect_refused(drill + "--save -", {"extension must be"}, kWrongUsage);
   expect_refused(drill + "--record -", {"'-' is standard output, which takes text only"});
 }
+
+TEST_F(Outputs, OfWrongExtensionsAreAllNamedAndAWrongCommandLine) {
+  expect_refused("drill " + kBlock + kBall + kLine + "--surface s.stl --save a.doc --picture adir",
+                 {"'a.doc'", ".vdb", "'adir'", ".png"}, kWrongUsage);
+}
+
+TEST_F(Outputs, BehindLinksToOneMissingFileAreRefused) {
+  std::filesystem::create_symlink("r.json", folder / "l.json");
+  const std::string drill = "drill " + kBlock + kBall + kLine;
+  expect_refused(drill + "--json " + path("r.json") + " --steps_csv " + path("l.json"), {"would overwrite"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.json"));
+}
+
+TEST_F(Outputs, ThatAreNoRegularFilesAreNamedAndPointToTheDash) {
+  (void)run("drill " + kBlock + kBall + kLine + "--json /dev/stdout 2>" + path("said") + " | cat");
+  const std::string said = read_bytes(folder / "said");
+  for (const char* part : {"'/dev/stdout'", "not a regular file", "can be -"})
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST_F(Outputs, OfARunAreWrittenWhenItsRecordingCannotStart) {
+  // No file may exceed a size that the report fits in and the recording does not.
+  const std::string limited = "bash -c 'ulimit -f 1000; exec \"$0\" \"$@\"' " + std::string(kProgram);
+  const std::string output = "--record " + path("r.h5") + " --json " + path("q.json");
+  for (const std::string& command :
+       {"drill " + kBlock + kBall + kLine, std::string("loop mock:spiral --seconds 0.1 "
+                                                       "--simulated_time --voxel_mm 0.5 ")}) {
+    const Outcome outcome = run_program(folder, command + output, limited);
+    EXPECT_EQ(outcome.code, kFailed) << command;
+    EXPECT_NE(outcome.errors.find("cannot write the recording"), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.out, "") << "the table of " << command;
+    EXPECT_TRUE(std::filesystem::remove(folder / "q.json")) << command;
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.h5")) << command;
+  }
+}
+
+TEST_F(Outputs, ARecordingBehindALinkIsMadeWhereTheLinkPoints) {
+  std::filesystem::create_symlink("there.h5", folder / "l.h5");
+  const Outcome outcome = run("drill " + kBlock + kBall + kLine + "--record " + path("l.h5"));
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "l.h5"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "there.h5"));
+}
+
+TEST_F(Outputs, ARecordingOfARefusedLoopIsRemoved) {
+  ASSERT_EQ(run("loop mock:spiral --seconds 0.1 --simulated_time --voxel_mm 0.5 --record " + path("a.h5")).code, 0);
+  expect_refused("loop replay:" + path("a.h5") + " --coupling none --voxel_mm 0.5 --record " + path("h.h5"), {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "h.h5"));
+}
+#endif
 
 }  // namespace
 }  // namespace hapticut::cli_outputs_test

@@ -66,6 +66,19 @@ TEST(AtomicFile, IsWholeHoweverManyWriteItAtOnce) {
   EXPECT_EQ(folder.file_count(), 1U) << "no temporary file stays";
 }
 
+TEST(AtomicFile, BehindLinksIsMadeWhereTheyPoint) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder / "a");
+  std::filesystem::create_symlink(folder / "c", folder / "b");
+  EXPECT_EQ(place_behind_links(folder / "a"), folder / "c");
+  write_atomically(folder / "a", "text");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "a"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "b"));
+  EXPECT_EQ(test::read_bytes(folder / "c"), "text");
+  std::filesystem::create_symlink("circle", folder / "circle");
+  EXPECT_THROW(AtomicFile(folder / "circle"), Error);
+}
+
 TEST(AtomicFile, NamesMayBeAsLongAsTheSystemAllows) {
   const TemporaryFolder folder;
   for (const std::size_t length : {200U, 240U, 255U}) {

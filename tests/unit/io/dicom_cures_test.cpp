@@ -2,8 +2,14 @@
 // What a refusal of a DICOM series or of a folder of pictures tells the user to do makes it readable.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <tuple>
 
 #include "hapticut/core/units.hpp"
 #include "support/cures.hpp"
@@ -59,13 +65,14 @@ TEST(CuresOfDicom, ASliceThatIsEmptyOrCutIsNamedAndTheSeriesIsReadWithACompleteO
       {"it is empty. Get a complete copy of it. If it is not of the series, remove it", ""},
       {"it is no DICOM file. Get a complete copy of it. If it is not of the series, remove it", whole.substr(0, 100)},
       {"it is no DICOM file", "<html>404</html>"},
-      {"it is compressed by gzip", packed},
+      {"it is compressed by gzip. Unpack it.", packed},
       {"it ends too early", whole.substr(0, whole.size() - 10)},
       {"", whole.substr(0, 200)},
-      {"it ends before its picture. Get a complete copy of it.", cut_before(0x7fe00010)},
-      {"it ends before its picture", cut_before(0x00280010)},
-      {"it ends before its picture", cut_before(0x0020000e)},
-      {"it ends before its picture", cut_before(0x00080016)}};
+      {"it has no picture: it ends before one, or never had one. Get a complete copy of it. If it",
+       cut_before(0x7fe00010)},
+      {"it has no picture", cut_before(0x00280010)},
+      {"it has no picture", cut_before(0x0020000e)},
+      {"it has no picture", cut_before(0x00080016)}};
   for (const auto& [sentence, bytes] : cuts)
     for (const std::optional<std::string>& cure : {std::optional(whole), std::optional<std::string>()}) {
       const std::string named = std::string("s3.dcm': ") + sentence;
@@ -80,9 +87,89 @@ TEST(CuresOfDicom, ASliceThatIsEmptyOrCutIsNamedAndTheSeriesIsReadWithACompleteO
 TEST(CuresOfDicom, AnUnfinishedDownloadAndAnEmptyFileWithoutExtensionAreNamed) {
   expect_cured({"s4.dcm.part': it is empty", "", series({{"s4.dcm.part", ""}}), {{"s4.dcm.part", std::nullopt}}});
   Files bare;
-  for (int n = 0; n < 4; ++n) bare.emplace("A" + std::to_string(n) + "F", slice(n));
-  bare.emplace("B3", std::string(90, '\0'));
-  expect_cured({"B3': it is no DICOM file", "", bare, {{"B3", std::nullopt}}});
+  for (int n = 0; n < 4; ++n) bare.emplace(std::string("A").append(std::to_string(n)).append("F"), slice(n));
+  bare.emplace("Q3", std::string(90, '\0'));
+  expect_cured({"Q3': it is no DICOM file", "", bare, {{"Q3", std::nullopt}}});
+}
+
+// A repository or a folder in a cloud, of which not all was fetched, and what else may stand for a slice.
+TEST(CuresOfDicom, WhatStandsInPlaceOfASliceIsNamedAndTheSeriesIsReadWithTheSliceOrWithoutIt) {
+  namespace fs = std::filesystem;
+  using Put = std::function<void(const fs::path&)>;
+  const auto bytes = [](const std::string& content) {
+    return Put([content](const fs::path& path) { test::write_bytes(path, content); });
+  };
+  const Put link = [](const fs::path& path) { fs::create_symlink(path.parent_path() / "annex" / "s3", path); };
+  const std::tuple<const char*, Put, const char*> puts[] = {
+      {"s3.dcm", link, "it is a link to a file that is not there. Get that file (in a repository of git-annex"},
+      {"s3.dcm", [](const fs::path& path) { EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0); }, "it is a pipe or a device."},
+      {"s3.dcm", [](const fs::path& path) { fs::create_directory(path); }, "it is a folder. Name it without"},
+      {".s3.dcm.icloud", bytes("bplist00"), "it is not downloaded yet from iCloud."},
+      {"s3.jpg", bytes("\xff\xd8\xff"), "it is no DICOM file."},
+      {"s3.png", bytes("\x89PNG"), "it is no DICOM file."}};
+  for (const auto& [name, put, sentence] : puts) {
+    SCOPED_TRACE(std::string(name) + ": " + sentence);
+    const test::TemporaryFolder folder;
+    write_files(folder, series({{"s3.dcm", std::nullopt}}));
+    put(folder / name);
+    const auto read = [&] { return read_grey_volume(folder / "").dims; };
+    test::expect_refused(read, std::string(name) + "': " + sentence);
+    fs::remove(folder / name);
+    EXPECT_EQ(read(), (std::array<int, 3>{4, 3, 3})) << "without it";
+    write_files(folder, series());
+    EXPECT_EQ(read(), (std::array<int, 3>{4, 3, 4})) << "with the slice";
+  }
+}
+
+TEST(CuresOfDicom, ASliceThatMayNotBeReadIsReadOnceItMay) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  write_files(folder, series());
+  fs::permissions(folder / "s3.dcm", fs::perms::none);
+  if (std::ifstream(folder / "s3.dcm")) GTEST_SKIP() << "this user may read everything";
+  test::expect_refused([&] { return read_grey_volume(folder / ""); },
+                       "s3.dcm': it cannot be opened. Check its permissions.");
+  fs::permissions(folder / "s3.dcm", fs::perms::owner_read);
+  EXPECT_EQ(read_grey_volume(folder / "").dims, (std::array<int, 3>{4, 3, 4}));
+}
+
+TEST(SlicesOfAFolder, LeaveOutThoseOfItsFoldersWithARemark) {
+  const VolumeReadOptions spaced = {.spacing = Vec3(1, 1, 1) * mm};
+  const std::string png = test::png_slice(4, 3, std::vector<std::uint8_t>(12, 7));
+  for (const auto& [files, more, kind] :
+       {std::tuple(series(), std::pair("s4.dcm", slice(4)), "DICOM files"),
+        std::tuple(Files{{"s0.png", png}, {"s1.png", png}}, std::pair("s2.png", png), "PNG or TIFF files")}) {
+    SCOPED_TRACE(kind);
+    const test::TemporaryFolder folder;
+    write_files(folder, files);
+    for (const char* name : {"empty", "more", "notes", ".git"}) std::filesystem::create_directory(folder / name);
+    test::write_bytes(folder / "notes/a.txt", "text");
+    test::write_bytes(std::filesystem::path(folder / ".git") / more.first, more.second);
+    EXPECT_TRUE(read_grey_volume(folder / "", spaced).remarks.empty());
+    test::write_bytes(std::filesystem::path(folder / "more") / more.first, more.second);
+    const std::vector<std::string> remarks = read_grey_volume(folder / "", spaced).remarks;
+    ASSERT_EQ(remarks.size(), 1U);
+    test::expect_part(remarks[0], std::string("has a folder with ") + kind + " that is not read, 'more'.");
+  }
+}
+
+TEST(CuresOfDicom, ASeriesInTwoFilesOfFramesIsReadAsTheirPartsOrAsOneFile) {
+  DicomElements whole = test::dicom_picture(4, 3, std::vector<std::int16_t>(96, 7));
+  whole.set(0x00280008, "IS", "8").set(0x00180088, "DS", "0.7").set(kOrientation, "DS", "1\\0\\0\\0\\1\\0");
+  expect_cured(
+      {"its DICOM series is in 2 files of 4 frames, the first is 'a.dcm'. If each is a part of the volume, "
+       "join them in one file",
+       "",
+       {{"a.dcm", test::dicom_file(frames())}, {"b.dcm", test::dicom_file(frames())}},
+       {{"a.dcm", test::dicom_file(whole)}, {"b.dcm", std::nullopt}}});
+}
+
+TEST(CuresOfDicom, ASegmentationOfBitsIsReadOnceItIsSavedAsNrrd) {
+  const std::string bits = test::dicom_file(frames().set_word(0x00280100, 1));
+  expect_cured({"a segmentation (DICOM SEG); save it as labels in NRRD or NIfTI, e.g. by dcmqi",
+                "v.dcm",
+                {{"v.dcm", bits}},
+                {{"v.dcm", test::dicom_file(frames())}}});
 }
 
 TEST(Dicom, NotesReportsAndPreviewsBesideSlicesAreNoLostSlices) {

@@ -132,7 +132,7 @@ TEST(MeshCures, OfWhatIsNoMeshIsTheFileItself) {
       {"a.stl", &solid}, {"a.ply", &kPly}, {"a.obj", &kObj}, {"a.off", &kOff}};
   for (const auto& [name, bytes] : right)
     expect_cured(
-        {{name, page, "it is a web page, not a mesh", name, *bytes},
+        {{name, page, "it is a web page in place of the file: a download went wrong", name, *bytes},
          {name, pointer, "it is a Git LFS pointer, a text in place of the file; run 'git lfs pull'", name, *bytes},
          {name, "%PDF-1.7\n", "it is a PDF document; name a mesh.", name, *bytes},
          {name, "\x89PNG\r\n\x1a\n", "it is a PNG picture; name a mesh.", name, *bytes},

@@ -90,7 +90,7 @@ TEST(CuresOfVolumes, ACutFileIsCalledSoAndACompleteCopyIsRead) {
                                                                      {"v.nii.gz", "damaged or truncated", packed},
                                                                      {"v.inv3", "damaged", archive}};
   for (const auto& [name, part, whole] : files)
-    expect_cured({part, name, {{name, whole.substr(0, whole.size() - 20)}}, {{name, whole}}});
+    expect_cured({part, name, {{name, whole.substr(0, whole.size() - (whole == packed ? 8 : 20))}}, {{name, whole}}});
 }
 
 TEST(CuresOfVolumes, AGeometryThatIsMissingOrWrongIsReadOnceItIsWritten) {
@@ -238,6 +238,55 @@ TEST(CuresOfVolumes, MoreValuesThanAnnouncedAreReadOnceTheHeaderHasTheirSize) {
                 "v.nrrd",
                 {{"v.nrrd", nrrd(packed, test::gzipped(bytes_of(190)))}},
                 {{"v.nrrd", nrrd(packed, test::gzipped(bytes_of(60)))}}});
+}
+
+TEST(CuresOfVolumes, BytesBehindTheValuesThatAreNoZerosAreNotReadHoweverFew) {
+  NiftiFile nifti;
+  nifti.values.resize(60, 7);
+  const std::pair<const char*, std::string> files[] = {{"v.nrrd", nrrd()}, {"v.mha", meta()}, {"v.nii", nifti.bytes()}};
+  for (const auto& [name, whole] : files)
+    for (const std::size_t count : {1U, 5U, 30U})
+      expect_cured({"Check the type and the sizes that it names",
+                    name,
+                    {{name, whole + std::string(count, '\1')}},
+                    {{name, whole + std::string(count, '\0')}}});
+}
+
+// A transfer as a text has put a CR before each LF; the last bytes, which are too many, are the background.
+TEST(CuresOfVolumes, ACopyAsATextIsReadOnceItIsCopiedAsBinaryData) {
+  std::string values(60, '\0'), copied;
+  for (const std::size_t at : {5U, 20U, 21U}) values[at] = '\n';
+  for (const char c : values) copied += c == '\n' ? "\r\n" : std::string(1, c);
+  expect_cured({"it was copied as a text, which has put 3 bytes (CR) among its values. Copy it as binary data.",
+                "v.nrrd",
+                {{"v.nrrd", nrrd(kNrrdHeader, copied)}},
+                {{"v.nrrd", nrrd(kNrrdHeader, values)}}});
+}
+
+TEST(CuresOfVolumes, ExtensionsOfANiftiFileAreReadOnceItSaysWhereItsValuesBegin) {
+  NiftiFile nifti;
+  nifti.values.resize(60, 7);
+  std::string plain = nifti.bytes(), flagged = plain;
+  flagged[348] = 1;
+  std::string extended = flagged.substr(0, 352) + test::little(std::int32_t(16)) + test::little(std::int32_t(6)) +
+                         std::string(8, 'x') + plain.substr(352);
+  extended.replace(108, 4, test::little(368.0F));
+  const char* const sentence = "its values begin at byte 352, too. Write the position of the values into its header";
+  for (const std::string& cured : {plain, extended})
+    expect_cured({sentence, "v.nii", {{"v.nii", flagged}}, {{"v.nii", cured}}});
+}
+
+TEST(CuresOfVolumes, AWebPageInPlaceOfAFileIsCalledSoAndTheFileIsRead) {
+  const std::string page = "\n<!DOCTYPE html>\n<html><head><title>404</title></head></html>\n";
+  NiftiFile nifti;
+  nifti.values.resize(60, 7);
+  const std::pair<const char*, std::string> files[] = {
+      {"v.nrrd", nrrd()}, {"v.mha", meta()}, {"v.nii", nifti.bytes()}, {"v.nii.gz", test::gzipped(nifti.bytes())}};
+  for (const auto& [name, whole] : files)
+    expect_cured({"it is a web page in place of the file: a download went wrong, so download the file itself.",
+                  name,
+                  {{name, page}},
+                  {{name, whole}}});
 }
 
 TEST(VolumeFiles, MayHaveZerosBehindTheirValues) {

@@ -117,45 +117,6 @@ TEST(SimulationModel, RefusesACouplingThatTheDeviceCannotRender) {
   test::expect_refused([&] { (void)SimulationModel(simulation, *device, options); }, "at most 1400 N/m");
 }
 
-/// Measures the distance from the first material in each step.
-class Watch final : public StepObserver {
- public:
-  void on_step(const ObservedStep& step) noexcept override {
-    distance = step.simulation.distance_to(1, step.input.X_WH);
-    is_touched = step.simulation.touched().has(1);
-    events += step.simulation.first_touched().has(1) ? 1 : 0;
-    if (is_touched && nearest_before < 0) nearest_before = last;
-    last = distance;
-  }
-  double distance = -1, last = -1, nearest_before = -1;  // [m]
-  bool is_touched = false;
-  int events = 0;
-};
-
-TEST(SimulationModel, TellsInTheSnapshotWhatIsTouchedAndLetsAnObserverMeasureTheDistance) {
-  const auto device = test::scripted_loop::stiff_mock("press");
-  Simulation simulation = block_under_the_ball();
-  Watch watch;
-  simulation.add_observer(watch);
-  SimulationModel model(simulation, *device, ball_above_the_block());
-  RealtimeLoop loop(*device, model, options_for(model, 0.5));
-  loop.start();
-  (void)loop.wait();
-  EXPECT_FALSE(loop.latest().tool.touched.has(1)) << "the hand is still above the block";
-  EXPECT_EQ(watch.events, 0);
-  EXPECT_GT(watch.distance, 0);
-
-  RealtimeLoop longer(*device, model, options_for(model, 3));
-  longer.start();
-  (void)longer.wait();
-  EXPECT_TRUE(longer.latest().tool.touched.has(1));
-  EXPECT_EQ(longer.latest().tool.touched.size(), 1);
-  EXPECT_EQ(watch.events, 1);
-  EXPECT_LT(watch.distance, 2e-4) << "within a voxel of what it cuts";
-  EXPECT_LT(watch.nearest_before, 0.2 * 2e-4) << "it came near before it touched";
-  simulation.remove_observer(watch);
-}
-
 // Stress test: simulated seconds of cutting at full speed, with commands. A reader that polls 60 times a second keeps a
 // picture of the workpiece from changed blocks only. In the end the picture equals the workpiece.
 TEST(SimulationModel, KeepsThePictureOfASlowReaderComplete) {

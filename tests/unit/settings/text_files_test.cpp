@@ -7,6 +7,7 @@
 #include "settings/pose_file.hpp"
 #include "settings/profile_file.hpp"
 #include "support/refusal.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace hapticut::text_files_test {
 namespace {
@@ -112,6 +113,34 @@ TEST(TextFiles, NameEachColumnOnce) {
       << refusal(kReadPoses, path);
   EXPECT_NE(refusal(kReadProfile, profile).find("z_mm is named twice"), std::string::npos);
   EXPECT_EQ(refusal(kReadPoses, "t_s,x_mm,y_mm,z_mm,,\n0,1,2,3,,\n1,1,2,3,,\n"), "");
+}
+
+TEST(TextFiles, WithoutNamesAreToldThatTheFirstLineNamesTheColumns) {
+  for (const char* path : {"0,5,5,6\n1,5,5,4.5\n", "0;5;5;6\n1;5;5;4,5\n", "-1e-3,5.5,+5,6,\n"}) {
+    const std::string said = refusal(kReadPoses, path);
+    EXPECT_NE(said.find("a.csv:1: the first line has numbers; it must name the columns t_s, x_mm"), std::string::npos)
+        << said;
+  }
+  EXPECT_NE(refusal(kReadProfile, "0,0\n1,1\n").find("it must name the columns rho_mm, z_mm"), std::string::npos);
+}
+
+// Another name for the same numbers would make a path of milliseconds a thousand times as long.
+TEST(TextFiles, OfAnotherUnitAreNotToldToRenameTheColumn) {
+  const std::string said = refusal(kReadPoses, "t_ms,x_mm,y_mm,z_mm\n0,5,5,6\n1,5,5,4.5\n");
+  EXPECT_NE(said.find("there is no column t_ms"), std::string::npos) << said;
+  EXPECT_NE(said.find("If it is t_s in another unit, convert its numbers."), std::string::npos) << said;
+  EXPECT_EQ(said.find("Did you mean"), std::string::npos) << said;
+}
+
+TEST(TextFiles, ThatAreNoTextsOfNumbersAreCalledWhatTheyAre) {
+  const test::TemporaryFolder folder;
+  const auto read = [&] { return settings::read_poses(folder / "p.csv", Mat3::Identity()); };
+  test::write_bytes(folder / "p.csv", "<!DOCTYPE html>\n<html></html>\n");
+  test::expect_refused(read, "p.csv: it is a web page in place of the file");
+  test::write_bytes(folder / "p.csv", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7\nsize 12\n");
+  test::expect_refused(read, "p.csv: it is a Git LFS pointer");
+  test::write_bytes(folder / "p.csv", "t_s,x_mm,y_mm,z_mm\n0,5,5,6\n1,5,5,4.5\n");
+  EXPECT_EQ(read().size(), 2U);
 }
 
 // Poses whose rotations have other names: each is refused by name, and read after the cure.

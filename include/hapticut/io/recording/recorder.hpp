@@ -54,7 +54,8 @@ class Recorder final : public StepObserver {
   ///         recorder, of this or another program, is still writing it
   Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options = {});
 
-  /// Without a call of `close`, the recording lacks the hash at the end, and a `.new` file keeps its name.
+  /// Without a call of `close`, the recording lacks the hash at the end, and a `.new` file keeps its name. A
+  /// recording without steps is removed.
   ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -75,8 +76,9 @@ class Recorder final : public StepObserver {
   void on_removal(const BlockVoxels& removed) noexcept override;
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< number of recorded steps
-  [[nodiscard]] std::uint64_t lost() const noexcept;      ///< number of steps lost: buffer full, or recording over
-  [[nodiscard]] bool failed() const noexcept;             ///< whether writing or `close` failed; `close` throws why
+  [[nodiscard]] std::uint64_t lost() const noexcept;  ///< number of steps lost: buffer full, or recording over; after
+                                                      ///< `close` also those that could not be written
+  [[nodiscard]] bool failed() const noexcept;         ///< whether writing or `close` failed; `close` throws why
 
   /// Writes the remaining steps and the hash of the workpiece, and ends the recording. On a full disk the recording
   /// keeps the steps that fit and the number of missing steps.
