@@ -54,10 +54,14 @@ void bind_meshes(py::module_& m) {
       .def_readwrite("material", &MeshShell::material, doc("MeshShell::material"));
   bind_struct<MeshImport>(m, "MeshImport", field("voxel_size", &MeshImport::voxel_size),
                           field("subsamples", &MeshImport::subsamples), field("large", &MeshImport::large));
-  m.def("build_from_shells", making(&build_from_shells), py::arg("shells"), py::arg("materials"),
+  m.def("build_from_shells", &build_shells_with_warnings, py::arg("shells"), py::arg("materials"),
         py::arg("options") = MeshImport{}, doc("build_from_shells"));
-  m.def("build_from_mesh", making(&build_from_mesh), py::arg("mesh"), py::arg("material"),
-        py::arg("options") = MeshImport{}, doc("build_from_mesh"));
+  m.def(
+      "build_from_mesh",
+      [](const TriangleMesh& mesh, const Material& material, const MeshImport& options) {
+        return build_shells_with_warnings({{mesh, 1}}, MaterialTable({material}), options);
+      },
+      py::arg("mesh"), py::arg("material"), py::arg("options") = MeshImport{}, doc("build_from_mesh"));
 }
 
 void bind_volumes(py::module_& m) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/build/volume_builders.hpp"
 #include "workpiece.hpp"
 
@@ -35,6 +36,16 @@ inline PythonWorkpiece build_labels_with_warnings(const LabelVolume& volume,
   std::vector<std::string> said;
   options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
   PythonWorkpiece workpiece = make_released([&] { return build_from_labels(volume, materials, options, unclaimed); });
+  give_warnings(said);
+  return workpiece;
+}
+
+/// Builds a workpiece from surfaces; what the builder says becomes a warning.
+inline PythonWorkpiece build_shells_with_warnings(const std::vector<MeshShell>& shells, MaterialTable materials,
+                                                  MeshImport options) {
+  std::vector<std::string> said;
+  options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+  PythonWorkpiece workpiece = make_released([&] { return build_from_shells(shells, std::move(materials), options); });
   give_warnings(said);
   return workpiece;
 }

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "build/crossings.hpp"
 #include "build/lost_parts.hpp"
 #include "build/orient.hpp"
+#include "build/surface_check.hpp"
 #include "build/volume_sampling.hpp"  // kMaxSubsamples
 #include "build/winding_number.hpp"
 #include "hapticut/core/errors.hpp"
@@ -30,64 +33,14 @@ constexpr int kOpenSubsamples = 4;   // points per edge if every point needs its
 /// neck has 1 %, loose triangles have 20 % or more.
 constexpr double kMaxRaggedFraction = 0.1;
 
-/// Whether a triangle touches a cube, by the separating axes of the cube, of the triangle and of their edges.
-bool touches_cube(const Triangle& triangle, const Vec3& center, double half) {
-  const std::array<Vec3, 3> v = {triangle[0] - center, triangle[1] - center, triangle[2] - center};
-  const auto separated = [&](const Vec3& axis) {
-    const double a = axis.dot(v[0]), b = axis.dot(v[1]), c = axis.dot(v[2]);
-    const double reach = half * axis.cwiseAbs().sum() * (1 + 1e-9);
-    return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
-  };
-  const std::array<Vec3, 3> edges = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (separated(Vec3::Unit(axis))) return false;
-    for (const Vec3& edge : edges)
-      if (separated(Vec3::Unit(axis).cross(edge))) return false;
-  }
-  return !separated(edges[0].cross(edges[1]));
-}
-
-/// Counts how often segments from a fixed point cross triangles from the outside to the inside.
-class Crossings {
- public:
-  Crossings(const Vec3& from, const Triangle* const* begin, const Triangle* const* end) : from_(from) {
-    for (; begin != end; ++begin) {
-      const Triangle& t = **begin;
-      const Vec3 a = t[0] - from, b = t[1] - from, c = t[2] - from;
-      const Vec3 normal = (b - a).cross(c - a);
-      faces_.push_back({normal, normal.dot(a), a.cross(b), b.cross(c), c.cross(a)});
-    }
-  }
-
-  [[nodiscard]] int to(const Vec3& point) const {
-    const Vec3 d = point - from_;
-    int count = 0;
-    for (const Face& face : faces_) {
-      const bool from_outside = face.height < 0;
-      if (from_outside == (face.normal.dot(d) - face.height > 0)) continue;  // both ends on one side
-      const bool left = face.ab.dot(d) > 0;
-      if (left != (face.bc.dot(d) > 0) || left != (face.ca.dot(d) > 0)) continue;
-      count += from_outside ? 1 : -1;
-    }
-    return count;
-  }
-
- private:
-  struct Face {
-    Vec3 normal;
-    double height;  // of the plane above the fixed point, along the normal
-    Vec3 ab, bc, ca;
-  };
-  Vec3 from_;
-  std::vector<Face> faces_;
-};
-
 /// A shell for the voxeliser.
 class ShellSampler {
  public:
-  ShellSampler(const TriangleMesh& mesh, double voxel_size) : winding_(mesh) {
+  ShellSampler(const TriangleMesh& mesh, double voxel_size) : winding_(mesh), measure_(measure_surface(mesh)) {
     require_no_lost_part(mesh, winding_, voxel_size);
   }
+
+  [[nodiscard]] const SurfaceMeasure& measure() const { return measure_; }
 
   enum class Voxel : std::uint8_t { outside, inside, cut, open, unknown };
 
@@ -98,8 +51,9 @@ class ShellSampler {
     std::array<Voxel, kBlockVoxels> voxels;  // if not uniform
     std::vector<std::uint32_t> first;        // [513] voxel n is cut by cutting[first[n]] ... cutting[first[n + 1]]
     std::vector<const Triangle*> cutting;
-    int cut = 0;     // sampled voxels that triangles cut
-    int ragged = 0;  // those with loose edges: the triangles do not explain the winding number
+    int cut = 0;            // sampled voxels that triangles cut
+    int ragged = 0;         // those with loose edges: the triangles do not explain the winding number
+    bool overlaps = false;  // the surface winds more than once around a point
 
     [[nodiscard]] Voxel at(int n) const {
       if (!uniform) return voxels[std::size_t(n)];
@@ -155,7 +109,9 @@ class ShellSampler {
           bool inside;
           if (consistent) {
             const Vec3 at(offset(a, points), offset(b, points), offset(c, points));
-            inside = at_start + crossings.to(center + voxel_size * at) > kInside;
+            const double w = at_start + crossings.to(center + voxel_size * at);
+            inside = w > kInside;
+            block.overlaps |= std::abs(w - kInside) > 1;
           } else {
             const auto coarse = [&](int k) { return k * direct / points; };
             const int nearest = (coarse(a) * direct + coarse(b)) * direct + coarse(c);
@@ -225,6 +181,7 @@ class ShellSampler {
   }
 
   WindingNumber winding_;
+  SurfaceMeasure measure_;
 };
 
 std::string mm_text(double length) { return format_number(length / units::mm) + " mm"; }
@@ -234,6 +191,8 @@ struct Found {
   std::atomic<std::int64_t> inside{0};  // voxels that are inside, completely or partly
   std::atomic<std::int64_t> cut{0};     // by triangles
   std::atomic<std::int64_t> ragged{0};  // cut by triangles with loose edges
+  std::atomic<std::int64_t> points{0};  // of the lattices in voxels that are inside
+  std::atomic<bool> overlaps{false};
 };
 
 class ShellsFiller {
@@ -257,6 +216,9 @@ class ShellsFiller {
         material = shells_[s].material;
       }
     }
+    if (uniform)
+      for (std::size_t s = 0; s < shells_.size(); ++s)
+        if (blocks[s].inside) found_[s].points += kBlockVoxels * std::int64_t(points_ * points_ * points_);
     if (uniform) return material == kEmpty ? BlockKind::empty() : BlockKind::solid(material);
 
     std::vector<MaterialId> points(std::size_t(points_ * points_ * points_));
@@ -264,13 +226,15 @@ class ShellsFiller {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       found_[s].cut += blocks[s].cut;
       found_[s].ragged += blocks[s].ragged;
+      if (blocks[s].overlaps) found_[s].overlaps = true;
     }
     return BlockKind::mixed();
   }
 
   /// Checks the shells after filling.  @param length  [m] of all shells together
+  /// @param warn  may be empty; as MeshImport::warn
   /// @throws Error if a shell encloses nothing, or if it is too open
-  void check(double length) const {
+  void check(double length, const std::function<void(const std::string&)>& warn) const {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
       if (found_[s].inside == 0)
@@ -282,6 +246,9 @@ class ShellsFiller {
       if (ragged > kMaxRaggedFraction * cut)
         throw Error(which + " is too open to decide what is inside: its triangles have loose edges in " +
                     format_number(ragged) + " of the " + format_number(cut) + " voxels they cut. Close its holes.");
+      const double points = std::pow(points_ / frame_.voxel_size, 3);  // per m^3
+      check_surface(samplers_[s]->measure(), which, double(found_[s].points) / points, found_[s].overlaps,
+                    frame_.voxel_size, warn);
     }
   }
 
@@ -297,18 +264,20 @@ class ShellsFiller {
       if (voxel == Voxel::outside) continue;
       if (voxel == Voxel::inside) {
         ++found_[s].inside;
+        found_[s].points += points_ * points_ * points_;
         whole = true;
         material = id;
         continue;
       }
       if (whole) std::fill(points.begin(), points.end(), material);
       whole = false;
-      bool any = false;
+      int inside = 0;
       samplers_[s]->subsample(blocks[s], n, center, frame_.voxel_size, points_, [&](int m) {
         points[std::size_t(m)] = id;
-        any = true;
+        ++inside;
       });
-      if (any) ++found_[s].inside;
+      found_[s].points += inside;
+      if (inside > 0) ++found_[s].inside;
     }
     content.centroid[n] = {};
     content.material[n] = material;
@@ -387,7 +356,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
                         Pose::from_translation(around.min() + Vec3::Constant(options.voxel_size / 2))};
   ShellsFiller filler(shells, frame, options.subsamples);
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
-  filler.check(length);
+  filler.check(length, options.warn);
   if (workpiece.empty()) throw Error("the workpiece is empty: the last surfaces make cavities of everything inside.");
   return workpiece;
 }

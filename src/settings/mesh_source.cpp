@@ -72,6 +72,7 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   options.voxel_size = s.voxel_mm.value_or(kVoxel_mm) * units::mm;
   options.large = s.large;
   options.observer = s.tell;
+  options.warn = s.warn;
   if (s.material.empty() == s.shells.empty())
     throw Error("a mesh needs either workpiece.material or workpiece.shells; its objects are " + names_of(objects) +
                 ". Set --material, or --shell MATERIAL=OBJECT for each.");

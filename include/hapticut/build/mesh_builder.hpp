@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "hapticut/build/work_estimate.hpp"
@@ -21,6 +23,10 @@ struct MeshImport {
   int subsamples = 8;          ///< points per voxel edge in voxels that a surface cuts, 1 ... 16
   bool large = false;          ///< lifts the limits of work_estimate.hpp
   WorkObserver observer = {};  ///< called with the estimate before the work begins
+
+  /// Receives a sentence about a surface that is open, with the volume that it fills, or of which parts are too thin
+  /// for the voxels, so that its volume differs by more than 5 %.
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// Estimates the work of `build_from_shells`.
@@ -35,8 +41,8 @@ struct MeshImport {
 /// 2013). This is exact for closed surfaces, also if they overlap or intersect themselves, and robust to holes. Faces
 /// that are there twice, also turned (two-sided), count once.
 /// @throws Error if there is no shell, a vertex is not finite, an index is out of range, a material is not in the
-///         table, a shell or a part of it encloses nothing or is too open to decide what is inside, there would be too
-///         many voxels, or the work exceeds the limits of work_estimate.hpp
+///         table, a shell or a part of it encloses nothing, is a sheet or is too open to decide what is inside, there
+///         would be too many voxels, or the work exceeds the limits of work_estimate.hpp
 [[nodiscard]] Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable materials,
                                           const MeshImport& options = {});
 

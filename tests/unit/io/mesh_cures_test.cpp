@@ -103,6 +103,8 @@ TEST(MeshCures, OfAFileWithTheEndingOfAnotherFormatIsItsOwnEnding) {
                 {"d.stl", kObj, "it is an OBJ file; rename it to end in .obj.", "r.obj", kObj},
                 {"e.stl", "# made by hand\n" + kObj, "it is an OBJ file; rename it to end in .obj.", "r.obj", kObj},
                 {"f.ply", solid, "it is an STL file; rename it to end in .stl.", "r.stl", solid},
+                {"o.ply", binary_stl, "it is an STL file; rename it to end in .stl.", "r.stl", binary_stl},
+                {"p.obj", binary_stl, "it is an STL file; rename it to end in .stl.", "r.stl", binary_stl},
                 {"g.ply", kOff, "it is an OFF file", "r.off", kOff},
                 {"h.ply", kObj, "it is an OBJ file", "r.obj", kObj},
                 {"i.obj", solid, "it is an STL file", "r.stl", solid},
