@@ -18,7 +18,8 @@ import hapticut
 PATIENCE = 20  # [s] of a busy machine; the calls end within a second
 
 BEGIN = """
-import threading, time
+import signal, threading, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have started the tests without it
 import numpy as np
 import hapticut
 from hapticut.units import mm, ms, rpm
@@ -117,7 +118,7 @@ def test_ctrl_c_ends_a_run_and_keeps_the_steps_that_were_made(tmp_path):
 
 def test_a_handler_of_signals_that_returns_lets_the_run_go_on(tmp_path):
     code = RUN.split("begun()")[0] + """
-import os, signal
+import os
 seen = []
 signal.signal(signal.SIGUSR1, lambda *_: seen.append(1))
 threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGUSR1)).start()
@@ -164,7 +165,7 @@ if __name__ == "__main__":
 @pytest.mark.parametrize("whole_group", [False, True])
 def test_ctrl_c_ends_a_sweep_with_its_workers_and_keeps_the_finished_runs(tmp_path, whole_group):
     pytest.importorskip("pandas", reason="pandas is not installed")
-    (tmp_path / "program.py").write_text("import hapticut\n" + SWEEP, encoding="utf-8")
+    (tmp_path / "program.py").write_text(BEGIN + SWEEP, encoding="utf-8")
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
     with subprocess.Popen([sys.executable, "program.py"], cwd=tmp_path, env=environment, stderr=subprocess.PIPE,
                           text=True, start_new_session=True) as program:
