@@ -22,16 +22,23 @@ void require_readable(const std::filesystem::path& path) {
                           format_number(double(kMaxMeshBytes)) + " are allowed. Reduce the mesh first.");
 }
 
+/// Throws what the file is when it is of another kind than its ending.
+void require_own_ending(const std::filesystem::path& path, const MeshFormat& format) {
+  constexpr std::size_t kHead = 1000;
+  const std::string other =
+      kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format.ending);
+  if (!other.empty()) throw Error(other);
+}
+
 /// @throws Error; when the file is of another kind than its ending, the message says which
 Polygons polygons_in(const std::filesystem::path& path, const MeshFormat& format) {
-  constexpr std::size_t kHead = 1000;
   try {
-    return format.read(path);
+    Polygons polygons = format.read(path);
+    if (polygons.objects.empty()) require_own_ending(path, format);
+    return polygons;
   } catch (const Error&) {
-    const std::string other =
-        kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format.ending);
-    if (other.empty()) throw;
-    throw Error(other);
+    require_own_ending(path, format);
+    throw;
   }
 }
 

@@ -138,14 +138,16 @@ TEST(Replay, OfACutWorkpieceTakesTheBlocksThatTheRunTook) {
   Simulation simulation = soft_cut(Spindle{3000 * units::rad_per_s}, config);
   BlockVoxels corner;
   corner.voxels.add(0);
-  for (int x = -2; x < 2; ++x)
-    for (int y = -2; y < 2; ++y) {
-      corner.origin = {8 * x, 8 * y, -8};
+  for (const int x : {8, 16, 24})
+    for (const int y : {8, 16, 24}) {
+      corner.origin = {x, y, 16};
+      ASSERT_EQ(simulation.workpiece().fill_at(corner.origin), 1);
       ASSERT_TRUE(simulation.remove_voxels(corner));
     }
   simulation.reset(simulation.workpiece().clone());
   const BlockView block = simulation.workpiece().block(corner.origin);
   EXPECT_EQ(block.fill, nullptr);
+  ASSERT_NE(block.material, nullptr);
   EXPECT_EQ(block.material[0], kEmpty);
   (void)record_and_repeat(
       simulation, 500, [](int) {}, folder / "a.h5");
