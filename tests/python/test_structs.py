@@ -61,7 +61,7 @@ def test_every_struct_is_made_with_its_defaults_copied_changed_and_printed():
                 assert name in READ_ONLY, f"{name}.{attribute}"
         if not hasattr(cls, "__setstate__"):
             continue
-        if name not in ("MockOptions", "BodyDescription") and "object at" not in repr(thing):  # functions; test_pickles.py
+        if name not in ("MockOptions", "BodyDescription") and "object at" not in repr(thing):  # hold functions
             assert repr(pickle.loads(pickle.dumps(thing))) == repr(copy.deepcopy(thing)) == repr(copy.copy(thing))
 
 
