@@ -111,22 +111,22 @@ TEST_F(TableCures, DoWhatTheSentenceSays) {
     std::string text, said, cured;
   };
   const std::string right = names + "\n0,-2,3,2.5\n0.3,3,3,2.5\n";
-  for (const Table& table :
-       std::vector<Table>{{names + ",roll_deg\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n", "there is no column roll_deg", right},
-                          {names + ",comments_of_mine\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n", "or name it comment",
-                           names + ",comment\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n"},
-                          {"t_s,x_mm,y_mm,z\n0,-2,3,2.5\n0.3,3,3,2.5\n", "Did you mean z_mm?", right},
-                          {"t_s,x_mm,y_mm\n0,-2,3\n0.3,3,3\n", "the column z_mm is missing", right},
-                          {"0,-2,3,2.5\n0.3,3,3,2.5\n", "the first line must name the columns", right},
-                          {names + "\n0,-2,3,2.5\n0.3,3,3\n", "3 values; there must be 4", right},
-                          {names + "\n0.3,-2,3,2.5\n0.3,3,3,2.5\n", "times must increase", right},
-                          {names + "\n0,-2,3,2.5\n", "at least two poses", right},
-                          {names + ",x_mm\n0,-2,3,2.5,1\n0.3,3,3,2.5,1\n", "named twice; leave one of them out", right},
-                          {names + ",qw,qx,qy,qz\n0,-2,3,2.5,1,0,0\n", "7 values", right},
-                          {names + ",qw,qx,qy\n0,-2,3,2.5,1,0,0\n", "the column qz is missing",
-                           names + ",qw,qx,qy,qz\n0,-2,3,2.5,1,0,0,0\n0.3,3,3,2.5,1,0,0,0\n"},
-                          {names + "\n0,-2,3,\"2,500\"\n0.3,3,3,\"2,500\"\n", "write 2,5000",
-                           names + "\n0,-2,3,\"2,5000\"\n0.3,3,3,\"2,5000\"\n"}}) {
+  for (const Table& table : std::vector<Table>{
+           {names + ",roll_deg\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n", "there is no column roll_deg", right},
+           {names + ",comments_of_mine\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n", "or name it comment",
+            names + ",comment\n0,-2,3,2.5,0\n0.3,3,3,2.5,0\n"},
+           {"t_s,x_mm,y_mm,z\n0,-2,3,2.5\n0.3,3,3,2.5\n", "Did you mean z_mm?", right},
+           {"t_s,x_mm,y_mm\n0,-2,3\n0.3,3,3\n", "the column z_mm is missing", right},
+           {"0,-2,3,2.5\n0.3,3,3,2.5\n", "the first line has numbers; it must name the columns t_s, x_mm", right},
+           {names + "\n0,-2,3,2.5\n0.3,3,3\n", "3 values; there must be 4", right},
+           {names + "\n0.3,-2,3,2.5\n0.3,3,3,2.5\n", "times must increase", right},
+           {names + "\n0,-2,3,2.5\n", "at least two poses", right},
+           {names + ",x_mm\n0,-2,3,2.5,1\n0.3,3,3,2.5,1\n", "named twice; leave one of them out", right},
+           {names + ",qw,qx,qy,qz\n0,-2,3,2.5,1,0,0\n", "7 values", right},
+           {names + ",qw,qx,qy\n0,-2,3,2.5,1,0,0\n", "the column qz is missing",
+            names + ",qw,qx,qy,qz\n0,-2,3,2.5,1,0,0,0\n0.3,3,3,2.5,1,0,0,0\n"},
+           {names + "\n0,-2,3,\"2,500\"\n1,3,3,\"2,500\"\n", "write 2,5000",
+            names + "\n0,-2,3,\"2,5000\"\n1,3,3,\"2,5000\"\n"}}) {
     write_bytes(folder / "p.csv", table.text);
     expect_refused(drill, {table.said, path("p.csv") + ":"});
     write_bytes(folder / "p.csv", table.cured);

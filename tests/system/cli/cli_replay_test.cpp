@@ -51,8 +51,9 @@ TEST_F(Replay, ExportsTextAndArrays) {
   EXPECT_EQ(read_bytes(folder / "a.npz").substr(0, 2), "PK");
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.wav")).code, 0);
   EXPECT_EQ(read_bytes(folder / "a.wav").substr(0, 4), "RIFF");
-  EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.doc")).code, 1);
-  expect_refused("export " + path("a.h5") + " " + path("b.csv") + " --page " + path(""), {"--page is set"});
+  EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.doc")).code, kWrongUsage);
+  expect_refused("export " + path("a.h5") + " " + path("b.csv") + " --page " + path(""), {"--page is set"},
+                 kWrongUsage);
 }
 
 TEST_F(Replay, SaysBeforeTheWorkThatARecordingCannotBeWritten) {
