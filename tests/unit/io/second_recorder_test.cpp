@@ -78,7 +78,8 @@ TEST(SecondRecorder, MayBeginWhenTheFirstIsDestroyedOrFails) {
   record(folder / "a.h5", 6);  // in a.h5.new
   {
     Simulation simulation = some_simulation();
-    const Recorder left(folder / "a.h5", simulation, patient());  // leaves a.h5.new
+    Recorder left(folder / "a.h5", simulation, patient());  // leaves a.h5.new
+    step_in_the_air(left, 1);                               // without a step it is removed
   }
   EXPECT_EQ(folder.file_count(), 2U);
   record(folder / "a.h5", 7);
