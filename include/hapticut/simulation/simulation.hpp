@@ -81,8 +81,8 @@ class Simulation {
   /// in it, infinity when nothing of it is left within `max_distance`, NaN when the pose is not a rigid transform.
   ///
   /// Other materials in between do not matter. The head's surface is exact. The surface of the material is that of the
-  /// contact of the default law, which begins where the distance becomes 0: up to 0.2 voxels early at a surface against
-  /// empty space, up to 1.2 voxels early at a border between two materials, where each voxel has one material.
+  /// contact of the default law: within 0.2 voxels at a surface against empty space. At a border between two materials
+  /// each voxel has one of them, so there the distance is up to 0.75 voxels too small or 0.4 too large.
   /// @param material      kEmpty: of any material
   /// @param max_distance  [m] >= 0; the smaller, the faster is the search
   /// @realtime no allocation, no lock; O(blocks within the distance), see docs/other-scenes.md

@@ -2,6 +2,7 @@
 // The distance between the head and what is left of a material: Simulation::distance_to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -224,6 +225,33 @@ TEST(Distance, GrowsAsMaterialIsCutAndStepsStayAsTheyAre) {
   }
   EXPECT_GT(asked.distance_to(1, high), before + 0.02 * mm) << "the ball has cut a dent";
   EXPECT_EQ(asked.workpiece().hash(), plain.workpiece().hash());
+}
+
+TEST(Distance, AtABorderOfTwoMaterialsIsWithinAVoxel) {
+  constexpr double kTooSmall = 0.75, kTooLarge = 0.4, kR = 0.8 * mm;  // [voxels] as the header says; radius
+  test::RandomPoses random(23);
+  for (const double voxel : kVoxels) {
+    double low = kFar, high = -kFar;  // [voxels]
+    for (int n = 0; n < 30; ++n) {
+      const Vec3 normal = n < 3 ? Vec3(Vec3::Unit(n)) : random.direction();
+      const double at = random.between(-0.5 * mm, 0.5 * mm);
+      const BodyDescription ball = {{Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)},
+                                    [](const Vec3& p) { return p.norm() - 2.9 * mm; },
+                                    [=](const Vec3& p) { return MaterialId(normal.dot(p) < at ? 1 : 2); }};
+      const Simulation simulation =
+          with(build_body(ball, voxel, MaterialTable({named("pulp"), named("dentin")})), SphereHead{kR});
+      for (int m = 0; m < 10; ++m) {
+        const double gap = random.between(0.3 * mm, 0.9 * mm);
+        const Vec3 along = 0.2 * mm * random.direction().cross(normal);
+        const Pose X_WH = Pose::from_translation(along + (at + kR + gap) * normal);
+        const double error = (simulation.distance_to(1, X_WH) - gap) / voxel;
+        low = std::min(low, error), high = std::max(high, error);
+      }
+    }
+    EXPECT_GT(low, -kTooSmall) << voxel;
+    EXPECT_LT(high, kTooLarge) << voxel;
+    EXPECT_LT(low, -0.5) << "the bound above is not far from the truth";
+  }
 }
 
 TEST(Distance, OfAPoseThatIsNoneIsNotANumber) {
