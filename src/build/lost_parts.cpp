@@ -69,8 +69,8 @@ void require_no_lost_part(const TriangleMesh& mesh, const WindingNumber& winding
     const Vec3 at = box.center() / units::mm;
     throw Error("a part of the surface, " + format_number(double(part.size())) + " triangles around " +
                 format_number(at.x()) + ", " + format_number(at.y()) + ", " + format_number(at.z()) +
-                " mm, would be lost, because it encloses nothing: its faces point inwards, or are there twice "
-                "(two-sided); turn them outwards and keep one of each two, or delete the part.");
+                " mm, would be lost, because it encloses nothing: its faces point the other way than the rest of the "
+                "surface, or are there twice (two-sided); turn them over or keep one of each two, or delete the part.");
   }
 }
 

@@ -90,25 +90,45 @@ void orient_alike(TriangleMesh& mesh, const std::vector<std::vector<NeighbourTri
   }
 }
 
-/// Whether other pieces fill the space inside a closed piece that faces inwards: then it is a cavity.
-bool is_filled_by_others(const TriangleMesh& mesh, const WindingNumber& all, const Piece& piece) {
+/// Whether other pieces fill the space inside a closed piece that is turned: then it is a cavity.
+/// @param sign  makes winding numbers positive in a body
+bool is_filled_by_others(const TriangleMesh& mesh, const WindingNumber& all, double sign, const Piece& piece) {
   constexpr double kFilled = 0.5;
   return std::ranges::all_of(points_inside(mesh, piece), [&](const Vec3& point) {
-    const double others = (all.is_turned() ? -all.at(point) : all.at(point)) + 1;  // the piece itself counts -1
+    const double others = sign * all.at(point) + 1;  // the piece itself counts -1
     return std::abs(others) > kFilled;
   });
 }
 
-/// Flips closed outer pieces that face inwards, together with all pieces inside them.
+/// Whether open pieces, taken together, face inwards: each is closed towards the middle of its box.
+bool open_ones_face_inwards(const TriangleMesh& mesh, const std::vector<Piece>& pieces) {
+  double volumes = 0;
+  for (const Piece& piece : pieces) {
+    if (piece.closed) continue;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& end : piece.ends) box.extend(end);
+    for (const std::uint32_t t : piece.triangles) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const Vec3 p = mesh.vertices[a] - box.center(), q = mesh.vertices[b] - box.center();
+      volumes += p.dot(q.cross(mesh.vertices[c] - box.center()));
+    }
+  }
+  return volumes < 0;
+}
+
+/// Flips closed outer pieces that face inwards, together with all pieces inside them. If open pieces face inwards, a
+/// mesh may be inside out: closed pieces face inwards with them, and later the whole surface is turned.
 void orient_outwards(TriangleMesh& mesh, const Connections& connections) {
   const std::vector<Piece> pieces = pieces_of(mesh, connections);
-  const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
-  if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
+  const double outwards = open_ones_face_inwards(mesh, pieces) ? -1 : 1;
+  const auto is_turned = [&](const Piece& piece) { return piece.closed && outwards * piece.six_volumes < 0; };
+  if (std::ranges::none_of(pieces, is_turned)) return;
   const WindingNumber all(mesh);
+  const double sign = all.is_turned() ? -outwards : outwards;
   std::vector<bool> flips(pieces.size(), false);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     look_for_interruption();
-    if (!faces_inwards(pieces[n]) || is_filled_by_others(mesh, all, pieces[n])) continue;
+    if (!is_turned(pieces[n]) || is_filled_by_others(mesh, all, sign, pieces[n])) continue;
     flips[n] = true;
     for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) flips[within] = true;
   }

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 namespace hapticut {
 
 std::string not_the_file(std::string_view head) {
   if (head.starts_with(kGitLfsPointer))
     return "it is a Git LFS pointer, a text in place of the file; run 'git lfs pull' in its repository, or download "
-           "the "
-           "file itself.";
+           "the file itself.";
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
@@ -22,6 +22,19 @@ std::string not_the_file(std::string_view head) {
   };
   if (begins_with("<!doctype html") || begins_with("<html") || begins_with("<head"))
     return "it is a web page in place of the file: a download went wrong, so download the file itself.";
+  return "";
+}
+
+std::string archive_instead(std::string_view head) {
+  constexpr std::pair<std::string_view, std::string_view> kArchives[] = {{"\x1f\x8b", "a gzip"},
+                                                                         {"PK\x03\x04", "a ZIP"},
+                                                                         {"BZh", "a bzip2"},
+                                                                         {"\xfd\x37zXZ", "an xz"},
+                                                                         {"\x28\xb5\x2f\xfd", "a Zstandard"},
+                                                                         {"7z\xbc\xaf\x27\x1c", "a 7-Zip"},
+                                                                         {"Rar!", "a RAR"}};
+  for (const auto& [begin, name] : kArchives)
+    if (head.starts_with(begin)) return "it is " + std::string(name) + " archive";
   return "";
 }
 

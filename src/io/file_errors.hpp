@@ -41,6 +41,10 @@ inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.gith
 /// @param head  the first bytes of the file, 200 or all
 [[nodiscard]] std::string not_the_file(std::string_view head);
 
+/// "it is a gzip archive" or another one; empty for anything else.
+/// @param head  the first bytes of the file, 6 or more
+[[nodiscard]] std::string archive_instead(std::string_view head);
+
 /// Size of a regular file that can be opened for reading.
 /// @throws Error for anything else (a pipe or a device may have no end), an empty file, a Git LFS pointer and a web
 /// page

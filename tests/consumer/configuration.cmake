@@ -9,17 +9,7 @@
 # OPTIONS  further options of the configuration
 # BUILD    build folder. It and KERNELS (HAPTICUT_KERNELS) are chosen so that ccache finds the objects of build/release.
 cmake_minimum_required(VERSION 3.25)
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  set(output "${output}" PARENT_SCOPE)
-  set(code "${code}" PARENT_SCOPE)
-endfunction()
-macro(must)
-  run(${ARGN})
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "failed with ${code}: ${ARGN}\n${output}")
-  endif()
-endmacro()
+include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
 # must_have(part on|off): the last configuration reported the part so.
 function(must_have part state)
   if(NOT output MATCHES "  ${part}: ${state} ")

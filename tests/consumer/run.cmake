@@ -2,17 +2,7 @@
 # Builds and runs the outside project against this build:
 #   cmake -DCASE=installed|with_core|examples|physics|c|openvdb|io|settings|no_io|abi|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  set(output "${output}" PARENT_SCOPE)
-  set(code "${code}" PARENT_SCOPE)
-endfunction()
-macro(must)
-  run(${ARGN})
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "failed with ${code}: ${ARGN}\n${output}")
-  endif()
-endmacro()
+include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
 # build_consumer(folder options...): builds and runs the outside project, and sets `output` to the force that it prints.
 macro(build_consumer folder)
   must(${configure} -B "${WORK}/${folder}" -DCMAKE_BUILD_TYPE=Release ${ARGN})

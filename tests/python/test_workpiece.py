@@ -292,6 +292,14 @@ def test_labels_that_are_too_thin_for_the_voxels_are_a_warning():
     hapticut.Workpiece.from_labels(array, [0.1 * mm] * 3, materials)  # warnings are errors here
 
 
+def test_an_open_mesh_is_a_warning():
+    mesh = hapticut.mesh_of_revolution(hapticut.catalogue.round_head(2 * mm).profile(), 24)
+    hapticut.build_from_mesh(mesh, DENTIN, hapticut.MeshImport(0.2 * mm))  # warnings are errors here
+    mesh = hapticut.TriangleMesh(np.array(mesh.vertices), np.array(mesh.triangles)[:-1])
+    with pytest.warns(UserWarning, match="is open: 3 of its edges have one face"):
+        hapticut.build_from_mesh(mesh, DENTIN, hapticut.MeshImport(0.2 * mm))
+
+
 def test_a_workpiece_tells_what_it_is(block):
     bounds = block.bounds()
     assert bounds.voxels() == block.solid_voxels() == 60 * 60 * 40 and block.voxel_size == block.frame.voxel_size

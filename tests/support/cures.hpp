@@ -28,6 +28,7 @@ struct Cure {
   Files cured = {};             ///< files that the cure changes
   VolumeReadOptions with = {};  ///< options that the cure sets
   bool labels = false;          ///< read as labels, before the cure
+  std::string cured_path = {};  ///< in the folder; empty: path
 };
 
 inline void PrintTo(const Cure& cure, std::ostream* out) { *out << cure.sentence; }
@@ -53,7 +54,10 @@ inline void expect_cured(const Cure& cure) {
   });
   expect_part(said, cure.sentence);
   write_files(folder, cure.cured);
-  EXPECT_EQ(refusal([&] { return read_grey_volume(folder / cure.path, cure.with); }), "");
+  EXPECT_EQ(refusal([&] {
+              return read_grey_volume(folder / (cure.cured_path.empty() ? cure.path : cure.cured_path), cure.with);
+            }),
+            "");
 }
 
 }  // namespace hapticut::test

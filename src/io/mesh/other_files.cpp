@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "io/file_errors.hpp"
 #include "io/mesh/stl_layout.hpp"
 #include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr std::string_view kUnpack = "unpack it, and name the mesh in it";
 constexpr std::string_view kConvert = "save the mesh as STL, PLY, OBJ, OFF or glTF";
 constexpr std::string_view kNoMesh = "name a mesh";
 
@@ -21,21 +21,10 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"\x1f\x8b", "a gzip archive", kUnpack},
-    {"PK\x03\x04", "a ZIP archive", kUnpack},
-    {"BZh", "a bzip2 archive", kUnpack},
-    {"\xfd\x37zXZ", "an xz archive", kUnpack},
-    {"\x28\xb5\x2f\xfd", "a Zstandard archive", kUnpack},
-    {"7z\xbc\xaf\x27\x1c", "a 7-Zip archive", kUnpack},
-    {"Rar!", "a RAR archive", kUnpack},
-    {"# vtk DataFile", "a VTK file", kConvert},
-    {"Kaydara FBX Binary", "an FBX file", kConvert},
-    {"<VTKFile", "a VTK file", kConvert},
-    {"ISO-10303-21", "a STEP file", kConvert},
-    {"%PDF-", "a PDF document", kNoMesh},
-    {"\x89PNG", "a PNG picture", kNoMesh},
-    {"\xff\xd8\xff", "a JPEG picture", kNoMesh},
-    {"NRRD", "an NRRD volume", "rename it to end in .nrrd"},
+    {"# vtk DataFile", "a VTK file", kConvert},  {"Kaydara FBX Binary", "an FBX file", kConvert},
+    {"<VTKFile", "a VTK file", kConvert},        {"ISO-10303-21", "a STEP file", kConvert},
+    {"%PDF-", "a PDF document", kNoMesh},        {"\x89PNG", "a PNG picture", kNoMesh},
+    {"\xff\xd8\xff", "a JPEG picture", kNoMesh}, {"NRRD", "an NRRD volume", "rename it to end in .nrrd"},
     {"\x89HDF", "an HDF5 file", kNoMesh},
 };
 
@@ -69,6 +58,8 @@ bool is_binary_stl(std::string_view head, std::uintmax_t size) {
 }  // namespace
 
 std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::string_view ending) {
+  if (const std::string archive = archive_instead(head); !archive.empty())
+    return archive + "; unpack it, and name the mesh in it.";
   for (const Kind& kind : kKinds)
     if (head.starts_with(kind.begin)) return "it is " + std::string(kind.name) + "; " + std::string(kind.cure) + ".";
   if (ending != ".stl" && is_binary_stl(head, size)) return renamed("an STL file", ".stl");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "io/file_errors.hpp"
@@ -97,7 +98,12 @@ NoSlice what_is_no_slice(const fs::path& file, const std::string& format) {
     return {"it is not downloaded yet from iCloud", "Download it in the Finder."};
   if (fs::file_size(file, code) == 0 && !code) return {"it is empty", "Get a complete copy of it."};
   if (!std::ifstream(file, std::ios::binary)) return {"it cannot be opened", "Check its permissions."};
-  if (first_bytes(file, 2) == "\x1f\x8b") return {"it is compressed by gzip", "Unpack it."};
+  const std::string head = first_bytes(file, 200);
+  if (std::string archive = archive_instead(head); !archive.empty()) return {std::move(archive), "Unpack it."};
+  if (std::string other = not_the_file(head); !other.empty()) {
+    other.pop_back();  // the full stop
+    return {std::move(other), ""};
+  }
   return {"it is no " + format, ""};
 }
 

@@ -34,6 +34,12 @@ RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
   return read_slices(path);
 }
 
+void require_not_packed(const fs::path& path) {
+  (void)readable_size(path);  // a pipe has no first bytes
+  if (const std::string archive = archive_instead(first_bytes(path, 6)); !archive.empty())
+    cannot_read(path, archive + "; unpack it, and name the volume in it.");
+}
+
 /// Reads data files relative to the file that names them.
 DataFile data_files_beside(const fs::path& path) {
   return [folder = path.parent_path()](const std::string& name) {
@@ -57,17 +63,15 @@ RawImage read_with_data_files(const fs::path& path) {
 struct VolumeFormat {
   std::string_view ending;  ///< extension, in lower case
   RawImage (*read)(const fs::path& path);
+  bool is_archive = false;  ///< may be one
 };
 
 /// The formats that the extension identifies.
-constexpr VolumeFormat kVolumeFormats[] = {{".nrrd", read_with_data_files<parse_nrrd>},
-                                           {".nhdr", read_with_data_files<parse_nrrd>},
-                                           {".nii", read_alone<parse_nifti>},
-                                           {".nii.gz", read_alone<parse_nifti>},
-                                           {".mhd", read_with_data_files<parse_meta_image>},
-                                           {".mha", read_with_data_files<parse_meta_image>},
-                                           {".inv3", read_alone<parse_invesalius>},
-                                           {".dcm", read_dicom_file}};
+constexpr VolumeFormat kVolumeFormats[] = {
+    {".nrrd", read_with_data_files<parse_nrrd>},      {".nhdr", read_with_data_files<parse_nrrd>},
+    {".nii", read_alone<parse_nifti>, true},          {".nii.gz", read_alone<parse_nifti>, true},
+    {".mhd", read_with_data_files<parse_meta_image>}, {".mha", read_with_data_files<parse_meta_image>},
+    {".inv3", read_alone<parse_invesalius>, true},    {".dcm", read_dicom_file}};
 
 RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (options.spacing)
@@ -77,7 +81,10 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   require_no_series(path, options);
   const std::string name = lower_case(path.filename().string());
   for (const VolumeFormat& format : kVolumeFormats)
-    if (name.ends_with(format.ending)) return format.read(path);
+    if (name.ends_with(format.ending)) {
+      if (!format.is_archive) require_not_packed(path);
+      return format.read(path);
+    }
   (void)readable_size(path);
   if (name.ends_with(".raw"))
     cannot_read(path, "a raw file has no header; use read_raw_grey_volume or read_raw_label_volume.");
@@ -87,6 +94,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
         "a picture is one slice, even with several pages; save each page as a separate file and name the folder.");
   if (name.ends_with(".h5")) cannot_read(path, "it is a recording by its extension, not a volume; use read_recording.");
   if (is_dicom_file(path)) return read_dicom_file(path);
+  require_not_packed(path);
   cannot_read(path, "its extension is not supported; volumes are " + in_one_line(volume_endings()) +
                         ", or a folder with a DICOM series or PNG or TIFF slices; meshes are " +
                         in_one_line(kMeshEndings) + "; workpieces are .vdb.");

@@ -63,7 +63,7 @@ TEST_F(MeshCures, DoWhatTheSentenceSays) {
        "--material dentin --unit-mm 1e-2 --voxel_mm 0.0025", 64e-6},
       {half, dentin, "encloses nothing that voxels of 0.25 mm can show, and the model is 4 mm long; close it", closed,
        dentin, 64},
-      {open + inside_out, dentin, "would be lost, because it encloses nothing: its faces point inwards",
+      {open + inside_out, dentin, "would be lost, because it encloses nothing: its faces point the other way",
        open + cube(6, 3, 9, {0, 1, 2, 3, 4}), dentin, 91},
       {closed, "--material dentin --voxel_mm 0.001", "lift the limit (--large).", "", dentin, 64}};
   for (const Cure& cure : cures) {

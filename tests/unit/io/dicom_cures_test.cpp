@@ -64,8 +64,8 @@ TEST(CuresOfDicom, ASliceThatIsEmptyOrCutIsNamedAndTheSeriesIsReadWithACompleteO
   const std::pair<const char*, std::string> cuts[] = {
       {"it is empty. Get a complete copy of it. If it is not of the series, remove it", ""},
       {"it is no DICOM file. Get a complete copy of it. If it is not of the series, remove it", whole.substr(0, 100)},
-      {"it is no DICOM file", "<html>404</html>"},
-      {"it is compressed by gzip. Unpack it.", packed},
+      {"it is a web page in place of the file: a download went wrong, so download the file itself", "<html>404</html>"},
+      {"it is a gzip archive. Unpack it.", packed},
       {"it ends too early", whole.substr(0, whole.size() - 10)},
       {"", whole.substr(0, 200)},
       {"it has no picture: it ends before one, or never had one. Get a complete copy of it. If it",

@@ -289,6 +289,19 @@ TEST(CuresOfVolumes, AWebPageInPlaceOfAFileIsCalledSoAndTheFileIsRead) {
                   {{name, whole}}});
 }
 
+TEST(CuresOfVolumes, AnArchiveIsReadOnceItIsUnpacked) {
+  const std::pair<const char*, std::string> files[] = {{"v.nrrd", nrrd()}, {"v.mha", meta()}};
+  for (const auto& [name, whole] : files)
+    for (const std::string& packed_as : {std::string(name), std::string(name) + ".gz", std::string("v.dcm")})
+      expect_cured({packed_as + "': it is a gzip archive; unpack it, and name the volume in it.",
+                    packed_as,
+                    {{packed_as, test::gzipped(whole)}},
+                    {{name, whole}},
+                    {},
+                    false,
+                    name});
+}
+
 TEST(VolumeFiles, MayHaveZerosBehindTheirValues) {
   const std::string zeros(512, '\0'), few(7, '\0');
   NiftiFile nifti;
