@@ -9,6 +9,7 @@
 
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/state.hpp"
 
@@ -208,16 +209,41 @@ std::uint64_t Workpiece::hash() const {
   return total;
 }
 
+struct WorkpieceSnapshot::Voxels {
+  VoxelTrees trees;
+  GridFrame frame;
+  int materials;
+};
+
+namespace {
+
+bool same(const GridFrame& a, const GridFrame& b) {
+  return a.voxel_size == b.voxel_size && a.X_WV.rotation == b.X_WV.rotation && a.X_WV.translation == b.X_WV.translation;
+}
+
+}  // namespace
+
 WorkpieceSnapshot Workpiece::snapshot() const {
   WorkpieceSnapshot snapshot;
-  snapshot.state_ = std::make_shared<const VoxelTrees>(*state_->trees);
+  snapshot.voxels_ = std::shared_ptr<const WorkpieceSnapshot::Voxels>(
+      new WorkpieceSnapshot::Voxels{*state_->trees, frame(), materials().size()});
   return snapshot;
 }
 
 void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
-  if (!snapshot.state_)
+  if (!snapshot.voxels_)
     throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
-  state_->trees = copy_of(*static_cast<const VoxelTrees*>(snapshot.state_.get()));
+  const WorkpieceSnapshot::Voxels& saved = *snapshot.voxels_;
+  const auto describe = [](const GridFrame& frame, int materials) {
+    return std::to_string(materials) + (materials == 1 ? " material" : " materials") + " in voxels of " +
+           format_number(frame.voxel_size / units::mm) + " mm";
+  };
+  if (saved.materials != materials().size() || !same(saved.frame, frame()))
+    throw Error("the snapshot is of another workpiece: it has " + describe(saved.frame, saved.materials) +
+                ", and the present one has " + describe(frame(), materials().size()) +
+                (saved.frame.voxel_size == voxel_size() ? ", or lies elsewhere" : "") +
+                ". Restore a snapshot of the same workpiece or of its clone, or give the other one to reset.");
+  state_->trees = copy_of(saved.trees);
   state_->cache = {};
   if (state_->journal) reserve_undo(state_->journal->capacity());
   reserve_blocks(state_->pool.target);

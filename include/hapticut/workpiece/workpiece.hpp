@@ -26,11 +26,12 @@ struct MaterialAmount {
 
 struct SavedBlock;
 
-/// An immutable copy of the state of a workpiece, for `Workpiece::restore`. Copies share memory and are cheap.
+/// An immutable copy of the voxels of a workpiece, for `Workpiece::restore`. Copies share memory and are cheap.
 class WorkpieceSnapshot {
  private:
   friend class Workpiece;
-  std::shared_ptr<const void> state_;
+  struct Voxels;
+  std::shared_ptr<const Voxels> voxels_;
 };
 
 /// A workpiece: a sparse OpenVDB grid of material ids and, only where a voxel is partly filled, of filled fractions.
@@ -106,7 +107,7 @@ class Workpiece {
   // --- undo ---------------------------------------------------------------------------------------------------------
   [[nodiscard]] WorkpieceSnapshot snapshot() const;
 
-  /// @throws Error when the snapshot is empty
+  /// @throws Error when the snapshot is empty, or of a workpiece with another frame or number of materials
   void restore(const WorkpieceSnapshot& snapshot);
 
   // --- undo without an allocation, for a running loop ----------------------------------------------------------------

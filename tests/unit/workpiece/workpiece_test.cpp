@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/refusal.hpp"
 #include "support/workpieces.hpp"
 
 namespace hapticut::workpiece_test {
@@ -77,6 +81,24 @@ TEST(Workpiece, RestoreBringsBackTheSnapshotBitByBit) {
   workpiece.restore(snapshot);
   EXPECT_EQ(workpiece.hash(), before);
   EXPECT_TRUE(cut_voxel(workpiece, {20, 20, 20}));
+}
+
+TEST(Workpiece, RestoreRefusesTheSnapshotOfAnotherWorkpiece) {
+  const auto block = [](double x, double size) {
+    return build_block({Vec3(x, 0, 0), Vec3(x, 0, 0) + Vec3(4, 4, 4) * mm}, size, named("clay"));
+  };
+  Workpiece workpiece = block(0, 0.1 * mm);
+  const std::uint64_t before = workpiece.hash();
+  const std::vector<Layer> layers = {{named("clay"), 2 * mm}, {named("stone"), 2 * mm}};
+  const std::pair<WorkpieceSnapshot, const char*> others[] = {
+      {block(0, 0.2 * mm).snapshot(),
+       "it has 1 material in voxels of 0.2 mm, and the present one has 1 material in voxels of 0.1"},
+      {block(1 * mm, 0.1 * mm).snapshot(), "or lies elsewhere"},
+      {build_layered_slab({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, layers).snapshot(), "it has 2 materials"}};
+  for (const auto& [snapshot, said] : others) test::expect_refused([&] { workpiece.restore(snapshot); }, said);
+  EXPECT_EQ(workpiece.hash(), before);
+  Workpiece clone = workpiece.clone();
+  ASSERT_NO_THROW(clone.restore(workpiece.snapshot()));
 }
 
 TEST(Workpiece, ACloneIsEqualAndIndependent) {
