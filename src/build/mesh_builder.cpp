@@ -10,6 +10,7 @@
 #include <string>
 
 #include "build/crossings.hpp"
+#include "build/voxel_amounts.hpp"
 #include "build/lost_parts.hpp"
 #include "build/orient.hpp"
 #include "build/surface_check.hpp"
@@ -216,13 +217,20 @@ class ShellsFiller {
         material = shells_[s].material;
       }
     }
-    if (uniform)
+    if (uniform) {
+      const std::int64_t all = kBlockVoxels * std::int64_t(points_ * points_ * points_);
       for (std::size_t s = 0; s < shells_.size(); ++s)
-        if (blocks[s].inside) found_[s].points += kBlockVoxels * std::int64_t(points_ * points_ * points_);
-    if (uniform) return material == kEmpty ? BlockKind::empty() : BlockKind::solid(material);
+        if (blocks[s].inside) found_[s].points += all;
+      points_of_[material] += all;
+      return material == kEmpty ? BlockKind::empty() : BlockKind::solid(material);
+    }
 
     std::vector<MaterialId> points(std::size_t(points_ * points_ * points_));
-    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(blocks, n, frame_.center(voxel_at(origin, n)), points, content);
+    ByMaterial<int> count{};
+    for (int n = 0; n < kBlockVoxels; ++n)
+      fill_voxel(blocks, n, frame_.center(voxel_at(origin, n)), points, count, content);
+    for (std::size_t id = 0; id < count.size(); ++id)
+      if (count[id] > 0) points_of_[id] += count[id];
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       found_[s].cut += blocks[s].cut;
       found_[s].ragged += blocks[s].ragged;
@@ -234,7 +242,8 @@ class ShellsFiller {
   /// Checks the shells after filling.  @param length  [m] of all shells together
   /// @param warn  may be empty; as MeshImport::warn
   /// @throws Error if a shell encloses nothing, or if it is too open
-  void check(double length, const std::function<void(const std::string&)>& warn) const {
+  void check(double length, const Workpiece& workpiece, const std::function<void(const std::string&)>& warn) const {
+    const double volume_of_point = std::pow(frame_.voxel_size / points_, 3);
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
       if (found_[s].inside == 0)
@@ -246,15 +255,19 @@ class ShellsFiller {
       if (ragged > kMaxRaggedFraction * cut)
         throw Error(which + " is too open to decide what is inside: its triangles have loose edges in " +
                     format_number(ragged) + " of the " + format_number(cut) + " voxels they cut. Close its holes.");
-      const double points = std::pow(points_ / frame_.voxel_size, 3);  // per m^3
-      check_surface(samplers_[s]->measure(), which, double(found_[s].points) / points, found_[s].overlaps,
+      check_surface(samplers_[s]->measure(), which, double(found_[s].points) * volume_of_point, found_[s].overlaps,
                     frame_.voxel_size, warn);
     }
+    if (!warn) return;
+    ByMaterial<double> wanted{};
+    for (std::size_t id = 0; id < wanted.size(); ++id) wanted[id] = double(points_of_[id]) * volume_of_point;
+    if (const std::string found = differences_of(workpiece, wanted, "surfaces"); !found.empty())
+      warn(found + "Choose smaller voxels.");
   }
 
  private:
   void fill_voxel(std::vector<ShellSampler::Block>& blocks, int n, const Vec3& center, std::vector<MaterialId>& points,
-                  BlockContent& content) {
+                  ByMaterial<int>& count, BlockContent& content) {
     using Voxel = ShellSampler::Voxel;
     bool whole = true;  // no surface within the voxel so far
     MaterialId material = kEmpty;
@@ -282,10 +295,14 @@ class ShellsFiller {
     content.centroid[n] = {};
     content.material[n] = material;
     content.fill[n] = material == kEmpty ? 0.0F : 1.0F;
-    if (!whole) combine(points, n, content);
+    if (whole)
+      count[material] += points_ * points_ * points_;
+    else
+      combine(points, n, count, content);
   }
 
-  void combine(const std::vector<MaterialId>& points, int n, BlockContent& content) const {
+  /// @param all_points  of the block, by material
+  void combine(const std::vector<MaterialId>& points, int n, ByMaterial<int>& all_points, BlockContent& content) const {
     ByMaterial<int> count{};
     Vec3 sum = Vec3::Zero();
     int filled = 0;
@@ -298,6 +315,7 @@ class ShellsFiller {
           ++filled;
           sum += Vec3(a, b, c);
         }
+    for (std::size_t id = 0; id < count.size(); ++id) all_points[id] += count[id];
     count[kEmpty] = 0;
     const int all = points_ * points_ * points_;
     content.material[n] =
@@ -311,6 +329,7 @@ class ShellsFiller {
   GridFrame frame_;
   int points_;
   std::vector<Found> found_;
+  ByMaterial<std::atomic<std::int64_t>> points_of_{};  // by the material of the last surface around them
   std::vector<std::unique_ptr<ShellSampler>> samplers_;
 };
 
@@ -356,7 +375,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
                         Pose::from_translation(around.min() + Vec3::Constant(options.voxel_size / 2))};
   ShellsFiller filler(shells, frame, options.subsamples);
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
-  filler.check(length, options.warn);
+  filler.check(length, workpiece, options.warn);
   if (workpiece.empty()) throw Error("the workpiece is empty: the last surfaces make cavities of everything inside.");
   return workpiece;
 }

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "build/boxes.hpp"
-#include "build/label_amounts.hpp"
+#include "build/voxel_amounts.hpp"
 #include "build/volume_fields.hpp"
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
@@ -216,7 +216,11 @@ Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMa
       material_of[label] = id;
     }
   }
-  if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
+  const std::vector<bool> present = labels_in(volume, layout.samples);
+  if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(present, claimed);
+  for (const LabelMaterial& entry : materials)
+    if (options.warn && std::ranges::none_of(entry.labels, [&](std::uint16_t label) { return present[label]; }))
+      options.warn("no sample in use has a label of '" + entry.material.name + "'.");
   const LabelField field(material_of);
   if (!layout.one_to_one) {
     Workpiece workpiece = build(volume, field, layout, table, options);

@@ -53,7 +53,7 @@ extern "C" {
 
 int hapticut_recording_start(hapticut_simulation simulation, hapticut_device device, const char* path,
                              hapticut_recording* recording) {
-  return within(IdleSimulation(simulation), [&](const auto& use) -> int {
+  return within(IdleSimulation(simulation), [&]([[maybe_unused]] const auto& use) -> int {
     require_argument(path, "path");
     require_argument(recording, "recording");
     std::shared_ptr<DeviceObject> hand;

@@ -202,11 +202,11 @@ class Cells {
 
 std::optional<RayHit> Workpiece::first_hit(const Vec3& origin_W, const Vec3& direction_W, double max_length,
                                            MaterialId material) const noexcept {
-  const double length = direction_W.norm();
-  if (!is_finite(origin_W) || !std::isfinite(length) || !(length > 0) || !(max_length >= 0)) return std::nullopt;
+  const double length = direction_W.stableNorm();
+  if (!is_finite(origin_W) || !is_finite(direction_W) || !(length > 0) || !(max_length >= 0)) return std::nullopt;
   const Pose X_VW = frame().X_WV.inverse();
   const double size = voxel_size();
-  const GridRay ray{X_VW * origin_W / size, X_VW.rotation * direction_W / length};
+  const GridRay ray{X_VW * origin_W / size, X_VW.rotation * direction_W.stableNormalized()};
   openvdb::CoordBBox box;  // around all nodes of the tree
   for (auto trunk = state_->trees->material.root().cbeginChildOn(); trunk; ++trunk)
     box.expand(trunk->getNodeBoundingBox());

@@ -25,7 +25,8 @@ struct MeshImport {
   WorkObserver observer = {};  ///< called with the estimate before the work begins
 
   /// Receives a sentence about a surface that is open, with the volume that it fills, or of which parts are too thin
-  /// for the voxels, so that its volume differs by more than 5 %.
+  /// for the voxels, so that its volume differs by more than 5 %, and about materials that fill over 5 % less or more
+  /// than the space between their surface and the next, e.g. a thin layer: a voxel has one material.
   std::function<void(const std::string&)> warn = {};
 };
 

@@ -34,8 +34,8 @@ struct VolumeBuildOptions {
   bool partial_volume = true;
   bool large = false;          ///< lifts the limits of work_estimate.hpp
   WorkObserver observer = {};  ///< called with the estimate before the work begins
-  /// Called after the work with a sentence about materials that fill over 5 % less or more than their labels, e.g. a
-  /// layer thinner than the voxels. Nothing: build_from_labels refuses them.
+  /// Called with a sentence about materials that fill over 5 % less or more than their labels, e.g. a
+  /// layer thinner than the voxels, and about materials without labels. Nothing: build_from_labels refuses the first.
   std::function<void(const std::string&)> warn = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "build/label_amounts.hpp"
+#include "build/voxel_amounts.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -51,25 +51,31 @@ std::string cubic_mm(double volume) { return format_number(std::round(volume / u
 
 }  // namespace
 
+std::string differences_of(const Workpiece& workpiece, const ByMaterial<double>& wanted, const std::string& of) {
+  constexpr double kDifference = 0.05;  // [1] rounded corners of a body of a few samples stay below
+  std::string list;
+  for (const MaterialAmount& amount : workpiece.amounts()) {
+    const double volume = wanted[amount.material];
+    if (std::abs(amount.volume - volume) <= kDifference * volume) continue;
+    list += std::string(list.empty() ? "'" : ", '") + workpiece.materials()[amount.material].name + "' fills " +
+            cubic_mm(amount.volume) + ", its " + of + " " + cubic_mm(volume);
+  }
+  if (list.empty()) return "";
+  return "voxels of " + format_number(workpiece.voxel_size() / units::mm) + " mm are too coarse for the " + of + ": " +
+         list + ". ";
+}
+
 void compare_with_labels(const Workpiece& workpiece, const LabelVolume& volume,
                          const std::vector<MaterialId>& material_of, const IndexBox& samples,
                          const std::array<Vec3, 2>& voxels, const std::function<void(const std::string&)>& warn) {
-  constexpr double kDifference = 0.05;  // [1] rounded corners of a body of a few samples stay below
-  const Amounts labels = amounts_of_labels(volume, material_of, samples, voxels);
-  const double sample = volume.spacing.prod();
-  std::string list;
-  for (const MaterialAmount& amount : workpiece.amounts()) {
-    const double wanted = labels[amount.material] * sample;
-    if (std::abs(amount.volume - wanted) <= kDifference * wanted) continue;
-    list += std::string(list.empty() ? "'" : ", '") + workpiece.materials()[amount.material].name + "' fills " +
-            cubic_mm(amount.volume) + ", its labels " + cubic_mm(wanted);
-  }
-  if (list.empty()) return;
+  Amounts labels = amounts_of_labels(volume, material_of, samples, voxels);
+  for (double& amount : labels) amount *= volume.spacing.prod();
+  const std::string differences = differences_of(workpiece, labels, "labels");
+  if (differences.empty()) return;
   const double smallest = volume.spacing.minCoeff();
   const bool cubes = volume.spacing.maxCoeff() <= smallest * (1 + 1e-6);
   const std::string sentence =
-      "parts of the labels are too thin for voxels of " + format_number(workpiece.voxel_size() / units::mm) +
-      " mm: " + list + ". " +
+      differences +
       (cubes ? "Choose voxels of " + format_number(smallest / units::mm) + " mm, the spacing of the labels"
              : "Resample the labels to cubes first, and choose voxels of that size");
   if (!warn) throw Error(sentence + ", or set VolumeBuildOptions::warn to go on.");

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers of labels that are thinner than the voxels are not lost without a word.
+// Layers of labels, and between surfaces, that are thinner than the voxels are not lost without a word.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/build/volume_builders.hpp"
+#include "support/meshes.hpp"
 #include "support/named_material.hpp"
 #include "support/refusal.hpp"
 #include "support/volumes.hpp"
 
-namespace hapticut::label_amounts_test {
+namespace hapticut::voxel_amounts_test {
 namespace {
 
 using test::named;
@@ -43,7 +45,7 @@ TEST(BuildFromLabels, SaysWhichMaterialsAreTooThinForItsVoxels) {
   const LabelVolume volume = crowned_block(Vec3::Constant(0.1 * mm));  // the enamel is 3.2 x 3.2 x 0.1 mm: 1.024 mm^3
   const Built coarse = built(volume, {.voxel_size = 0.35 * mm});
   ASSERT_EQ(coarse.said.size(), 1U);
-  test::expect_part(coarse.said[0], "too thin for voxels of 0.35 mm");
+  test::expect_part(coarse.said[0], "voxels of 0.35 mm are too coarse for the labels: ");
   test::expect_part(coarse.said[0], "'enamel' fills ");
   test::expect_part(coarse.said[0], ", its labels 1.024 mm^3");
   test::expect_part(coarse.said[0], "Choose voxels of 0.1 mm, the spacing of the labels.");
@@ -63,8 +65,8 @@ TEST(BuildFromLabels, SaysThatSamplesThatAreNoCubesShouldBeResampled) {
   auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, Vec3(0.1, 0.1, 0.3) * mm);
   for (int i = 2; i < 18; ++i) volume.at(i, 10, 10) = 2;  // a wire: its corners are rounded
   const Built wire = built(volume, {});
-  ASSERT_EQ(wire.said.size(), 1U);
-  test::expect_part(wire.said[0], "Resample the labels to cubes first");
+  ASSERT_EQ(wire.said.size(), 2U) << "there is no dentin, too";
+  test::expect_part(wire.said[1], "Resample the labels to cubes first");
 }
 
 TEST(BuildFromLabels, SaysNothingOfBodiesThatAreThickEnoughAlsoWhereItCrops) {
@@ -78,5 +80,28 @@ TEST(BuildFromLabels, SaysNothingOfBodiesThatAreThickEnoughAlsoWhereItCrops) {
   }
 }
 
+TEST(BuildFromLabels, SaysWhichMaterialHasNoLabels) {
+  auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, Vec3::Constant(0.1 * mm), {});
+  test::add_ball(volume, Vec3(1, 1, 1), 0.7, 1);
+  EXPECT_EQ(built(volume, {}).said, std::vector<std::string>{"no sample in use has a label of 'enamel'."});
+}
+
+TEST(BuildFromShells, SaysWhichLayerBetweenSurfacesIsTooThinForItsVoxels) {
+  const auto said_of = [](double thickness) {
+    std::vector<std::string> said;
+    MeshImport options{.voxel_size = 0.1 * mm};
+    options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+    const std::vector<MeshShell> shells = {{test::ball_mesh(Vec3::Zero(), 3 * mm, 24), 2},
+                                           {test::ball_mesh(Vec3::Zero(), 3 * mm - thickness, 24), 1}};
+    (void)build_from_shells(shells, MaterialTable({named("dentin"), named("enamel")}), options);
+    return said;
+  };
+  EXPECT_TRUE(said_of(0.5 * mm).empty());
+  const std::vector<std::string> said = said_of(0.02 * mm);
+  ASSERT_EQ(said.size(), 1U);
+  test::expect_part(said[0], "voxels of 0.1 mm are too coarse for the surfaces: 'enamel' fills ");
+  test::expect_part(said[0], "Choose smaller voxels.");
+}
+
 }  // namespace
-}  // namespace hapticut::label_amounts_test
+}  // namespace hapticut::voxel_amounts_test

@@ -11,6 +11,13 @@
 
 namespace hapticut {
 
+/// A sentence about the materials that fill over 5 % more or less than wanted, because a layer or a wire is thinner than
+/// the voxels, each of which has one material; empty if there is none.
+/// @param wanted  [m^3]
+/// @param of      what the workpiece was built from, e.g. "labels"
+[[nodiscard]] std::string differences_of(const Workpiece& workpiece, const ByMaterial<double>& wanted,
+                                         const std::string& of);
+
 /// Compares the volume of each material of a workpiece with that of its labels. They differ where a layer or a wire is
 /// thinner than the voxels: a voxel has one material, and the surface between samples rounds corners.
 /// @param material_of  [65536] material of each label
