@@ -2,6 +2,8 @@
 #include "arrays.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "hapticut/core/errors.hpp"
 
@@ -32,10 +34,38 @@ bool has_shape(const py::array& array, std::span<const py::ssize_t> shape) {
   return true;
 }
 
+/// The numbers of an object as a new array; nothing when it holds no numbers. None is no number.
+/// @throws error_already_set for any other error, such as KeyboardInterrupt
+std::optional<py::array_t<double>> converted(py::handle given) {
+  try {
+    py::array_t<double, py::array::c_style | py::array::forcecast> array(py::reinterpret_borrow<py::object>(given));
+    const auto is_nan = [](double number) { return std::isnan(number); };
+    if (std::any_of(array.data(), array.data() + array.size(), is_nan)) {
+      const auto objects = py::module_::import("numpy").attr("array")(given, py::str("object")).attr("flat");
+      for (const py::handle object : objects)
+        if (object.is_none()) return std::nullopt;
+    }
+    return array;
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_TypeError) || error.matches(PyExc_ValueError)) return std::nullopt;
+    throw;
+  }
+}
+
+/// What to do about an array that is not the required one.
+std::string cure_of(py::handle given, std::span<const py::ssize_t> shape) {
+  const std::optional<py::array_t<double>> numbers = converted(given);
+  if (!numbers) return "";
+  if (has_shape(*numbers, shape)) return " numpy.ascontiguousarray(..., dtype=numpy.float64) makes one.";
+  if (shape.size() > 1 && shape[0] < 0 && has_shape(*numbers, shape.subspan(1)))
+    return " For n = 1 write x[numpy.newaxis].";
+  return "";
+}
+
 [[noreturn]] void refuse(py::handle given, const char* what, std::span<const py::ssize_t> shape) {
   throw Error(std::string(what) + ": " + describe_given(given) +
-              " was given; required is a C-contiguous array of shape " + describe_shape(shape) +
-              " and dtype float64. numpy.ascontiguousarray(..., dtype=numpy.float64) makes one.");
+              " was given; required is a C-contiguous array of shape " + describe_shape(shape) + " and dtype float64." +
+              cure_of(given, shape));
 }
 
 bool is_float64(const py::array& array) {
@@ -71,10 +101,9 @@ bool read_numbers(py::handle given, const char* what, std::initializer_list<py::
   } else if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
     return false;
   }
-  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
-  if (!array) PyErr_Clear();
-  if (!array || !has_shape(array, wanted)) refuse(array ? py::handle(array) : given, what, wanted);
-  std::copy_n(array.data(), array.size(), numbers);
+  const std::optional<py::array_t<double>> array = converted(given);
+  if (!array || !has_shape(*array, wanted)) refuse(array ? py::handle(*array) : given, what, wanted);
+  std::copy_n(array->data(), array->size(), numbers);
   return true;
 }
 

@@ -97,7 +97,13 @@ void bind_spatial(py::module_& m) {
         py::arg("R_WT"), py::arg("p_HoTo_W"), doc("transport#3"));
   m.def("rotation_from_vector", &rotation_from_vector, py::arg("v"), doc("rotation_from_vector"));
   m.def("vector_from_rotation", &vector_from_rotation, py::arg("rotation"), doc("vector_from_rotation"));
-  m.def("twist_between", &twist_between, py::arg("from_"), py::arg("to"), py::arg("dt"), doc("twist_between"));
+  m.def(
+      "twist_between",
+      [](const Pose& from, const Pose& to, double dt) {
+        require_positive(dt, "dt [s]");
+        return twist_between(from, to, dt);
+      },
+      py::arg("from_"), py::arg("to"), py::arg("dt"), doc("twist_between"));
   m.def("advance", &advance, py::arg("from_"), py::arg("twist"), py::arg("dt"), doc("advance"));
   m.def("is_rotation", &is_rotation, py::arg("m"), py::arg("tolerance"), doc("is_rotation"));
   m.def("orthonormalized", &orthonormalized, py::arg("m"), doc("orthonormalized"));

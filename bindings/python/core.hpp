@@ -38,11 +38,7 @@ Volume<Value> volume_from(py::handle values, const Vec3& spacing, const Pose& X_
   for (int axis = 0; axis < 3; ++axis) volume.dims[std::size_t(axis)] = int(given.shape(axis));
   using Wide = std::conditional_t<kLabels, std::int64_t, float>;
   // One pass in the order of the volume: x fastest.
-  const auto wide = py::array_t<Wide, py::array::f_style | py::array::forcecast>::ensure(given);
-  if (!wide) {
-    PyErr_Clear();
-    throw Error(what + ": " + describe_given(values) + " was given; " + needed());
-  }
+  const py::array_t<Wide, py::array::f_style | py::array::forcecast> wide(given);
   const Wide* numbers = wide.data();
   volume.values.resize(std::size_t(given.size()));
   for (std::size_t i = 0; i < volume.values.size(); ++i) {

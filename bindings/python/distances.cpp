@@ -8,6 +8,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "core/interruption.hpp"
 #include "documentation.hpp"
 #include "hapticut/workpiece/ray.hpp"
 #include "material_set.hpp"
@@ -21,6 +22,7 @@ struct RayHitRow {
   double distance;
   double point_W[3], normal_W[3];
   std::uint8_t material;
+  std::uint8_t unused[7] = {};  // so that equal rows have equal bytes
 };
 
 namespace {
@@ -66,6 +68,7 @@ py::array_t<double> distances_to(PythonSimulation& self, const MaterialChoice& c
   double* to = distances.mutable_data();
   const ReleasedWriting released(self.occupancy);
   for (std::size_t n = 0; n < matrices.size() / 16; ++n) {
+    look_for_interruption();
     const std::string name = "poses[" + std::to_string(n) + "]";
     to[n] = distance_to(simulation, material, pose_from(matrices.data() + 16 * n, name.c_str()), max_distance, name);
   }
@@ -94,7 +97,9 @@ py::array first_hits(const PythonWorkpiece& self, const Float64Array& origins, c
   py::array_t<RayHitRow> rows{py::ssize_t(rays)};
   RayHitRow* row = rows.mutable_data();
   const Workpiece& workpiece = self.read();
+  const ReleasedReading released(self.occupancy());
   for (std::size_t n = 0; n < rays; ++n) {
+    look_for_interruption();
     const std::optional<RayHit> hit =
         workpiece.first_hit(Vec3(from.data() + 3 * n), Vec3(along.data() + 3 * n), max_length, material);
     row[n] = {kNoLimit, {0, 0, 0}, {0, 0, 0}, kEmpty};

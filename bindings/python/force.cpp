@@ -32,11 +32,11 @@ void bind_laws(py::module_& m) {
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
       .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));
   using Foundation = FoundationLaw;
-  LawBinding<Foundation> foundation(m, "FoundationLaw", doc("FoundationLaw"));
+  LawBinding<Foundation> foundation(m, "FoundationLaw", py::is_final(), doc("FoundationLaw"));
   foundation.def(py::init<>()).def("__repr__", [](const Foundation&) { return "FoundationLaw()"; });
   pickled_by_constructor(foundation, {});
 
-  LawBinding<ThesisLaw> thesis(m, "ThesisLaw", doc("ThesisLaw"));
+  LawBinding<ThesisLaw> thesis(m, "ThesisLaw", py::is_final(), doc("ThesisLaw"));
   using Thesis = ThesisLaw::Constants;
   bind_struct<Thesis>(thesis, "Constants", "ThesisLaw::Constants",
                       field("reference_voxel_size", &Thesis::reference_voxel_size), field("damping", &Thesis::damping),
@@ -47,7 +47,7 @@ void bind_laws(py::module_& m) {
                              "As passed to the constructor.");
   pickled_by_constructor(thesis, {"constants"});
 
-  LawBinding<ContactMechanicsLaw> mechanics(m, "ContactMechanicsLaw", doc("ContactMechanicsLaw"));
+  LawBinding<ContactMechanicsLaw> mechanics(m, "ContactMechanicsLaw", py::is_final(), doc("ContactMechanicsLaw"));
   pickled_by_constructor(mechanics, {"effective_modulus"});
   mechanics.def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))
       .def_property_readonly("effective_modulus", &ContactMechanicsLaw::effective_modulus,
@@ -57,14 +57,14 @@ void bind_laws(py::module_& m) {
       .def_static("depth_of", &ContactMechanicsLaw::depth_of, py::arg("head"), py::arg("volume"),
                   doc("ContactMechanicsLaw::depth_of"));
 
-  LawBinding<HertzianBurrLaw> burr(m, "HertzianBurrLaw", doc("HertzianBurrLaw"));
+  LawBinding<HertzianBurrLaw> burr(m, "HertzianBurrLaw", py::is_final(), doc("HertzianBurrLaw"));
   pickled_by_constructor(burr, {"stiffness"});
   burr.def(py::init<double>(), py::arg("stiffness"), doc("HertzianBurrLaw::HertzianBurrLaw"))
       .def_property_readonly("stiffness", &HertzianBurrLaw::stiffness, doc("HertzianBurrLaw::stiffness"))
       .def("force", &HertzianBurrLaw::force, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::force"))
       .def("energy", &HertzianBurrLaw::energy, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::energy"));
 
-  LawBinding<DampingMatrixLaw> damping(m, "DampingMatrixLaw", doc("DampingMatrixLaw"));
+  LawBinding<DampingMatrixLaw> damping(m, "DampingMatrixLaw", py::is_final(), doc("DampingMatrixLaw"));
   using Damping = DampingMatrixLaw::Constants;
   bind_struct<Damping>(damping, "Constants", "DampingMatrixLaw::Constants", field("resistance", &Damping::resistance),
                        field("friction", &Damping::friction));
@@ -73,7 +73,7 @@ void bind_laws(py::module_& m) {
                              "As passed to the constructor.");
   pickled_by_constructor(damping, {"constants"});
 
-  LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", doc("TwistDrillLaw"));
+  LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", py::is_final(), doc("TwistDrillLaw"));
   using Drill = TwistDrillLaw::Constants;
   bind_struct<Drill>(drill, "Constants", "TwistDrillLaw::Constants", field("specific_energy", &Drill::specific_energy),
                      field("max_feed_per_revolution", &Drill::max_feed_per_revolution));

@@ -54,6 +54,7 @@ void bind_collector(py::module_& m) {
                                     (std::string(doc("HeatCollector")) + "\n\nIt keeps its simulation alive.").c_str())
       .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, const HeatCollectorOptions& options) {
              simulation->occupancy.require_writable("The simulation");
+             simulation->remove_deleted_observers();
              auto collector = std::make_shared<C>(simulation->simulation, options);
              simulation->observers.push_back(collector);
              return collector;

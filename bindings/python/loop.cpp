@@ -138,7 +138,7 @@ struct GivenCommand {
     });
     if (command) return {object, std::move(*command)};
     throw py::type_error(
-        "send() takes a command: one of hapticut.commands, or the result of SimulationModel.prepare_tool, "
+        "send() takes a command: one of hapticut.loop.commands, or the result of SimulationModel.prepare_tool, "
         "prepare_materials or prepare_workpiece");
   }
 };

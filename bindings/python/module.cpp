@@ -68,6 +68,26 @@ void shorten_signature(py::detail::function_record& record) {
   if (record.def != nullptr) leave_out_module(const_cast<char*>(record.def->ml_doc));  // pybind11's own copy
 }
 
+/// A message with the names of C++ as Python writes them: `SimulationConfig.contact_time`.
+std::string in_words_of_python(std::string message) {
+  for (std::size_t at = 0; (at = message.find("::", at)) != std::string::npos;) message.replace(at, 2, ".");
+  return message;
+}
+
+/// Makes errors of the library and failed conversions errors of Python.
+void translate_errors(const py::handle& error) {
+  static PyObject* const kind = error.ptr();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const hapticut::Error& refused) {
+      PyErr_SetString(kind, in_words_of_python(refused.what()).c_str());
+    } catch (const py::cast_error&) {
+      PyErr_SetString(PyExc_TypeError, "an object of a wrong type was given or returned; see the types in the help.");
+    }
+  });
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_hapticut, m) {
@@ -76,6 +96,7 @@ PYBIND11_MODULE(_hapticut, m) {
   const auto error = py::register_exception<hapticut::Error>(m, "Error", PyExc_RuntimeError);
   error.attr("__doc__") =
       "A request cannot be fulfilled. The message says what was given, what is allowed and what to do.";
+  translate_errors(error);
   translate_interruptions();
   bind_core(m);
   bind_tool(m);

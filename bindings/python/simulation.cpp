@@ -102,8 +102,10 @@ void bind_the_simulation(py::module_& m) {
           "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
           "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time`\n"
           "    [s] is the time since the beginning of the run.\n\n"
-          "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
-          "then no step was made.\n    `status` reports all other errors of an input, as in step.\n\n"
+          "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite, "
+          "or\n"
+          "    the last row of a pose is not 0 0 0 1; then no step was made. `status` reports all other errors of an\n"
+          "    input, as in step.\n\n"
           "Warns\n-----\nUserWarning\n    When no step was made.")
       .def(
           "probe",
@@ -119,7 +121,9 @@ void bind_the_simulation(py::module_& m) {
           "removed_in_run",
           [](S& self) -> py::array {
             self.occupancy.require_readable("The simulation");
-            return py::array_t<RemovedInRun>(py::ssize_t(self.removed.size()), self.removed.data());
+            py::array_t<RemovedInRun> rows(py::ssize_t(self.removed.size()));
+            std::copy(self.removed.begin(), self.removed.end(), rows.mutable_data());
+            return rows;
           },
           "(n,) structured: step, index (3,) and material of every voxel that the last run emptied.")
       .def_property_readonly(

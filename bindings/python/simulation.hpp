@@ -13,9 +13,10 @@ namespace hapticut::python {
 
 /// A voxel that became empty in a run.
 struct RemovedInRun {
-  std::int64_t step;      ///< index of the step in the run
-  std::int32_t index[3];  ///< in the workpiece's grid
-  std::uint8_t material;  ///< material id
+  std::int64_t step;            ///< index of the step in the run
+  std::int32_t index[3];        ///< in the workpiece's grid
+  std::uint8_t material;        ///< material id
+  std::uint8_t unused[3] = {};  ///< so that equal rows have equal bytes
 };
 
 /// A simulation owned by Python.
@@ -30,6 +31,11 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
       recorder;  ///< recorder that observes the simulation; code that makes steps without the lock keeps it alive
 
   std::vector<std::shared_ptr<StepObserver>> observers;  ///< observers made in Python; destroyed first
+
+  /// Removes the observers that Python has deleted. They stay until then, because another thread may make steps.
+  void remove_deleted_observers() {
+    std::erase_if(observers, [](const auto& observer) { return observer.use_count() == 1; });
+  }
 
   /// @throws Error while another thread uses it
   [[nodiscard]] const Simulation& read() const {

@@ -17,12 +17,15 @@ namespace hapticut::python {
 class Occupancy {
  public:
   void require_readable(const char* what) const {
-    if (writing_) throw Error(std::string(what) + " is in use by another thread; wait until that thread has finished.");
+    if (writing_)
+      throw Error(std::string(what) +
+                  " is in use by another thread; wait until that thread has finished, or stop its loop.");
   }
   void require_writable(const char* what) const {
     require_readable(what);
     if (readers_ > 0)
-      throw Error(std::string(what) + " is being read by another thread; wait until that thread has finished.");
+      throw Error(std::string(what) +
+                  " is being read by another thread; wait until that thread has finished, or stop its loop.");
   }
 
  private:

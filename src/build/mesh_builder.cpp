@@ -10,11 +10,11 @@
 #include <string>
 
 #include "build/crossings.hpp"
-#include "build/voxel_amounts.hpp"
 #include "build/lost_parts.hpp"
 #include "build/orient.hpp"
 #include "build/surface_check.hpp"
 #include "build/volume_sampling.hpp"  // kMaxSubsamples
+#include "build/voxel_amounts.hpp"
 #include "build/winding_number.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "build/boxes.hpp"
-#include "build/voxel_amounts.hpp"
 #include "build/volume_fields.hpp"
+#include "build/voxel_amounts.hpp"
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -59,7 +59,7 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   if (options.voxel_size <= 0 && size > kMaxVoxelSize)
     throw Error("its samples are " + format_number(size / units::mm) + " mm apart; voxels have at most " +
                 format_number(kMaxVoxelSize / units::mm) +
-                " mm. The unit in the file may be wrong: set VolumeReadOptions::spacing.");
+                " mm. Its unit may be wrong: spacings are in metres; for a file set VolumeReadOptions::spacing.");
   require_metres(size, kMaxVoxelSize, "voxel size [m]");
 
   Layout layout;
@@ -189,7 +189,8 @@ void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
     for (int i = 0; i < count; ++i) sum += row[i] * 0.0F;
     if (!(sum == 0)) finite.store(false, std::memory_order_relaxed);
   });
-  if (!finite) throw Error("the volume has grey values that are not finite numbers; replace them or crop them away.");
+  if (!finite)
+    throw Error("the volume has grey values that are not finite in single precision; replace them or crop them away.");
 }
 
 std::optional<Vec3> spacing_at_borders(const GreyVolume& volume, const VolumeBuildOptions& options) {

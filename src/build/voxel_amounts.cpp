@@ -75,9 +75,9 @@ void compare_with_labels(const Workpiece& workpiece, const LabelVolume& volume,
   const double smallest = volume.spacing.minCoeff();
   const bool cubes = volume.spacing.maxCoeff() <= smallest * (1 + 1e-6);
   const std::string sentence =
-      differences +
-      (cubes ? "Choose voxels of " + format_number(smallest / units::mm) + " mm, the spacing of the labels"
-             : "Resample the labels to cubes first, and choose voxels of that size");
+      differences + (cubes
+                         ? "Choose voxels of " + format_number(smallest / units::mm) + " mm, the spacing of the labels"
+                         : "Resample the labels to cubes first, and choose voxels of that size");
   if (!warn) throw Error(sentence + ", or set VolumeBuildOptions::warn to go on.");
   warn(sentence + ".");
 }

@@ -11,8 +11,8 @@
 
 namespace hapticut {
 
-/// A sentence about the materials that fill over 5 % more or less than wanted, because a layer or a wire is thinner than
-/// the voxels, each of which has one material; empty if there is none.
+/// A sentence about the materials that fill over 5 % more or less than wanted, because a layer or a wire is thinner
+/// than the voxels, each of which has one material; empty if there is none.
 /// @param wanted  [m^3]
 /// @param of      what the workpiece was built from, e.g. "labels"
 [[nodiscard]] std::string differences_of(const Workpiece& workpiece, const ByMaterial<double>& wanted,

@@ -102,6 +102,10 @@ void HeatField::update(const VoxelIndex& origin, const MaterialId* material, con
 }
 
 void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
+  if (!(workpiece.frame() == frame_) || std::size_t(workpiece.materials().size()) != materials_)
+    throw Error(
+        "HeatField::update was given another workpiece: its voxels or materials are not those of the field. Make a "
+        "field of it.");
   BlockContent content;
   for (const VoxelIndex& origin : origins) {
     workpiece.block(origin).copy_to(content.material, content.fill);
@@ -206,7 +210,7 @@ double HeatField::drain(HeatCollector& collector) {
     cut += config_.cutting_share * pulse.cut + config_.rubbing_share * pulse.rubbed_in_cut;
     if (pulse.rubbed > 0) add_heat(pulse.p_WQ, config_.rubbing_share * pulse.rubbed, pulse.radius);
   }
-  add_cutting_heat(cut);
+  add_cutting_heat(std::max(cut, 0.0));
   return time;
 }
 
@@ -265,6 +269,9 @@ bool HeatField::add_to_surface(const Vec3& p_WQ, double heat, double radius) {
 }
 
 void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
+  if (!is_finite(p_WQ)) throw Error("HeatField::add_heat: the point must be finite.");
+  require_within(heat, Range::not_negative(), "HeatField::add_heat: heat [J]");
+  require_within(radius, Range::not_negative(), "HeatField::add_heat: radius [m]");
   if (radius > 0 && add_to_surface(p_WQ, heat, radius)) return;
   double weights = 0, nearest = 0;
   std::size_t at = 0;
@@ -316,6 +323,7 @@ void HeatField::spread(std::size_t cell, double heat) {
 }
 
 void HeatField::add_cutting_heat(double heat) {
+  require_within(heat, Range::not_negative(), "HeatField::add_cutting_heat: heat [J]");
   waiting_ += heat;
   double removed = 0;
   for (const std::size_t cell : removed_) removed += cells_.removed[cell];

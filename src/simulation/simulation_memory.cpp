@@ -160,9 +160,9 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
 
 std::string SimulationMemory::bytes_of(const Simulation& simulation) {
   const Workpiece& workpiece = simulation.workpiece();
-  if (workpiece.marks() + workpiece.redo_marks() > 0)
-    throw Error("the simulation has " + std::to_string(workpiece.marks() + workpiece.redo_marks()) +
-                " marks for undo and redo, which a copy cannot have; delete them with reserve_undo before you copy.");
+  if (const std::size_t marks = workpiece.marks() + workpiece.redo_marks(); marks > 0)
+    throw Error("the simulation has " + std::to_string(marks) + (marks == 1 ? " mark" : " marks") +
+                " for undo and redo, which a copy cannot have; delete all with reserve_undo before you copy.");
   Writer writer;
   ReservedNodes nodes = reserved_nodes(workpiece);
   std::size_t undo_blocks = workpiece.undo_blocks();

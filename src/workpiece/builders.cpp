@@ -10,11 +10,16 @@
 namespace hapticut {
 namespace {
 
+std::string text_of(const Vec3& p) {
+  return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ")";
+}
+
 void validate(const Box& box, double voxel_size) {
   require_positive(voxel_size, "voxel size [m]");
   require_metres(voxel_size, kMaxVoxelSize, "voxel size [m]");
   if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
-    throw Error("the box of a workpiece must be finite and have max > min along every axis.");
+    throw Error("the box of a workpiece is from " + text_of(box.min) + " to " + text_of(box.max) +
+                " m; it must be finite and have max > min along every axis.");
   if (!((box.max - box.min).maxCoeff() / voxel_size < 1e9))
     throw Error("the box of a workpiece is " + format_number((box.max - box.min).maxCoeff() / voxel_size) +
                 " voxels long; choose a larger voxel size.");

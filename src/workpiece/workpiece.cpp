@@ -215,14 +215,6 @@ struct WorkpieceSnapshot::Voxels {
   int materials;
 };
 
-namespace {
-
-bool same(const GridFrame& a, const GridFrame& b) {
-  return a.voxel_size == b.voxel_size && a.X_WV.rotation == b.X_WV.rotation && a.X_WV.translation == b.X_WV.translation;
-}
-
-}  // namespace
-
 WorkpieceSnapshot Workpiece::snapshot() const {
   WorkpieceSnapshot snapshot;
   snapshot.voxels_ = std::shared_ptr<const WorkpieceSnapshot::Voxels>(
@@ -238,7 +230,7 @@ void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
     return std::to_string(materials) + (materials == 1 ? " material" : " materials") + " in voxels of " +
            format_number(frame.voxel_size / units::mm) + " mm";
   };
-  if (saved.materials != materials().size() || !same(saved.frame, frame()))
+  if (saved.materials != materials().size() || !(saved.frame == frame()))
     throw Error("the snapshot is of another workpiece: it has " + describe(saved.frame, saved.materials) +
                 ", and the present one has " + describe(frame(), materials().size()) +
                 (saved.frame.voxel_size == voxel_size() ? ", or lies elsewhere" : "") +

@@ -126,3 +126,11 @@ def test_a_coupling_tells_the_first_touches_of_its_ticks(slab):
     for pose in at(*(0.6 * mm - 5e-6 * np.arange(60))):
         events += coupling.step(pose, [0, 0, -5 * mm, 0, 0, 0], 1e-3).first_touched
     assert events == [1]
+
+
+def test_rays_of_any_length_and_equal_rows_have_equal_bytes(slab):
+    lengths = [1e-300, 1e-160, 1, 1e160, 1e300]
+    origins, directions = np.tile([0, 0, 5 * mm], (5, 1)), np.outer(lengths, [0, 0, -1])
+    hits = slab.first_hits(origins, directions)
+    assert len({row.tobytes() for row in hits}) == 1 and np.all(np.isfinite(hits["distance"]))
+    assert slab.first_hit(origins[0], directions[0]).distance == hits["distance"][0]

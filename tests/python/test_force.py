@@ -79,3 +79,43 @@ def test_effects_are_added_and_limited():
     assert np.allclose(limited.force, np.array([1, 2, 3]) / 14**0.5)
     with pytest.raises(h.Error, match="frequency"):
         h.validate(h.effects.Vibration(frequency=460.0), 1000.0)
+
+
+def test_a_law_of_python_is_refused_where_it_is_made():
+    for law in (h.FoundationLaw, h.ThesisLaw, h.ContactMechanicsLaw, h.HertzianBurrLaw, h.DampingMatrixLaw,
+                h.TwistDrillLaw):
+        with pytest.raises(TypeError, match="not an acceptable base type"):
+            type("Mine", (law,), {})
+
+
+def test_messages_have_the_names_and_the_cures_of_python():
+    with pytest.raises(h.Error, match=r"SimulationConfig\.") as refused:
+        h.validate(h.SimulationConfig(update_rate=-1.0))
+    assert "::" not in str(refused.value)
+
+
+def test_an_array_of_a_wrong_shape_is_told_a_cure_that_cures(simulation):
+    pose, rest = np.eye(4), np.zeros(6)
+    pose[2, 3] = 30 * mm
+    with pytest.raises(h.Error, match=r"shape \(n, 4, 4\).*write x\[numpy.newaxis\]"):
+        simulation.run(pose, rest[None], 1e-3)
+    simulation.run(pose[np.newaxis], rest[None], 1e-3)
+    with pytest.raises(h.Error, match="shape .4, 4.") as refused:
+        simulation.step(np.eye(3), rest, 1e-3)
+    assert "makes one" not in str(refused.value)
+    with pytest.raises(h.Error, match="makes one"):
+        simulation.run(pose[None].astype(np.float32), rest[None], 1e-3)
+    with pytest.raises(h.Error, match="a vector"):
+        h.Wrench([1, 2, None], [0, 0, 0])
+    with pytest.raises(ValueError, match="must be"):
+        h.Pose.inverse(np.eye(3))
+    with pytest.raises(ValueError, match="not a rigid transform"):
+        h.Pose.inverse(2 * np.eye(4))
+    assert np.allclose(h.Pose.inverse(pose) @ pose, np.eye(4))
+    with pytest.raises(h.Error, match="dt"):
+        h.twist_between(pose, pose, 0)
+
+
+def test_an_object_of_a_wrong_type_is_a_type_error(simulation):
+    with pytest.raises(TypeError):
+        h.loop.RealtimeLoop(simulation)

@@ -111,3 +111,23 @@ def test_a_model_lets_islands_leave_where_it_is_asked_to(simulation):
     loop.start()
     loop.wait()
     assert model.island_count == 0
+
+
+def test_heat_that_is_no_heat_and_blocks_of_another_workpiece_are_refused(block):
+    field = h.heat.HeatField(block)
+    bad = [([0, 0, np.nan], 1.0, 0.0), ([0, 0, -mm], np.nan, 0.0), ([0, 0, -mm], -1.0, 0.0), ([0, 0, -mm], 1.0, -mm)]
+    for point, heat, radius in bad:
+        with pytest.raises(h.Error, match="HeatField.add_heat"):
+            field.add_heat(point, heat, radius)
+    with pytest.raises(h.Error, match="HeatField.add_cutting_heat"):
+        field.add_cutting_heat(np.nan)
+    assert field.balance().brought_in == 0
+    other = h.build_block(h.Box([-mm] * 3, [mm] * 3), 0.2 * mm, h.presets.dentin())
+    with pytest.raises(h.Error, match="another workpiece"):
+        field.update(other, np.zeros((1, 3), np.int32))
+
+
+def test_a_collector_that_is_deleted_makes_room_for_the_next(simulation):
+    for _ in range(20):
+        del_me = h.heat.HeatCollector(simulation)
+        del del_me

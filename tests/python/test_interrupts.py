@@ -201,3 +201,15 @@ def test_a_run_in_another_thread_is_left_alone(simulation, plunge):
 
 def test_the_docstring_of_run_says_what_is_left():
     assert "KeyboardInterrupt" in hapticut.Simulation.run.__doc__
+
+
+def test_ctrl_c_within_the_reading_of_a_list_is_no_error_of_the_list(tmp_path):
+    for _ in range(3):
+        interrupted("""
+begun()
+try:
+    while True:
+        hapticut.Wrench([0, 0, 1], [0, 0, 0])
+except hapticut.Error as error:
+    print("an Error:", error)
+""", tmp_path)

@@ -199,7 +199,7 @@ def test_marks_for_undo_are_refused_and_the_cure_cures(simulation, plunge):
     simulation.set_undo_mark()
     simulation.run(*plunge, 1e-3)
     for made in WAYS.values():
-        with pytest.raises(h.Error, match="1 marks for undo and redo, which a copy cannot have.*reserve_undo"):
+        with pytest.raises(h.Error, match="1 mark for undo and redo, which a copy cannot have.*reserve_undo"):
             made(simulation)
     simulation.reserve_undo(64)
     for made in WAYS.values():

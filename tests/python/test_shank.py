@@ -50,7 +50,7 @@ def test_a_handle_must_say_how_long_it_is():
     handle = h.RayHandle(10 * mm)
     handle.length = 20 * mm
     assert handle.length == 20 * mm
-    with pytest.raises(h.Error, match="LHandle::length .m. must be given"):
+    with pytest.raises(h.Error, match="LHandle.length .m. must be given"):
         h.Tool(h.SphereHead(1 * mm), h.LHandle())
 
 

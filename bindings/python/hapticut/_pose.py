@@ -32,11 +32,21 @@ class Pose:
 
     @staticmethod
     def inverse(X_AB: ArrayLike) -> NDArray[np.float64]:
-        """The inverse ``X_BA`` of a pose or of poses (..., 4, 4)."""
+        """The inverse ``X_BA`` of a pose or of poses (..., 4, 4).
+
+        Raises
+        ------
+        ValueError
+            When a matrix is no rigid transform.
+        """
         X = np.asarray(X_AB, dtype=np.float64)
+        if X.shape[-2:] != (4, 4):
+            raise ValueError(f"X_AB has shape {X.shape}; it must be (..., 4, 4).")
+        R = X[..., :3, :3]
+        if not (np.allclose(R @ np.swapaxes(R, -1, -2), np.eye(3), atol=1e-6) and np.all(X[..., 3, :] == (0, 0, 0, 1))):
+            raise ValueError("X_AB is not a rigid transform: its rotation must be orthonormal, its last row 0 0 0 1.")
         inverse = np.zeros_like(X)
-        R = np.swapaxes(X[..., :3, :3], -1, -2)
-        inverse[..., :3, :3] = R
-        inverse[..., :3, 3] = -np.einsum("...ij,...j->...i", R, X[..., :3, 3])
+        inverse[..., :3, :3] = np.swapaxes(R, -1, -2)
+        inverse[..., :3, 3] = -np.einsum("...ji,...j->...i", R, X[..., :3, 3])
         inverse[..., 3, 3] = 1
         return inverse

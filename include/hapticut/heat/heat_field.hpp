@@ -140,11 +140,13 @@ class HeatField {
 
   /// Adds heat at a point, distributed over the material of the cells around it, or over the surface within a radius
   /// [m]. If there is no material near it, the heat counts as left with the chips.
+  /// @throws Error when a number is not finite, or heat [J] or radius are negative
   void add_heat(const Vec3& p_WQ, double heat, double radius = 0);
 
   /// Adds heat where material was removed since the last call, in proportion to its volume and specific cutting energy,
   /// to the material that is left in those cells and beside them. If no material was removed yet, the heat waits until
   /// some is.
+  /// @throws Error when the heat [J] is not finite or negative
   void add_cutting_heat(double heat);
 
   /// Updates a block to its present content. Material that came back has body temperature.
@@ -152,6 +154,7 @@ class HeatField {
   void update(const VoxelIndex& origin, const MaterialId* material, const float* fill);
 
   /// Updates blocks of a workpiece that a step has changed.
+  /// @throws Error when its voxels are not those of the workpiece that the field was made of
   void update(const Workpiece& workpiece, std::span<const VoxelIndex> origins);
 
   void advance(double dt);  ///< [s] advances the temperatures by any time, in small enough parts

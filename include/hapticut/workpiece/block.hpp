@@ -54,6 +54,10 @@ struct GridFrame {
   [[nodiscard]] Vec3 center(const VoxelIndex& index) const {
     return X_WV * (voxel_size * Vec3(index[0], index[1], index[2]));
   }
+  [[nodiscard]] bool operator==(const GridFrame& other) const {
+    return voxel_size == other.voxel_size && X_WV.rotation == other.X_WV.rotation &&
+           X_WV.translation == other.X_WV.translation;
+  }
 };
 
 /// Centroid of the filled part of a voxel, relative to the voxel's centre, in steps of 1/1024 of a voxel edge. Laws

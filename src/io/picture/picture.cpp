@@ -249,7 +249,10 @@ ColoredMesh colored(const WorkpieceSurface& surface, const MaterialTable& materi
   std::vector<Color> by_id = {Color{}};
   for (const Material& material : materials.all()) by_id.push_back(material_color(material.name));
   mesh.colors.reserve(surface.materials.size());
-  for (const MaterialId id : surface.materials) mesh.colors.push_back(by_id.at(id));
+  for (const MaterialId id : surface.materials) {
+    (void)materials[id];  // throws when it is not in the table
+    mesh.colors.push_back(by_id[id]);
+  }
   return mesh;
 }
 

@@ -30,7 +30,8 @@ TEST_F(LeftOut, ALayerThinnerThanTheVoxelsIsSaidWithItsCure) {
   const std::string coarse = path("v.nrrd") + kLabels + "--voxel_mm 0.3 --json " + path("i.json");
   const Outcome outcome = run("inspect " + coarse);
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.errors.find("voxels of 0.3 mm are too coarse for the labels: "), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("voxels of 0.3 mm are too coarse for the labels: "), std::string::npos)
+      << outcome.errors;
   EXPECT_NE(outcome.errors.find("'enamel' fills "), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("its labels 0.196 mm^3"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("Choose voxels of 0.1 mm"), std::string::npos) << outcome.errors;

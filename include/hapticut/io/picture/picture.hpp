@@ -26,6 +26,7 @@ struct PictureOptions {
 [[nodiscard]] Color material_color(std::string_view name);
 
 /// The surface with the colours of its materials.
+/// @throws Error when the table lacks a material of the surface
 [[nodiscard]] ColoredMesh colored(const WorkpieceSurface& surface, const MaterialTable& materials);
 
 /// Writes a PNG picture: smooth shading, light from the upper left of the camera, 4x antialiasing. An existing file is
