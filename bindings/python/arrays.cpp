@@ -41,7 +41,7 @@ std::optional<py::array_t<double>> converted(py::handle given) {
     py::array_t<double, py::array::c_style | py::array::forcecast> array(py::reinterpret_borrow<py::object>(given));
     const auto is_nan = [](double number) { return std::isnan(number); };
     if (std::any_of(array.data(), array.data() + array.size(), is_nan)) {
-      const auto objects = py::module_::import("numpy").attr("array")(given, py::str("object")).attr("flat");
+      const py::object objects = py::module_::import("numpy").attr("array")(given, py::str("object")).attr("ravel")();
       for (const py::handle object : objects)
         if (object.is_none()) return std::nullopt;
     }

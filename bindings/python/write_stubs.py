@@ -8,6 +8,7 @@ writes nothing, prints the reason, and the build continues: types are not needed
 """
 import ast
 import importlib
+import re
 import sys
 import tempfile
 import types
@@ -23,6 +24,13 @@ def import_alone(module: Path) -> None:
     importlib.import_module("hapticut._hapticut")
 
 
+def mark_final(found: re.Match[str]) -> str:
+    """The beginning of a class in the stub, with its mark when it cannot be derived."""
+    may_be_derived = 1 << 10  # Py_TPFLAGS_BASETYPE
+    kind = getattr(sys.modules["hapticut._hapticut"], found[1])
+    return found[0] if kind.__flags__ & may_be_derived else f"@typing.final\n{found[0]}"
+
+
 def stub() -> str:
     """The text of _hapticut.pyi for the imported module."""
     from pybind11_stubgen import main
@@ -32,6 +40,7 @@ def stub() -> str:
               "--enum-class-locations", r"^Kind$:hapticut._hapticut.VdbImport",
               "--enum-class-locations", ".*:hapticut._hapticut", "hapticut._hapticut"])
         text = (Path(folder) / "hapticut" / "_hapticut.pyi").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^class (\w+)", mark_final, text)
     ast.parse(text)
     return "# SPDX-License-Identifier: Apache-2.0\n# Written by pybind11-stubgen.\n" + text
 

@@ -217,8 +217,7 @@ struct WorkpieceSnapshot::Voxels {
 
 WorkpieceSnapshot Workpiece::snapshot() const {
   WorkpieceSnapshot snapshot;
-  snapshot.voxels_ = std::shared_ptr<const WorkpieceSnapshot::Voxels>(
-      new WorkpieceSnapshot::Voxels{*state_->trees, frame(), materials().size()});
+  snapshot.voxels_.reset(new WorkpieceSnapshot::Voxels{*state_->trees, frame(), materials().size()});
   return snapshot;
 }
 

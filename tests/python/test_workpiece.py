@@ -286,7 +286,7 @@ def test_labels_that_are_too_thin_for_the_voxels_are_a_warning():
     array[3:17, 3:17, 1:7] = 1
     array[3:17, 3:17, 7] = 2
     materials = {1: hapticut.presets.dentin(), 2: hapticut.presets.enamel()}
-    with pytest.warns(UserWarning, match="voxels of 0.3 mm are too coarse for the labels: 'enamel' fills .* its labels 0.196 mm"):
+    with pytest.warns(UserWarning, match="voxels of 0.3 mm are too coarse for the labels: .*'enamel' fills .* its labels 0.196 mm"):
         hapticut.Workpiece.from_labels(array, [0.1 * mm] * 3, materials,
                                        options=hapticut.VolumeBuildOptions(voxel_size=0.3 * mm))
     hapticut.Workpiece.from_labels(array, [0.1 * mm] * 3, materials)  # warnings are errors here
