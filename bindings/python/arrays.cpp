@@ -47,7 +47,8 @@ std::optional<py::array_t<double>> converted(py::handle given) {
     }
     return array;
   } catch (const py::error_already_set& error) {
-    if (error.matches(PyExc_TypeError) || error.matches(PyExc_ValueError)) return std::nullopt;
+    for (PyObject* wrong : {PyExc_TypeError, PyExc_ValueError, PyExc_OverflowError})
+      if (error.matches(wrong)) return std::nullopt;
     throw;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/pybind11.h>
 
+#include <cctype>
 #include <cstring>
 #include <string>
 
@@ -70,7 +71,11 @@ void shorten_signature(py::detail::function_record& record) {
 
 /// A message with the names of C++ as Python writes them: `SimulationConfig.contact_time`.
 std::string in_words_of_python(std::string message) {
-  for (std::size_t at = 0; (at = message.find("::", at)) != std::string::npos;) message.replace(at, 2, ".");
+  const auto is_of_name = [&](std::size_t at) {
+    return at < message.size() && (std::isalnum(static_cast<unsigned char>(message[at])) != 0 || message[at] == '_');
+  };
+  for (std::size_t at = 1; (at = message.find("::", at)) != std::string::npos; ++at)
+    if (is_of_name(at - 1) && is_of_name(at + 2)) message.replace(at, 2, ".");
   return message;
 }
 

@@ -13,8 +13,9 @@ namespace hapticut {
 /// three or more triangles do not connect triangles.
 ///
 /// At last, closed outer pieces that face inwards are flipped, e.g. the mirrored half of a jaw, together with all
-/// pieces inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. If any piece
-/// is open, this step is left out.
+/// pieces inside them. Otherwise a piece inside another keeps its orientation, because it may be a cavity. Open pieces
+/// stay as they are. If they face inwards, taken together, all closed ones do so too: the whole surface is inside out,
+/// which `WindingNumber` mends.
 /// @throws Error as `without_repeated_faces`
 [[nodiscard]] TriangleMesh oriented(TriangleMesh mesh);
 

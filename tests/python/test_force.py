@@ -105,8 +105,9 @@ def test_an_array_of_a_wrong_shape_is_told_a_cure_that_cures(simulation):
     assert "makes one" not in str(refused.value)
     with pytest.raises(h.Error, match="makes one"):
         simulation.run(pose[None].astype(np.float32), rest[None], 1e-3)
-    with pytest.raises(h.Error, match="a vector"):
-        h.Wrench([1, 2, None], [0, 0, 0])
+    for no_number in (None, 10**400, "x"):
+        with pytest.raises(h.Error, match="a vector"):
+            h.Wrench([1, 2, no_number], [0, 0, 0])
     with pytest.raises(ValueError, match="must be"):
         h.Pose.inverse(np.eye(3))
     with pytest.raises(ValueError, match="not a rigid transform"):
