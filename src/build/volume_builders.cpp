@@ -14,6 +14,7 @@
 #include "build/volume_fields.hpp"
 #include "build/voxel_amounts.hpp"
 #include "core/interruption.hpp"
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
@@ -197,6 +198,18 @@ std::optional<Vec3> spacing_at_borders(const GreyVolume& volume, const VolumeBui
   return options.partial_volume ? std::optional(volume.spacing) : std::nullopt;
 }
 
+void warn_of_empty_ranges(const Workpiece& workpiece, const GreyVolume& volume, const std::vector<GreyRange>& ranges,
+                          const std::function<void(const std::string&)>& warn) {
+  for (const MaterialAmount& amount : workpiece.amounts()) {
+    if (amount.volume > 0) continue;
+    const GreyRange& range = ranges[amount.material - 1U];
+    const auto [lowest, highest] = grey_range(volume);
+    warn("no voxel is '" + range.material.name + "', grey values " + format_number(range.from, range.to) + " ... " +
+         format_number(range.to, range.from) + "; those of the volume are " + format_number(lowest) + " ... " +
+         format_number(highest) + ".");
+  }
+}
+
 double between(double low, double high, double t) { return low + t * (high - low); }
 
 }  // namespace
@@ -251,7 +264,10 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
       throw Error("the grey ranges of '" + table[bounds[n - 1].material].name + "' and '" +
                   table[bounds[n].material].name + "' overlap; a grey value can be one material only.");
   require_finite_values(volume, layout.samples);
-  return build(volume, GreyField(bounds, false, spacing_at_borders(volume, options)), layout, table, options);
+  Workpiece workpiece =
+      build(volume, GreyField(bounds, false, spacing_at_borders(volume, options)), layout, table, options);
+  if (options.warn) warn_of_empty_ranges(workpiece, volume, ranges, options.warn);
+  return workpiece;
 }
 
 std::vector<Material> materials_of(const Grade& grade) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Workpieces from built-in shapes and from files.
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "build/voxel_amounts.hpp"
 #include "hapticut/build/molar.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
@@ -83,7 +85,19 @@ Workpiece make_slab(const Source& s) {
       throw Error("a layer of the slab has no material or no thickness_mm; each layer needs both.");
     layers.push_back({s.materials.find(layer.material), *layer.thickness_mm * units::mm});
   }
-  return build_layered_slab(box_of(s), voxel_size(s), layers);
+  const Box box = box_of(s);
+  Workpiece slab = build_layered_slab(box, voxel_size(s), layers);
+  const Vec3 size = box.max - box.min;
+  ByMaterial<double> wanted{};  // [m^3]
+  double left = size.z();
+  for (std::size_t n = 0; n < layers.size(); ++n) {
+    const double thickness = std::min(left, layers[n].thickness);
+    left -= thickness;
+    wanted[n + 1] = size.x() * size.y() * thickness;
+  }
+  if (const std::string found = differences_of(slab, wanted, "layers"); s.warn && !found.empty())
+    s.warn(found + "Choose smaller voxels, or layers of whole voxels.");
+  return slab;
 }
 
 /// The materials of the workpiece with the user's changes.

@@ -10,6 +10,8 @@
 namespace hapticut {
 namespace {
 
+constexpr double kNoise = 1e-6;  // [voxels] a voxel counts if more of it is filled
+
 std::string text_of(const Vec3& p) {
   return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ")";
 }
@@ -34,8 +36,7 @@ IndexBox voxels_of(const Box& box, double voxel_size) {
   IndexBox voxels;
   for (int axis = 0; axis < 3; ++axis) {
     voxels.min[axis] = 0;
-    // A voxel counts if the box fills it by more than rounding noise.
-    voxels.max[axis] = int(std::ceil((box.max[axis] - box.min[axis]) / voxel_size - 1e-6)) - 1;
+    voxels.max[axis] = int(std::ceil((box.max[axis] - box.min[axis]) / voxel_size - kNoise)) - 1;
   }
   return voxels;
 }
@@ -102,10 +103,12 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
   struct Covered {
     double fraction, middle;  // [voxel edges], middle from the voxel's centre
   };
-  const auto covered = [&](double center, double low, double high) -> Covered {
-    const double from = std::max(-0.5, (low - center) / voxel_size);
-    const double to = std::min(0.5, (high - center) / voxel_size);
-    if (to - from >= 1 - 1e-6) return {1, 0};
+  const double lowest = std::max(box.min.z(), bottoms.back());
+  const auto covered = [&](int axis, int index) -> Covered {
+    const double center = frame.X_WV.translation[axis] + voxel_size * index;
+    const double from = std::max(-0.5, ((axis == 2 ? lowest : box.min[axis]) - center) / voxel_size);
+    const double to = std::min(0.5, (box.max[axis] - center) / voxel_size);
+    if (to - from >= 1 - kNoise) return {1, 0};
     return to > from ? Covered{to - from, (from + to) / 2} : Covered{0, 0};
   };
   const auto material_at = [&](double z) {
@@ -113,32 +116,42 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
     while (layer + 1 < bottoms.size() && z < bottoms[layer]) ++layer;
     return MaterialId(layer + 1);
   };
+  const auto material_of_row = [&](int index) {
+    return material_at(frame.X_WV.translation.z() + voxel_size * (index + covered(2, index).middle));
+  };
+  const IndexBox voxels = voxels_of(box, voxel_size);
+  double top = box.max.z();  // [m] of the layer
+  for (std::size_t n = 0; n < layers.size() && top - box.min.z() > kNoise * voxel_size; top = bottoms[n++]) {
+    const int row = std::min(int((top - box.min.z()) / voxel_size), voxels.max[2]);
+    const auto is_of_layer = [&](int k) {
+      return k >= 0 && covered(2, k).fraction > kNoise && material_of_row(k) == MaterialId(n + 1);
+    };
+    if (!is_of_layer(row) && !is_of_layer(row - 1) && !is_of_layer(row - 2))
+      throw Error("no row of voxels of " + format_number(voxel_size) + " m is for the most part layer " +
+                  std::to_string(n + 1) + " of the slab, '" + layers[n].material.name + "', of " +
+                  format_number(layers[n].thickness) + " m; choose smaller voxels.");
+  }
   const auto fill_block = [&](const VoxelIndex& origin, BlockContent& content) {
     std::array<std::array<Covered, kBlockEdge>, 3> along;
     bool full = true;
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < kBlockEdge; ++i) {
-        const double center = frame.X_WV.translation[axis] + voxel_size * (origin[axis] + i);
-        const double low = axis == 2 ? std::max(box.min.z(), bottoms.back()) : box.min[axis];
-        along[axis][i] = covered(center, low, box.max[axis]);
+        along[axis][i] = covered(axis, origin[axis] + i);
         full &= along[axis][i].fraction == 1;
       }
-    const auto height_of = [&](int i) {
-      return frame.X_WV.translation.z() + voxel_size * (origin[2] + i + along[2][i].middle);
-    };
-    if (full && material_at(height_of(0)) == material_at(height_of(kBlockEdge - 1)))
-      return BlockKind::solid(material_at(height_of(0)));
+    const MaterialId highest = material_of_row(origin[2] + kBlockEdge - 1);
+    if (full && material_of_row(origin[2]) == highest) return BlockKind::solid(highest);
     for (int n = 0; n < kBlockVoxels; ++n) {
       const VoxelIndex at = place_in_block(n);
       const Covered &x = along[0][at[0]], &y = along[1][at[1]], &z = along[2][at[2]];
       const double fill = x.fraction * y.fraction * z.fraction;
-      content.material[n] = fill > 1e-6 ? material_at(height_of(at[2])) : kEmpty;
-      content.fill[n] = fill > 1e-6 ? float(fill) : 0;
+      content.material[n] = fill > kNoise ? material_of_row(origin[2] + at[2]) : kEmpty;
+      content.fill[n] = fill > kNoise ? float(fill) : 0;
       content.centroid[n] = fill < 1 ? CentroidOffset::from_offset({x.middle, y.middle, z.middle}) : CentroidOffset{};
     }
     return BlockKind::mixed();
   };
-  return Workpiece::from_blocks(voxels_of(box, voxel_size), frame, std::move(materials), fill_block);
+  return Workpiece::from_blocks(voxels, frame, std::move(materials), fill_block);
 }
 
 Workpiece build_sphere(const Vec3& center, double radius, double voxel_size, Material material) {

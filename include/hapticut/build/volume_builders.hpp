@@ -35,7 +35,8 @@ struct VolumeBuildOptions {
   bool large = false;          ///< lifts the limits of work_estimate.hpp
   WorkObserver observer = {};  ///< called with the estimate before the work begins
   /// Called with a sentence about materials that fill over 5 % less or more than their labels, e.g. a
-  /// layer thinner than the voxels, and about materials without labels. Nothing: build_from_labels refuses the first.
+  /// layer thinner than the voxels, and about materials without labels or grey values. Nothing: build_from_labels
+  /// refuses the first.
   std::function<void(const std::string&)> warn = {};
 };
 

@@ -46,7 +46,8 @@ struct Layer {
 /// A slab of horizontal layers, from the top down.
 /// @param box     horizontal extent and upper face. Layers go down from `box.max.z` and end at `box.min.z`; below the
 ///                last layer the slab is empty
-/// @param layers  from the top down
+/// @param layers  from the top down. A row of voxels that two of them share is of the one with the larger part
+/// @throws Error also when a layer within the box is too thin to be the larger part of any row of voxels
 [[nodiscard]] Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vector<Layer>& layers);
 
 /// A ball.

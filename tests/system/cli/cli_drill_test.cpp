@@ -281,6 +281,19 @@ TEST_F(Drill, CutsTheLayersOfASlab) {
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 0);
 }
 
+TEST_F(Drill, SaysWhichLayersOfASlabAreNotOfWholeVoxels) {
+  const auto warnings = [&](const std::string& enamel) {
+    return drill("--workpiece slab --size_mm 6,6,3 --layer enamel=" + enamel + " --layer dentin=2 --voxel_mm 0.2 " +
+                 kBall + "--path line --from_mm 3,3,4 --to_mm 3,3,2 --feed_mm_per_s 5")["warnings"]
+        .dump();
+  };
+  EXPECT_EQ(warnings("0.4").find("too coarse"), std::string::npos);
+  EXPECT_NE(warnings("0.27").find("voxels of 0.2 mm are too coarse for the layers: 'enamel' fills 7.2 mm^3, its "
+                                  "layers 9.72 mm^3"),
+            std::string::npos)
+      << warnings("0.27");
+}
+
 TEST_F(Drill, SavesTheRemainingMaterialAndContinuesFromIt) {
   const nlohmann::json first = drill(kBlock + kStiffBall + kGroove + "--save " + path("left.vdb"));
   const nlohmann::json second = drill("--workpiece " + path("left.vdb") + " " + kStiffBall + kGroove);

@@ -2,6 +2,7 @@
 // Layers of labels, and between surfaces, that are thinner than the voxels are not lost without a word.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,27 @@ TEST(BuildFromLabels, SaysWhichMaterialHasNoLabels) {
   auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, Vec3::Constant(0.1 * mm), {});
   test::add_ball(volume, Vec3(1, 1, 1), 0.7, 1);
   EXPECT_EQ(built(volume, {}).said, std::vector<std::string>{"no sample in use has a label of 'enamel'."});
+}
+
+TEST(BuildFromGrey, SaysWhichRangeNoVoxelHas) {
+  auto volume = test::volume_of<float>({20, 20, 20}, Vec3::Constant(0.1 * mm), {});
+  for (int i = 5; i < 15; ++i)
+    for (int j = 5; j < 15; ++j)
+      for (int k = 5; k < 15; ++k) volume.at(i, j, k) = 900;
+  std::vector<std::string> said;
+  VolumeBuildOptions options;
+  options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+  const auto build = [&](double dense) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    (void)build_from_grey(volume, {{300, dense, named("dentin")}, {dense, infinity, named("enamel")}}, options);
+  };
+  build(2000);
+  EXPECT_EQ(said, std::vector<std::string>{
+                      "no voxel is 'enamel', grey values 2000 ... inf; those of the volume are 0 ... 900."});
+  said.clear();
+  build(800);
+  ASSERT_EQ(said.size(), 1U);
+  test::expect_part(said[0], "no voxel is 'dentin', grey values 300 ... 800;");
 }
 
 TEST(BuildFromShells, SaysWhichLayerBetweenSurfacesIsTooThinForItsVoxels) {

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "hapticut/core/units.hpp"
+#include "support/refusal.hpp"
 #include "support/workpieces.hpp"
 
 namespace hapticut::builders_test {
@@ -31,6 +32,17 @@ TEST(BuildLayeredSlab, GivesEachLayerItsVolume) {
   EXPECT_NEAR(amounts[1].volume, 6e-9, 1e-15);
   EXPECT_LT((amounts[0].center - Vec3(1, 1, 2.5) * mm).norm(), 1e-4 * mm);
   EXPECT_LT((amounts[1].center - Vec3(1, 1, 1.25) * mm).norm(), 1e-4 * mm);
+}
+
+TEST(BuildLayeredSlab, RefusesALayerThatFillsNoVoxel) {
+  const auto slab = [](double enamel) {
+    return build_layered_slab({Vec3::Zero(), Vec3(2, 2, 3) * mm}, 0.1 * mm,
+                              {{named("dentin"), 1.01 * mm}, {named("enamel"), enamel}, {named("pulp"), 1 * mm}});
+  };
+  EXPECT_NEAR(slab(0.2 * mm).amounts()[1].volume, 0.8e-9, 1e-15);
+  test::expect_refused([&] { return slab(0.02 * mm); },
+                       {"no row of voxels of 0.0001 m is for the most part layer 2 of the slab, 'enamel', of 2e-05 m",
+                        "choose smaller voxels."});
 }
 
 TEST(MaterialAmount, HasNoCentreWithoutVoxels) {
