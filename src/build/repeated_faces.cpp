@@ -38,7 +38,7 @@ std::vector<Group> groups_of(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     Corners c = {places[mesh.triangles[t][0]], places[mesh.triangles[t][1]], places[mesh.triangles[t][2]]};
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;  // without area
-    std::ranges::rotate(c, std::ranges::min_element(c));
+    std::rotate(c.begin(), std::ranges::min_element(c), c.end());
     const bool turned = c[1] > c[2];
     if (turned) std::swap(c[1], c[2]);
     triangles.push_back({c, turned, t});
