@@ -229,7 +229,7 @@ std::vector<Vec3> points_inside(const TriangleMesh& mesh, const Piece& piece) {
     const Vec3 area = (q - p).cross(r - p);
     if (!(area.norm() > 0)) continue;
     const double inwards = piece.six_volumes < 0 ? kBesideFace : -kBesideFace;
-    points.push_back((p + q + r) / 3 + inwards * std::sqrt(area.norm()) * area.normalized());
+    points.emplace_back((p + q + r) / 3 + inwards * std::sqrt(area.norm()) * area.normalized());
   }
   return points;
 }

@@ -16,6 +16,7 @@ bool is_full(const Leaf<FillTree>& fill, const Leaf<MaterialTree>& material) {
 }  // namespace
 
 std::unique_ptr<VoxelTrees> copy_of(const VoxelTrees& trees) {
+  // NOLINTNEXTLINE(modernize-make-unique): trees cannot be assigned, and clang 14 makes no aggregate of arguments
   auto copy = std::unique_ptr<VoxelTrees>(new VoxelTrees{trees.material, FillTree(1.0F), trees.centroid});
   for (auto leaf = copy->material.beginLeaf(); leaf; ++leaf)
     for (auto voxel = leaf->beginValueOff(); voxel; ++voxel) voxel.setValue(kEmpty);

@@ -58,7 +58,7 @@ inline std::string with_all_digits(double value) {
 /// round and is not gets the digits that show it, e.g. `2.00000004`.
 [[nodiscard]] inline std::string format_number(double value) {
   constexpr double kNoise = 1e-14;  // of a few operations, e.g. from millimetres to metres and back
-  const std::string short_text = detail::with_digits(value, 6);
+  std::string short_text = detail::with_digits(value, 6);
   if (!std::isfinite(value) || !detail::looks_round(short_text)) return short_text;
   const double read = std::strtod(short_text.c_str(), nullptr);
   const bool is_float = std::abs(value) < 1e38 && double(float(value)) == value;
