@@ -95,7 +95,7 @@ TEST(Workpiece, RestoreRefusesTheSnapshotOfAnotherWorkpiece) {
        "it has 1 material in voxels of 0.2 mm, and the present one has 1 material in voxels of 0.1"},
       {block(1 * mm, 0.1 * mm).snapshot(), "or lies elsewhere"},
       {build_layered_slab({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, layers).snapshot(), "it has 2 materials"}};
-  for (const auto& [snapshot, said] : others) test::expect_refused([&] { workpiece.restore(snapshot); }, said);
+  for (const auto& other : others) test::expect_refused([&] { workpiece.restore(other.first); }, other.second);
   EXPECT_EQ(workpiece.hash(), before);
   Workpiece clone = workpiece.clone();
   ASSERT_NO_THROW(clone.restore(workpiece.snapshot()));
