@@ -281,7 +281,8 @@ TEST(CuresOfPictures, FoldersOfPicturesAreReadOnceTheyAreComplete) {
   const std::string png = test::png_slice(4, 3, std::vector<std::uint8_t>(12, 7)),
                     tiff = test::tiff_slice(4, 3, std::vector<std::uint8_t>(12, 7)),
                     wide = test::png_slice(5, 3, std::vector<std::uint8_t>(15, 7));
-  for (const auto& [ending, whole] : {std::pair(".png", png), std::pair(".tif", tiff)}) {
+  for (const auto& kind : {std::pair(".png", png), std::pair(".tif", tiff)}) {
+    const std::string ending = kind.first, &whole = kind.second;
     const auto pictures = [&](const Files& others) {
       Files files = others;
       for (int n = 0; n < 4; ++n) files.emplace(slice_name(n) + ending, whole);

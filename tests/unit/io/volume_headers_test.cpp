@@ -84,9 +84,10 @@ TEST(VolumeHeader, WithANegativeSpacingHasAnAxisThatRunsTheOtherWay) {
   const std::string nrrd =
       kNrrd + "dimension: 3\nsizes: 4 3 5\nspacings: 0.1 -0.2 0.7\naxis mins: 0.95 2.1 2.65\n\n" + ramp();
   const VolumeReadOptions spaced = {.spacing = Vec3(0.1, 0.2, 0.7) * mm};
-  for (const auto& [name, bytes] : {std::pair("v.mha", meta), std::pair("v.nrrd", nrrd)})
+  for (const auto& file : {std::pair("v.mha", meta), std::pair("v.nrrd", nrrd)})
     for (const VolumeReadOptions& options : {VolumeReadOptions{}, spaced}) {
-      const GreyVolume volume = read(name, bytes, options);
+      const std::string name = file.first;
+      const GreyVolume volume = read(name, file.second, options);
       EXPECT_TRUE(volume.spacing.isApprox(Vec3(0.1, 0.2, 0.7) * mm, 1e-9));
       EXPECT_TRUE(is_rotation(volume.X_WG.rotation, 1e-9)) << name;
       test::for_each_sample(volume, [&](int i, int j, int k) {  // sample n of the file has the value n + 1
