@@ -71,10 +71,8 @@ void bind_volumes(py::module_& m) {
         py::arg("options") = VolumeBuildOptions{}, py::arg("unclaimed") = UnclaimedLabels::refuse,
         doc("build_from_labels"));
   m.def("materials_of", &materials_of, py::arg("grade"), doc("materials_of"));
-  m.def("build_from_grey",
-        making(py::overload_cast<const GreyVolume&, const std::vector<GreyRange>&, const VolumeBuildOptions&>(
-            &build_from_grey)),
-        py::arg("volume"), py::arg("ranges"), py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey"));
+  m.def("build_from_grey", &build_ranges_with_warnings, py::arg("volume"), py::arg("ranges"),
+        py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey"));
   m.def("build_from_grey",
         making(py::overload_cast<const GreyVolume&, const Grade&, const VolumeBuildOptions&>(&build_from_grey)),
         py::arg("volume"), py::arg("grade"), py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey#2"));

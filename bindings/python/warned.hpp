@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hapticut/build/mesh_builder.hpp"
@@ -29,25 +28,31 @@ auto read_with_warnings(const Read& read) {
   return volume;
 }
 
-/// Builds a workpiece from labels; what the builder says becomes a warning.
-inline PythonWorkpiece build_labels_with_warnings(const LabelVolume& volume,
-                                                  const std::vector<LabelMaterial>& materials,
-                                                  VolumeBuildOptions options, UnclaimedLabels unclaimed) {
+/// Builds a workpiece without the interpreter lock; what the builder says becomes a warning.
+template <class Options, class Build>
+PythonWorkpiece build_with_warnings(Options options, const Build& build) {
   std::vector<std::string> said;
   options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
-  PythonWorkpiece workpiece = make_released([&] { return build_from_labels(volume, materials, options, unclaimed); });
+  PythonWorkpiece workpiece = make_released([&] { return build(options); });
   give_warnings(said);
   return workpiece;
 }
 
-/// Builds a workpiece from surfaces; what the builder says becomes a warning.
-inline PythonWorkpiece build_shells_with_warnings(const std::vector<MeshShell>& shells, MaterialTable materials,
-                                                  MeshImport options) {
-  std::vector<std::string> said;
-  options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
-  PythonWorkpiece workpiece = make_released([&] { return build_from_shells(shells, std::move(materials), options); });
-  give_warnings(said);
-  return workpiece;
+inline PythonWorkpiece build_labels_with_warnings(const LabelVolume& volume,
+                                                  const std::vector<LabelMaterial>& materials,
+                                                  const VolumeBuildOptions& options, UnclaimedLabels unclaimed) {
+  return build_with_warnings(options,
+                             [&](const auto& heard) { return build_from_labels(volume, materials, heard, unclaimed); });
+}
+
+inline PythonWorkpiece build_ranges_with_warnings(const GreyVolume& volume, const std::vector<GreyRange>& ranges,
+                                                  const VolumeBuildOptions& options) {
+  return build_with_warnings(options, [&](const auto& heard) { return build_from_grey(volume, ranges, heard); });
+}
+
+inline PythonWorkpiece build_shells_with_warnings(const std::vector<MeshShell>& shells, const MaterialTable& materials,
+                                                  const MeshImport& options) {
+  return build_with_warnings(options, [&](const auto& heard) { return build_from_shells(shells, materials, heard); });
 }
 
 }  // namespace hapticut::python

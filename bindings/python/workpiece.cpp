@@ -223,8 +223,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
           "from_intensity",
           [](const RealArray& array, const Vec3& spacing, const std::vector<GreyRange>& ranges, const Pose& X_WG,
              const VolumeBuildOptions& options) {
-            const GreyVolume volume = volume_from<float>(array, spacing, X_WG);
-            return make_released([&] { return build_from_grey(volume, ranges, options); });
+            return build_ranges_with_warnings(volume_from<float>(array, spacing, X_WG), ranges, options);
           },
           py::arg("array"), py::arg("spacing"), py::arg("ranges"), py::arg("X_WG") = Pose{},
           py::arg("options") = VolumeBuildOptions{},

@@ -206,7 +206,9 @@ void warn_of_empty_ranges(const Workpiece& workpiece, const GreyVolume& volume, 
     const auto [lowest, highest] = grey_range(volume);
     warn("no voxel is '" + range.material.name + "', grey values " + format_number(range.from, range.to) + " ... " +
          format_number(range.to, range.from) + "; those of the volume are " + format_number(lowest) + " ... " +
-         format_number(highest) + ".");
+         format_number(highest) +
+         ". Correct the range, choose smaller voxels, or set partial_volume to false if the range is only the rise to "
+         "another material.");
   }
 }
 

@@ -129,6 +129,14 @@ GreyVolume read_body(const Source& s, double lowest) {
   return volume;
 }
 
+Workpiece not_empty(Workpiece workpiece) {
+  if (workpiece.solid_voxels() == 0)
+    throw Error(
+        "no voxel is left: none of its values belongs to a material, or its parts are too thin for the voxels. Run "
+        "hapticut inspect on the file to see its values, and choose smaller voxels.");
+  return workpiece;
+}
+
 Workpiece from_ranges(const Source& s) {
   std::vector<hapticut::GreyRange> ranges;
   double lowest = kInfinity;
@@ -136,7 +144,12 @@ Workpiece from_ranges(const Source& s) {
     ranges.push_back({range.from.value_or(-kInfinity), range.to.value_or(kInfinity), s.materials.find(range.material)});
     lowest = std::min(lowest, ranges.back().from);
   }
-  return build_from_grey(read_body(s, lowest), ranges, build_options(s));
+  VolumeBuildOptions options = build_options(s);
+  std::vector<std::string> said;  // told only when something is left: the refusal says the rest
+  if (s.warn) options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+  Workpiece workpiece = not_empty(build_from_grey(read_body(s, lowest), ranges, options));
+  for (const std::string& sentence : said) s.warn(sentence);
+  return workpiece;
 }
 
 Workpiece from_grade(const Source& s) {
@@ -150,18 +163,6 @@ Workpiece from_grade(const Source& s) {
   grade.at_low = s.materials.find(s.grade_at_low);
   grade.at_high = s.materials.find(s.grade_at_high);
   return build_from_grey(read_body(s, grade.low), grade, build_options(s));
-}
-
-}  // namespace
-
-namespace {
-
-Workpiece not_empty(Workpiece workpiece) {
-  if (workpiece.solid_voxels() == 0)
-    throw Error(
-        "no voxel is left: none of its values belongs to a material, or its parts are too thin for the voxels. Run "
-        "hapticut inspect on the file to see its values, and choose smaller voxels.");
-  return workpiece;
 }
 
 }  // namespace
@@ -181,7 +182,7 @@ Workpiece make_workpiece_from_volume(const Source& s) {
     throw Error("workpiece.unclaimed_labels needs labels; grey values outside all ranges are empty. Leave it out.");
   if (!s.fill_cavities.empty())
     throw Error("workpiece.fill_cavities needs labels; in grey values it is not clear what is enclosed. Leave it out.");
-  return not_empty(graded ? from_grade(s) : from_ranges(s));
+  return graded ? not_empty(from_grade(s)) : from_ranges(s);
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {

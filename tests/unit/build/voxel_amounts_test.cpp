@@ -100,8 +100,9 @@ TEST(BuildFromGrey, SaysWhichRangeNoVoxelHas) {
     (void)build_from_grey(volume, {{300, dense, named("dentin")}, {dense, infinity, named("enamel")}}, options);
   };
   build(2000);
-  EXPECT_EQ(said, std::vector<std::string>{
-                      "no voxel is 'enamel', grey values 2000 ... inf; those of the volume are 0 ... 900."});
+  ASSERT_EQ(said.size(), 1U);
+  test::expect_part(said[0],
+                    "no voxel is 'enamel', grey values 2000 ... inf; those of the volume are 0 ... 900. Correct");
   said.clear();
   build(800);
   ASSERT_EQ(said.size(), 1U);
