@@ -36,7 +36,7 @@ void bind_effects(py::module_& m) {
 
   bind_struct<EffectsInput>(m, "EffectsInput", field("X_WH", &EffectsInput::X_WH), field("X_WT", &EffectsInput::X_WT),
                             field("touching", &EffectsInput::touching), field("power", &EffectsInput::power),
-                            field("dt", &EffectsInput::dt));
+                            field("dt", &EffectsInput::dt), field("lever", &EffectsInput::lever));
   py::class_<Output>(m, "Output", doc("Output"))
       .def(py::init<>())
       .def("give", &Output::give, py::arg("effects"), py::arg("at"), py::arg("wrench"), py::return_value_policy::copy,

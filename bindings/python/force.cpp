@@ -41,7 +41,7 @@ void bind_laws(py::module_& m) {
   bind_struct<Thesis>(thesis, "Constants", "ThesisLaw::Constants",
                       field("reference_voxel_size", &Thesis::reference_voxel_size), field("damping", &Thesis::damping),
                       field("spin_torque", &Thesis::spin_torque), field("spin_exponent", &Thesis::spin_exponent),
-                      field("required_power", &Thesis::required_power));
+                      field("cutting_force", &Thesis::cutting_force), field("cutting_speed", &Thesis::cutting_speed));
   thesis.def(py::init<const Thesis&>(), py::arg("constants"), doc("ThesisLaw::ThesisLaw"))
       .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy,
                              "As passed to the constructor.");

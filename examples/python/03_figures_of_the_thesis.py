@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures 7.1-7.3 of the thesis: three heads step into a cube and remove all voxels that they touch. Plots the removed
-voxels, the force and the torque of each step, for the model of the thesis and for the default model."""
+"""Figures 7.1-7.3 of the thesis: three heads step into a cube. Plots the removed voxels, the force and the torque of
+each step, in thesis mode and by the default model."""
 import sys
 from pathlib import Path
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hapticut
-from hapticut.units import N_mm, deg, mm, ms
+from hapticut.units import N_mm, deg, mm, ms, rpm
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 SIZE, STEP, STEPS, VOXEL = 0.3 * mm, 0.02 * mm, 14, 0.01 * mm
@@ -19,23 +19,20 @@ CUBE = hapticut.build_block(BOX, VOXEL, hapticut.Material("cube", relative_stiff
 
 def step_down(head: hapticut.ToolHead, thesis: bool) -> NDArray[np.float64]:
     """(steps, 3): voxels removed, force [N] and torque [N mm] of every step."""
-    config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e17)  # a layer of 2 um
-    if thesis:
-        config.law = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(required_power=0))  # remove all that is touched
-        config.max_sweep = 1  # the tool jumps from step to step
-    spindle = hapticut.Spindle(1000.0 if thesis else 20000.0)  # [rad/s]
-    simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=spindle), config)
+    config = hapticut.thesis_mode() if thesis else hapticut.SimulationConfig()
+    simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=hapticut.Spindle(300_000 * rpm)), config)
     still, top = np.zeros(6), -head.bounding_box().min[2]
-    simulation.step(hapticut.Pose.from_translation([0, 0, top]), still, 1 * ms)  # touches the cube
-    ticks = 1 if thesis else 20  # the default model refuses jumps: it moves for 20 ms
+
+    def pose_at(depth: float) -> hapticut.Pose:
+        return hapticut.Pose.from_translation([0.0013 * mm, 0.0021 * mm, top - depth])
+
+    simulation.step(pose_at(0), still, 1 * ms)  # touches the cube
+    ticks = 1 if thesis else 20  # a cut of the default model takes time
     rows = []
     for i in range(STEPS):
         results = []
         for tick in range(1, ticks + 1):
-            pose = hapticut.Pose.from_translation([0.0013 * mm, 0.0021 * mm, top - STEP * (i + tick / ticks)])
-            if thesis:
-                simulation.step(pose, still, 1 * ms)
-            results.append(simulation.step(pose, still, 1 * ms))
+            results.append(simulation.step(pose_at(STEP * (i + tick / ticks)), still, 1 * ms))
         rows.append((sum(r.removed_volume for r in results) / VOXEL**3, np.mean([r.force[2] for r in results]),
                      -np.mean([r.torque[2] for r in results]) / N_mm))
     return np.array(rows)

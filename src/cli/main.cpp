@@ -145,6 +145,28 @@ void use_underscores(char* argument) {
     if (*c == '-') *c = '_';
 }
 
+bool is_switch(const std::deque<Registered>& entries, const std::string& flag) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Registered& entry) {
+    return std::any_of(entry.command.settings.begin(), entry.command.settings.end(), [&](const Setting& setting) {
+      return setting.kind == Setting::Kind::boolean && setting.flag == flag;
+    });
+  });
+}
+
+/// The arguments, last first, as the parser takes them. `--thesis_mode true` becomes `--thesis_mode=true`.
+std::vector<std::string> reversed_arguments(const std::deque<Registered>& entries, int argc, char** argv) {
+  std::vector<std::string> arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if ((argument == "true" || argument == "false") && !arguments.empty() && is_switch(entries, arguments.back()))
+      arguments.back() += "=" + argument;
+    else
+      arguments.push_back(argument);
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
 int main_with(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) use_underscores(argv[i]);
   CLI::App app("hapticut: cutting forces for haptic rendering on sparse voxel grids", "hapticut");
@@ -158,7 +180,7 @@ int main_with(int argc, char** argv) {
   }
 
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_arguments(entries, argc, argv));
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {

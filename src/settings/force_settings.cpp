@@ -59,15 +59,19 @@ const std::vector<LawKind>& law_kinds() {
          "lambda, ratio of the spin torque to normal force times radius" + or_else(thesis.spin_torque)},
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
          "exponent of the spindle speed in the spin torque" + or_else(thesis.spin_exponent)},
-        {"thesis_required_power", &S::thesis_required_power, Range::not_negative(),
-         "power that removes a voxel divided by its stiffness, W/(N/m^2) [power at which a ball presses with 2 N]"}},
+        {"thesis_cutting_force_N", &S::thesis_cutting_force_N, Range::not_negative(),
+         "force at which a flat head begins to cut a material of relative stiffness 1; 0: it removes what it touches" +
+             or_else(thesis.cutting_force)},
+        {"thesis_cutting_rpm", &S::thesis_cutting_rpm, Range::positive(),
+         "speed at which this force is enough" + or_else(thesis.cutting_speed / units::rpm)}},
        [](const S& s) -> Pointer {
          ThesisLaw::Constants c;
          if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
          c.damping = s.thesis_damping_Ns_per_m.value_or(c.damping);
          c.spin_torque = s.thesis_spin_torque.value_or(c.spin_torque);
          c.spin_exponent = s.thesis_spin_exponent.value_or(c.spin_exponent);
-         c.required_power = s.thesis_required_power;
+         c.cutting_force = s.thesis_cutting_force_N.value_or(c.cutting_force);
+         if (s.thesis_cutting_rpm) c.cutting_speed = *s.thesis_cutting_rpm * units::rpm;
          return std::make_shared<ThesisLaw>(c);
        }},
       {Law::contact_mechanics,

@@ -18,7 +18,7 @@ struct ForceSettings {
   std::optional<Law> law;
   // Constants of individual laws.
   std::optional<double> thesis_voxel_mm, thesis_damping_Ns_per_m, thesis_spin_torque, thesis_spin_exponent,
-      thesis_required_power;
+      thesis_cutting_force_N, thesis_cutting_rpm;
   std::optional<double> effective_modulus_Pa, burr_stiffness_Pa;
   std::optional<double> resistance_Ns_per_m3, matrix_friction;
   std::optional<double> chip_energy_J_per_m3, max_feed_per_revolution_mm;

@@ -346,8 +346,12 @@ void Simulation::State::give_output(HandCoupling* coupling) noexcept {
   }
   if (output_path != OutputPath::kept) {
     const Effects& effects = config.effects;
-    const EffectsInput at = {from.X_WD, from.X_WD * tool.X_HT(), result.spindle.speed != 0 && result.contact.voxels > 0,
-                             result.spindle.torque * result.spindle.speed, from.dt};
+    const EffectsInput at = {from.X_WD,
+                             from.X_WD * tool.X_HT(),
+                             result.spindle.speed != 0 && result.contact.voxels > 0,
+                             result.spindle.torque * result.spindle.speed,
+                             from.dt,
+                             lever_at_handle(config.handle_torque, tool.handle(), config.handle_torque_scale)};
     (void)output.give(effects, at, from.wrench);
     if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kMaxVibration)
       result.status |= StepStatus::vibration_left_out;

@@ -40,13 +40,13 @@ Law thesis() {
   c.damping = *number_between(0, 1e-3);
   c.spin_torque = *number_between(0, 1);
   c.spin_exponent = *number_between(-0.5, 0.5);
-  c.required_power = magnitude(-10, -7);
+  c.cutting_force = magnitude(-3, 1);
   return std::make_shared<ThesisLaw>(c);
 }
 Law thesis_without_damper() {
   ThesisLaw::Constants c;
   c.spin_torque = *number_between(0, 1);
-  c.required_power = magnitude(-10, -7);
+  c.cutting_force = magnitude(-3, 1);
   return std::make_shared<ThesisLaw>(c);
 }
 Law contact_mechanics() { return std::make_shared<ContactMechanicsLaw>(magnitude(5, 8)); }

@@ -124,12 +124,13 @@ struct AxialFeed {
   double dt = 1e-3;       // [s]
   double spin = 2000;     // [rad/s]
   double removed_at = 0;  // [m] depth at which the thesis's threshold removes a voxel, at 2000 rad/s
-  static constexpr double kRadius = 0.5 * mm, kVoxel = 0.025 * mm, kLambda = 0.3;
+  static constexpr double kRadius = 0.5 * mm, kVoxel = 0.025 * mm;
 
   [[nodiscard]] SteadyState run(Model model) const {
     SimulationConfig config;
     ThesisLaw::Constants constants;
-    constants.required_power = kLambda * kRadius * kVoxel * 2000 * removed_at;
+    constants.cutting_speed = 2000 * units::rad_per_s;
+    constants.cutting_force = ThesisLaw::cutting_force_for(removed_at, kRadius, kVoxel);
     if (model == Model::thesis)
       config.law = std::make_shared<ThesisLaw>(constants);
     else

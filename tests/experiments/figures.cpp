@@ -7,7 +7,7 @@
 
 #include "experiments/convergence.hpp"
 #include "experiments/vocabulary.hpp"
-#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/simulation/thesis_mode.hpp"
 
 namespace hapticut::experiments {
 namespace figures {
@@ -22,29 +22,26 @@ constexpr int kSteps = 14;
 constexpr double kRelative = 0.4;  // [1] stiffness
 
 const FlatHead kFlat{kHead, kHead, FlatRule::bottom_only};
+const FlatHead kFlatWithSides{kHead, kHead};
 const ConeHead kCone{45 * deg, kHead};
 const SphereHead kBall{kHead};
 
-Simulation cube(const ToolHead& head, const SimulationConfig& config, double spin) {
+constexpr AngularSpeed kTurbine = 300'000 * units::rpm;
+
+Simulation cube(const ToolHead& head, const SimulationConfig& config, AngularSpeed spin) {
   Material material = plain_material();
   material.relative_stiffness = kRelative;
   return Simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, kVoxel, material),
-                    Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
+                    Tool(head, RayHandle{0}, Spindle{spin}), config);
 }
 
-/// Thesis mode: the tool jumps by a step and rests for a tick; all touched voxels are removed.
+/// Thesis mode as it is: the tool moves by a step in a tick.
 Stepping step_down(const ToolHead& head) {
-  SimulationConfig config;
-  config.max_sweep = 1;
-  config.reference_stiffness = 1e13;
-  ThesisLaw::Constants constants;
-  constants.required_power = 0;
-  config.law = std::make_shared<ThesisLaw>(constants);
-  Simulation simulation = cube(head, config, 1000);
+  Simulation simulation = cube(head, thesis_mode(), kTurbine);
   Stepping stepping;
   for (int i = 0; i <= kSteps; ++i) {
-    const StepResult& result =
-        hold(simulation, Pose::from_translation(Vec3(0, 0, -head.bounding_box().min.z() - kStep * i)));
+    const Vec3 at(0.0013 * mm, 0.0021 * mm, -head.bounding_box().min.z() - kStep * i);
+    const StepResult& result = simulation.step(Pose::from_translation(at), {}, kTick);
     if (i == 0) continue;
     stepping.volume.push_back(result.removed_volume);
     stepping.force.push_back(result.force.z());
@@ -57,7 +54,7 @@ Stepping step_down(const ToolHead& head) {
 Stepping feed_down(const ToolHead& head) {
   SimulationConfig config;
   config.reference_stiffness = 1e17;  // a layer of 2 um, a tenth of a step
-  Simulation simulation = cube(head, config, 20000);
+  Simulation simulation = cube(head, config, 20000 * units::rad_per_s);
   Stepping stepping;
   for (int i = 0; i < kSteps; ++i) {
     double volume = 0, force = 0, torque = 0;
@@ -83,39 +80,48 @@ int falls(const std::vector<double>& values, double share = 1) {
   return count;
 }
 
+constexpr double kOfACone = 0.03, kOfABall = 0.01;  // [1] in thesis mode
+constexpr const char* kWholeVoxelsGo = "whole voxels: flat 2 %, cone 3 %, ball 1 %";
 constexpr double kWhole = 0.02, kSlope = 0.1, kRound = 0.05;  // [1]
 constexpr const char* kVoxels = "whole voxels: 2 %, slopes 10 %, balls 5 %";
 
+/// Material stays that is shallower than the removal depth w, so cone and ball cut like ones that are smaller by w.
 std::vector<Check> of_the_thesis() {
   const Stepping flat = step_down(kFlat), cone = step_down(kCone), ball = step_down(kBall);
+  const Stepping sided = step_down(kFlatWithSides);
+  const double w = ThesisLaw(ThesisLaw::Constants{}).removal_depth(kTurbine, kHead, kVoxel);
+  const double moved = kVoxel / 2;  // in each of the parts into which the library divides a step
   Largest volume, constant, cone_volume, ball_volume;
   double total_cone = 0, total_ball = 0;
   for (std::size_t i = 0; i < flat.volume.size(); ++i) {
-    const double d = kStep * double(i + 1);
+    const double d = kStep * double(i + 1) - moved / 2;  // the last part is evaluated in its middle
     volume.add(flat.volume[i] / forms::step_volume_of_a_flat_head(kHead, kStep) - 1, kWhole);
     constant.add(flat.force[i] / flat.force[0] - 1, 1e-3);
+    constant.add(sided.force[i] / sided.force[0] - 1, 1e-3);
     constant.add(flat.torque[i] / flat.torque[0] - 1, 1e-3);
     total_cone += cone.volume[i], total_ball += ball.volume[i];
     if (i < 3) continue;
-    cone_volume.add(total_cone / forms::step_volume_of_a_cone(45 * deg, d, d) - 1, i + 1 < 14 ? kSlope : 0.05);
-    ball_volume.add(total_ball / forms::step_volume_of_a_ball(kHead, d, d) - 1, kRound);
+    const double cone_depth = d - w / std::sin(45 * deg), ball_depth = d - w;
+    cone_volume.add(total_cone / forms::step_volume_of_a_cone(45 * deg, cone_depth, cone_depth) - 1, kOfACone);
+    ball_volume.add(total_ball / forms::step_volume_of_a_ball(kHead - w, ball_depth, ball_depth) - 1, kOfABall);
   }
   // At voxel size l the thesis's springs are those of k_v = k / l0^2 times (l0/l)^2.
-  const double k_v = kRelative * 1e13 * std::pow(0.1 * mm / kVoxel, 2);
+  const double k_v = kRelative * kStiffnessOfPoints * std::pow(0.1 * mm / kVoxel, 2);
   const int falling = falls(cone.volume) + falls(cone.force) + falls(cone.torque) + falls(ball.volume, 0.98);
   return {
-      volume.check("C33 flat volume", "thesis 7.1: volume per step of the flat head, error", kVoxels),
+      volume.check("C33 flat volume", "thesis 7.1: volume per step of the flat head, error", kWholeVoxelsGo),
       constant.check("C33 flat is constant", "flat head: force and torque over those of the first step",
                      "0.1 %, constant"),
-      {"C33 flat force", "flat head: force per step", "N", forms::step_force_of_a_flat_head(k_v, kHead, kStep),
+      // A layer of voxels meets the head in every second part of a step, a quarter of a voxel deep, and goes.
+      {"C33 flat force", "flat head: force per step", "N", forms::step_force_of_a_flat_head(k_v, kHead, moved),
        flat.force[5], kRim},
-      cone_volume.check("C33 cone volume", "7.2: volume of the cone until each step, error", kVoxels),
-      // The layer is two voxels thick, so the sum over whole voxels is off by a few percent.
+      cone_volume.check("C33 cone volume", "7.2: volume of the cone until each step, error", kWholeVoxelsGo),
+      // The layer is half a voxel thick, so the sum over whole voxels is off by a few percent.
       {"C33 cone force", "cone: force of the thirteenth step", "N",
-       forms::step_force_of_a_cone(k_v, 45 * deg, 12.5 * kStep, kStep), cone.force[12], kWholeVoxels},
-      ball_volume.check("C33 sphere volume", "7.3: volume of the sphere until each step, error", kVoxels),
+       forms::step_force_of_a_cone(k_v, 45 * deg, 12.5 * kStep, moved, w), cone.force[12], kWholeVoxels},
+      ball_volume.check("C33 sphere volume", "7.3: volume of the sphere until each step, error", kWholeVoxelsGo),
       {"C33 sphere force", "sphere: force of the seventh step", "N",
-       forms::step_force_of_a_ball(k_v, kHead, 6.5 * kStep, kStep), ball.force[6], kWholeVoxels},
+       forms::step_force_of_a_ball(k_v, kHead, 6.5 * kStep, moved, w), ball.force[6], kWholeVoxels},
       error_of("C33 rise", "steps in which the cone's volume, force and torque, or the sphere's volume, do not rise",
                falling, {0, "none"})};
 }

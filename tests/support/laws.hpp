@@ -39,7 +39,8 @@ inline std::vector<NamedLaw> all_laws() {
   const ConeHead cone{40 * deg, 1.5 * mm};
   const FlatHead flat{0.8 * mm, 2 * mm};
   ThesisLaw::Constants thesis;
-  thesis.required_power = 2.4e-9;  // cuts deeper than 0.05 mm at 2000 rad/s and R = 0.8 mm
+  thesis.cutting_speed = 2000 * units::rad_per_s;
+  thesis.cutting_force = ThesisLaw::cutting_force_for(0.05 * mm, 0.8 * mm, 0.1 * mm);
   ThesisLaw::Constants damped_thesis = thesis;
   damped_thesis.damping = 1e-4;  // follows the hand and not the slip of the surface (D10)
   return {{"Foundation", std::make_shared<FoundationLaw>(), ball},

@@ -247,7 +247,8 @@ struct SteadyCut {
 /// @return [m]
 [[nodiscard]] inline double torque_over_thrust_of_edges(double kappa, double R) { return 2.0 / 3 * kappa * R; }
 
-// --- C33: a head that goes down step by step; each step removes all material in it -----------------------------------
+// --- C33: a head that goes down step by step; each step removes all material deeper than w_c
+// (ThesisLaw::removal_depth)
 
 /// C33: volume of a step of a flat head, `pi R^2 D`, equal in every step.
 /// @param step  [m] D
@@ -272,16 +273,22 @@ struct SteadyCut {
   return flat_bottom_force(k_v, R, step);
 }
 
-/// C33: force of a step of a cone, `(k_v/2) pi d^2 tan^2 a sin^2 a D^2`; it grows with every step.
-/// @param depth  [m] of the middle of the step; much larger than D
-[[nodiscard]] inline double step_force_of_a_cone(double k_v, double half_angle, double depth, double step) {
-  return k_v / 2 * units::kPi * std::pow(depth * std::tan(half_angle) * std::sin(half_angle) * step, 2);
+/// C33: force of a step of a cone, `(k_v/2) pi d^2 tan^2 a (D sin a + w_c)^2`; it grows with every step.
+/// @param depth  [m] of the middle of the step; much larger than D and w_c
+[[nodiscard]] inline double step_force_of_a_cone(double k_v, double half_angle, double depth, double step,
+                                                 double removal_depth = 0) {
+  const double layer = std::sin(half_angle) * step + removal_depth;
+  return k_v / 2 * units::kPi * std::pow(depth * std::tan(half_angle) * layer, 2);
 }
 
-/// C33: force of a step of a ball, `(pi/4) k_v R^2 D^2 (1 - ((R - d)/R)^4)`.
-/// @param depth  [m] of the middle of the step, at most R; much larger than D
-[[nodiscard]] inline double step_force_of_a_ball(double k_v, double R, double depth, double step) {
-  return units::kPi / 4 * k_v * R * R * step * step * (1 - std::pow((R - depth) / R, 4));
+/// C33: force of a step of a ball, `k_v Int (D n_z + w_c)^2/2 n_z dA` over its cap, whose normals have n_z from c = (R
+/// - d)/R to 1: `pi R^2 k_v [D^2 (1 - c^4)/4 + 2 D w_c (1 - c^3)/3 + w_c^2 (1 - c^2)/2]`.
+/// @param depth  [m] of the middle of the step, at most R; much larger than D and w_c
+[[nodiscard]] inline double step_force_of_a_ball(double k_v, double R, double depth, double step,
+                                                 double removal_depth = 0) {
+  const double c = (R - depth) / R, w = removal_depth;
+  return units::kPi * R * R * k_v *
+         (step * step * (1 - std::pow(c, 4)) / 4 + 2 * step * w * (1 - std::pow(c, 3)) / 3 + w * w * (1 - c * c) / 2);
 }
 
 // --- C34: the engaged layer ------------------------------------------------------------------------------------------

@@ -46,6 +46,7 @@ struct EffectsInput {
   bool touching = false;  ///< the head spins in material
   double power = 0;       ///< [W] of the spindle
   double dt = 0;          ///< [s]
+  double lever = 1;       ///< [1] see `lever_at_handle`
 };
 
 /// Applies the effects from step to step, in this order: gravity, vibration, delta filter, mask, saturation, growth
@@ -76,6 +77,7 @@ class Output {
  private:
   friend struct SimulationMemory;
   [[nodiscard]] Wrench with_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
+    const Vec3 arm = at.lever * (at.X_WT.translation - at.X_WH.translation);
     if (effects.gravity) {
       const Wrench weight = gravity_wrench(*effects.gravity, at.X_WH.rotation);
       wrench.force += weight.force;
@@ -85,9 +87,13 @@ class Output {
       const double shake = vibration_.advance(*effects.vibration, at.touching, at.power, at.dt);
       const Vec3 force = shake * at.X_WT.rotation.col(2);
       wrench.force += force;
-      wrench.torque += (at.X_WT.translation - at.X_WH.translation).cross(force);
+      wrench.torque += arm.cross(force);
     }
-    if (effects.delta_filter) wrench.force = filtered(*effects.delta_filter, unlimited_force_, wrench.force);
+    if (effects.delta_filter) {
+      const Vec3 force = filtered(*effects.delta_filter, unlimited_force_, wrench.force);
+      wrench.torque += arm.cross(force - wrench.force);
+      wrench.force = force;
+    }
     unlimited_force_ = wrench.force;
     return masked(effects.enabled, wrench);
   }

@@ -119,4 +119,12 @@ void require_lengths(const AnyHandle& handle, const std::string& name) {
   return zeta * (offset.cross(force_H) + std::sin(bent->bend) * spindle_torque / length * offset);
 }
 
+/// The torque at the handle of a force at the head, over that of a rigid handle.
+/// @param zeta  [1] the thesis's constant
+/// @return [1] 1 for the full wrench; by the equations of the thesis zeta for an L and 0 for a ray
+[[nodiscard]] inline double lever_at_handle(HandleTorque by, const Handle& handle, double zeta) {
+  if (by == HandleTorque::full_wrench) return 1;
+  return std::holds_alternative<LHandle>(handle) ? zeta : 0;
+}
+
 }  // namespace hapticut

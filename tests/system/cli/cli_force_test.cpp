@@ -49,7 +49,8 @@ TEST_F(ForceSettings, EveryLawIsChosenAndTakesItsConstants) {
         << c.flag;
   EXPECT_GT(pressed("--law thesis --thesis_damping_Ns_per_m 1e-3 --removal none"),
             pressed("--law thesis --removal none"));
-  EXPECT_GT(pressed("--law thesis --thesis_required_power 1"), pressed("--law thesis --thesis_required_power 0"));
+  EXPECT_GT(pressed("--law thesis --thesis_cutting_force_N 100"), pressed("--law thesis --thesis_cutting_force_N 0"));
+  EXPECT_GT(pressed("--law thesis --thesis_cutting_rpm 1e6"), pressed("--law thesis --thesis_cutting_rpm 1e3"));
 }
 
 TEST_F(ForceSettings, TheThesissSpinTorqueTakesItsConstants) {
@@ -80,6 +81,7 @@ TEST_F(ForceSettings, DeepContactMayBeSwitchedOff) {
   const std::string deep = "--path line --from_mm 3,3,3.1 --to_mm 3,3,1.2 --feed_mm_per_s 20 --removal none ";
   const double on = steps("", kStanding, deep).at("force_z_N").back();
   const double off = steps("--deep_contact=false", kStanding, deep).at("force_z_N").back();
+  EXPECT_EQ(steps("--deep_contact false", kStanding, deep).at("force_z_N").back(), off);
   EXPECT_GT(on, 2 * off);
 }
 
@@ -113,7 +115,8 @@ TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
 // The flag is the library's thesis_mode: law, handle torque, friction, quadrature, filter.
 TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   const std::string bent = test::kSpinningBall + "--handle L --handle_length_mm 50 --handle_neck_mm 10 ";
-  const auto mode = steps("--thesis_mode", bent);
+  const auto mode = steps("--thesis_mode true", bent);
+  EXPECT_EQ(steps("--thesis_mode", bent), mode);
   const auto parts = steps(
       "--law thesis --handle_torque thesis --quadrature voxel_center --static_friction 0.3 --dynamic_friction 0.3 "
       "--thesis_filter",

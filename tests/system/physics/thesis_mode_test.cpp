@@ -6,9 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "hapticut/workpiece/material_presets.hpp"
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
 #include "support/cutting.hpp"
 #include "support/refusal.hpp"
+#include "support/touch_gains.hpp"
 
 namespace hapticut::thesis_mode_test {
 namespace {
@@ -29,7 +34,7 @@ ThesisMode constants() {
   mode.law.damping = 1e-4;
   mode.law.spin_torque = 0.2;
   mode.law.spin_exponent = 0.5;
-  mode.law.required_power = 1;  // nothing is removed
+  mode.law.cutting_force = 1e6;  // nothing is removed
   mode.update_rate = 1800;
   mode.tool_mass = 0.3;
   mode.center_of_mass = Vec3(0, 0, -0.03);
@@ -109,20 +114,20 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
   EXPECT_NEAR((result.force - before).norm(), DeltaFilter{}.epsilon, 1e-12);
   EXPECT_LT((result.force - before).cross(wanted - before).norm(), 1e-9 * (wanted - before).norm());
 
-  // The torque is not filtered. It is the torque of the handle, of the weight, and of the vibration at its lever arm.
+  // The torque is that of the handle, of the weight, and of the force that vibration adds and the filter takes away.
   const Vec3 of_weight = (R_WH * mode.center_of_mass).cross(weight);
-  const Vec3 arm = simulation.tool().X_HT().translation;
-  const Vec3 of_shaking = (R_WH * arm).cross(shaken);
-  EXPECT_LT((result.torque - at_hand - of_weight - of_shaking).norm(),
-            kSinglePrecision * expected.normal_sum * 50 * mm);
+  const Vec3 arm = R_WH * simulation.tool().X_HT().translation;
+  const Vec3 at_head = 1.5 * arm.cross(shaken + result.force - wanted);
+  EXPECT_LT((result.torque - at_hand - of_weight - at_head).norm(), kSinglePrecision * expected.normal_sum * 50 * mm);
 }
 
-// Equations 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l).
-// Proves: thesis mode.
+// Equations 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l). The speed of
+// the constants is half the speed of the spindle, so c allows 2^(m+1) times the depth. Proves: thesis mode.
 TEST(ThesisMode, RemovesWholeVoxelsThatAreDeepEnoughForTheRequiredPower) {
   const double spin = 900, deepest_kept = 0.2 * mm;
   ThesisMode mode = constants();
-  mode.law.required_power = mode.law.spin_torque * std::pow(spin, 1.5) * kRadius * kVoxel * deepest_kept;
+  mode.law.cutting_speed = spin / 2 * units::rad_per_s;
+  mode.law.cutting_force = ThesisLaw::cutting_force_for(std::pow(2, 1.5) * deepest_kept, kRadius, kVoxel);
   Simulation simulation = over_block(thesis_mode(mode), spin);
   const Pose at = handle_at(simulation, kDepth);
   const StepResult& first = simulation.step(at, {}, 1e-3);
@@ -163,27 +168,118 @@ TEST(ThesisMode, LeavesOutWhatTheRateCannotShowAndRefusesWhatNoToolHas) {
   expect_refused([&] { return thesis_mode(mode); }, {});
 }
 
-// The heads range from a mastoid bur to a small bur at the speed of a turbine.
-TEST(ThesisMode, IsFeltAndCutsWithItsDefaults) {
-  struct Bur {
-    double radius, spin;  // [m], [rad/s]
-  };
-  for (const Bur& bur : {Bur{2.5 * mm, 80000 * units::rpm}, Bur{1.5 * mm, 40000 * units::rpm},
-                         Bur{1 * mm, 30000 * units::rpm}, Bur{0.5 * mm, 300000 * units::rpm}}) {
-    Simulation simulation(build_block({Vec3(-4, -4, -2) * mm, Vec3(4, 4, 0) * mm}, kVoxel, presets::cortical_bone()),
-                          Tool(SphereHead{bur.radius}, RayHandle{0}, Spindle{bur.spin * units::rad_per_s}),
-                          thesis_mode());
-    const double depth = 0.8 * bur.radius, feed = 4 * mm;
-    double force = 0;  // [N] maximum
-    const int steps = int(depth / feed / 1e-3);
-    for (int n = 1; n <= steps; ++n) {
-      const Pose pose = Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, bur.radius - n * depth / steps));
-      force = std::max(force, simulation.step(pose, {Vec3(0, 0, -feed), Vec3::Zero()}, 1e-3).force.norm());
+// --- with its defaults -----------------------------------------------------------------------------------------------
+
+struct NamedHead {
+  const char* name;
+  ToolHead head;
+};
+const std::vector<NamedHead> kHeads = {
+    {"ball", SphereHead{kRadius}}, {"cone", ConeHead{45 * deg, kRadius}}, {"flat", FlatHead{kRadius, kRadius}}};
+constexpr std::array kSpeeds = {10'000 * units::rpm, 40'000 * units::rpm, 300'000 * units::rpm};
+constexpr std::array kStiffnesses = {0.1, 0.4, 1.0};  // [1]
+constexpr double kContinuous = 0.88;                  // [N] of a Touch
+
+Simulation as_offered(const ToolHead& head, AngularSpeed speed, double stiffness, double voxel = kVoxel,
+                      SimulationConfig config = thesis_mode()) {
+  Material material = plain_material();
+  material.relative_stiffness = stiffness;
+  return Simulation(build_block({Vec3(-1.3, -1.3, -2) * mm, Vec3(1.3, 1.3, 0) * mm}, voxel, material),
+                    Tool(head, RayHandle{0}, Spindle{speed}), config);
+}
+
+/// A head at a depth below the surface.
+Pose at_depth(const ToolHead& head, double depth) {
+  return Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, -head.bounding_box().min.z() - depth));
+}
+
+/// A hand that nothing deflects lowers the head by 0.6 mm, at 2 mm/s.
+struct Lowered {
+  double removed = 0;                    // [m^3]
+  double middle = 0, last = 0, max = 0;  // [N] along the axis: at half the depth, at the end, maximum
+
+  Lowered(const ToolHead& head, AngularSpeed speed, double stiffness, double voxel = kVoxel) {
+    Simulation simulation = as_offered(head, speed, stiffness, voxel);
+    for (int tick = 0; tick <= 300; ++tick) {
+      const StepResult& result = simulation.step(at_depth(head, tick * 2e-6), {Vec3(0, 0, -2e-3), Vec3::Zero()}, kTick);
+      last = result.model.force.z();
+      max = std::max(max, last);
+      if (tick == 150) middle = last;
     }
-    EXPECT_GT(force, 0.1) << bur.radius;
-    EXPECT_LT(force, 20) << bur.radius;
-    EXPECT_GT(simulation.removed_volume_by_material()[1], 0) << bur.radius;
+    removed = simulation.removed_volume_by_material()[1];
   }
+};
+
+// Proves: thesis mode.
+TEST(ThesisMode, CutsUnderARigidHandAndMoreWithSpeed) {
+  for (const auto& [name, head] : kHeads)
+    for (const double stiffness : kStiffnesses) {
+      const std::string which = std::string(name) + ", stiffness " + format_number(stiffness);
+      EXPECT_EQ(Lowered(head, 0 * units::rpm, stiffness).removed, 0) << which << ", at rest";
+      EXPECT_EQ(Lowered(head, 100 * units::rpm, stiffness).removed, 0) << which << ", at 100 rpm";
+      double slower = 0;
+      for (const AngularSpeed speed : kSpeeds) {
+        const Lowered lowered(head, speed, stiffness);
+        EXPECT_GT(lowered.removed, 1.05 * slower) << which << ", " << speed / units::rpm << " rpm";
+        EXPECT_LT(lowered.max, kContinuous) << which << ", " << speed / units::rpm << " rpm";
+        slower = lowered.removed;
+      }
+    }
+}
+
+// Under a rigid hand the stiffness changes the force, not the cut: the power that is generated and the power that is
+// required are both proportional to it.
+TEST(ThesisMode, PushesInProportionToTheStiffness) {
+  for (const auto& [name, head] : kHeads) {
+    const Lowered soft(head, kSpeeds[0], 0.1), hard(head, kSpeeds[0], 1);
+    EXPECT_EQ(soft.removed, hard.removed) << name;
+    EXPECT_NEAR(soft.last / hard.last, 0.1, 1e-5) << name;
+  }
+}
+
+// F_c s (omega_c/omega)^2, where the layer that stays is some voxels thick.
+TEST(ThesisMode, NeedsTheForceThatItsConstantsNameWithAFlatHead) {
+  const ThesisLaw::Constants constants;
+  const FlatHead flat{0.3 * mm, 0.3 * mm, FlatRule::bottom_only};
+  for (const double slower : {0.5, 1.0}) {
+    const Lowered lowered(flat, slower * constants.cutting_speed, 0.4, 0.01 * mm);
+    const double expected = 0.4 * constants.cutting_force / (slower * slower);
+    EXPECT_NEAR(lowered.max / expected, 1, 0.2) << "layers of voxels are met or missed";
+    EXPECT_NEAR(lowered.last / lowered.middle, 1, 0.3) << "constant";
+  }
+}
+
+/// A hand behind the coupling of a Touch that presses with a force for a second.
+double cut_by_a_press(const ToolHead& head, AngularSpeed speed, double stiffness, double force) {
+  SimulationConfig config = thesis_mode();
+  config.contact_time = ContactTime::end;
+  Simulation simulation = as_offered(head, speed, stiffness, kVoxel, config);
+  VirtualCoupling coupling(simulation, touch_gains());
+  double z = at_depth(head, -0.2 * mm).translation.z(), before = z;
+  for (int tick = 0; tick < 1000; ++tick) {
+    const CoupledResult& felt = coupling.step(Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, z)),
+                                              {Vec3(0, 0, (z - before) / kTick), Vec3::Zero()}, kTick);
+    before = z;
+    z = std::max(z - 5e-6, felt.X_WH.translation.z() - force / coupling.gains().stiffness);
+  }
+  return simulation.removed_volume_by_material()[1];
+}
+
+// Proves: thesis mode.
+TEST(ThesisMode, CutsUnderTheForceOfASmallDeviceAndMoreWithForceAndSpeed) {
+  for (const auto& [name, head] : kHeads)
+    for (const double stiffness : kStiffnesses) {
+      const std::string which = std::string(name) + ", stiffness " + format_number(stiffness);
+      EXPECT_EQ(cut_by_a_press(head, 0 * units::rpm, stiffness, kContinuous), 0) << which << ", at rest";
+      double slower = 0;
+      for (const AngularSpeed speed : kSpeeds) {
+        const double removed = cut_by_a_press(head, speed, stiffness, kContinuous);
+        EXPECT_GT(removed, slower) << which << ", " << speed / units::rpm << " rpm";
+        slower = removed;
+      }
+      const double light = cut_by_a_press(head, kSpeeds[0], stiffness, 0.01 * stiffness);
+      EXPECT_LT(light, 0.8 * cut_by_a_press(head, kSpeeds[0], stiffness, kContinuous)) << which;
+    }
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/law.hpp"
+#include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
 
@@ -20,6 +21,15 @@ namespace hapticut {
 ///     T_spin = -lambda sgn(omega) (|omega|/omega_0)^m R Sum k_i l w_i     omega_0 = 1 rad/s
 ///     P_i   = lambda (|omega|/omega_0)^m R k_i l w_i |omega|              power generated at the voxel
 ///     voxel i is removed, whole and in this step, iff  P_i >= c k_i       power required
+///
+/// The thesis gives no number for c. Here it is the power at which a flat head, which turns with omega_c, begins to cut
+/// a material of stiffness 1 when it is pressed with the force F_c:
+///
+///     c = lambda (omega_c/omega_0)^m omega_c l^2 sqrt(2 F_c/(pi k_1)),   k_1 = kStiffnessOfPoints l0^2
+///
+/// so that voxels go that are deeper than w_c = (omega_c/|omega|)^(m+1) (l/R) sqrt(2 F_c/(pi k_1)). F_c does not depend
+/// on the radius nor, because c grows as l^2, on the voxel size. A material of stiffness s begins to be cut at s F_c,
+/// at twice the speed (m = 0) at a quarter of it. Balls and cones begin at less, the less the smaller the voxels (D1).
 ///
 /// Interpretations of the text: the repulsive sign (as printed, the springs pull the tool in); the arm X_i - To (along
 /// the spring, as printed, the torque is zero, D3); the second lines of 5.6-5.8, of which only a constant lambda, a
@@ -40,12 +50,10 @@ class ThesisLaw final : public ForceLaw {
     double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b
     double spin_torque = 0.3;            ///< [1] >= 0, lambda
     double spin_exponent = 0;            ///< [1] m
-    /// [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness. The thesis gives no number. Empty: a voxel is
-    /// removed at the depth at which a ball of the head's radius presses with kFelt, or at half that radius.
-    std::optional<double> required_power = {};
+    /// [N] >= 0, F_c: with this force a flat head begins to cut a material of stiffness 1; 0: all that is touched goes
+    double cutting_force = 0.5;
+    AngularSpeed cutting_speed = 10'000 * units::rpm;  ///< [rad/s] > 0, omega_c: at this speed
   };
-
-  static constexpr double kFelt = 2;  ///< [N]
 
   /// @throws Error naming the constant, its value and the allowed range
   explicit ThesisLaw(const Constants& constants) : c_(constants) {
@@ -53,16 +61,35 @@ class ThesisLaw final : public ForceLaw {
     require_not_negative(c_.damping, "ThesisLaw::damping [N s/m]");
     require_not_negative(c_.spin_torque, "ThesisLaw::spin_torque [1]");
     require_between(c_.spin_exponent, -10, 10, "ThesisLaw::spin_exponent [1]");
-    if (c_.required_power) require_not_negative(*c_.required_power, "ThesisLaw::required_power [W/(N/m^2)]");
+    require_not_negative(c_.cutting_force, "ThesisLaw::cutting_force [N]");
+    require_positive(c_.cutting_speed, "ThesisLaw::cutting_speed [rad/s]");
   }
 
   [[nodiscard]] const Constants& constants() const { return c_; }
 
+  /// w_c, the depth from which voxels are removed.
+  /// @param radius      [m] maximum of the head, R
+  /// @param voxel_size  [m] l
+  /// @return [m] infinite when the spindle stands
+  [[nodiscard]] double removal_depth(AngularSpeed spin, double radius, double voxel_size) const noexcept {
+    if (spin == 0) return std::numeric_limits<double>::infinity();
+    return std::pow(c_.cutting_speed / std::abs(spin), c_.spin_exponent + 1) * voxel_size / radius *
+           std::sqrt(2 * c_.cutting_force / (units::kPi * stiffness_of_one(c_.reference_voxel_size)));
+  }
+
+  /// The Constants::cutting_force for a removal depth at cutting_speed.
+  [[nodiscard]] static double cutting_force_for(double removal_depth, double radius, double voxel_size,
+                                                double reference_voxel_size = 1e-4) {
+    const double slope = removal_depth * radius / voxel_size;
+    return units::kPi / 2 * stiffness_of_one(reference_voxel_size) * slope * slope;
+  }
+
   LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
-    const double l = double(m.voxel_size), dt = double(m.duration), spin = double(m.spin);
+    const double l = double(m.voxel_size), dt = double(m.duration), spin = double(m.spin), R = double(m.head_radius);
     const double l0_squared = c_.reference_voxel_size * c_.reference_voxel_size;
     const double spin_ratio = spin == 0 ? 0 : c_.spin_torque * std::pow(std::abs(spin), c_.spin_exponent);
     const bool removes = spin != 0 && m.removal != RemovalLaw::none;
+    const double removal_depth = this->removal_depth(spin * units::rad_per_s, R, l);
     const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>(),
                turning = Omega + Vec3(0, 0, spin);
     const Vec3 damper = c_.damping * m.felt_velocity.cast<double>();
@@ -91,26 +118,22 @@ class ThesisLaw final : public ForceLaw {
       const double before = std::max(0.0, w - advance / 2), after = std::max(0.0, w + advance / 2);
       totals.energies.elastic_before += 0.5 * k * l * before * before;
       totals.energies.damping += damper.dot(V + turning.cross(r)) * dt;
-      const double generated = spin_ratio * double(m.head_radius) * normal * std::abs(spin);
-      const bool is_removed = c_.required_power ? generated >= *c_.required_power * k : w >= felt_depth(m, k);
-      if (removes && is_removed) {
+      if (removes && w >= removal_depth) {  // P_i >= c k_i
         b.fill_after[n] = 0;
         totals.energies.released += 0.5 * k * l * after * after;
       } else {
         totals.energies.elastic += 0.5 * k * l * after * after;
       }
     }
-    totals.spin_couple = -std::copysign(spin_ratio * double(m.head_radius) * normal_sum, spin);
+    totals.spin_couple = -std::copysign(spin_ratio * R * normal_sum, spin);
     totals.energies.rubbing = -totals.spin_couple * spin * dt;
     return totals;
   }
 
  private:
-  /// [m] Depth at which a ball of the head's radius presses with kFelt; at most half the radius.
-  /// @param k  [N/m^2] of a voxel
-  static double felt_depth(const HeadMotion& m, double k) {
-    const double l = double(m.voxel_size), R = double(m.head_radius);
-    return std::min(0.5 * R, std::cbrt(3 * kFelt * l * l / (units::kPi * R * k)));
+  /// [N/m^2] k_1, of a voxel of stiffness 1
+  static double stiffness_of_one(double reference_voxel_size) noexcept {
+    return kStiffnessOfPoints * reference_voxel_size * reference_voxel_size;
   }
 
   Constants c_;
