@@ -97,6 +97,7 @@ void bind_friction(py::module_& m) {
 void bind_force(py::module_& m) {
   bind_laws(m);
   bind_friction(m);
+  m.def("stiffness_for_head", &stiffness_for_head, py::arg("head"), doc("stiffness_for_head"));
   m.def("stiffness_for_accuracy", &stiffness_for_accuracy, py::arg("head"), py::arg("material"),
         py::arg("spindle_speed"), py::arg("feed_speed"), py::arg("cutter") = Cutter{}, doc("stiffness_for_accuracy"));
   m.def("max_contact_stiffness", &max_contact_stiffness, py::arg("head"), doc("max_contact_stiffness"));

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
@@ -19,13 +18,12 @@ void validate(const SimulationConfig& config) {
   require_between(config.max_dt, config.min_dt, 1.0, "SimulationConfig::max_dt [s]");
 }
 
-SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials) {
+SimulationConfig complete(SimulationConfig config, const ToolHead& head) {
   if (config.quadrature == Quadrature::automatic)
     config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
   if (config.reference_stiffness == 0)
-    config.reference_stiffness = config.quadrature == Quadrature::sub_voxel
-                                     ? stiffness_for_head(head, max_relative_stiffness(materials))
-                                     : kStiffnessOfPoints;
+    config.reference_stiffness =
+        config.quadrature == Quadrature::sub_voxel ? stiffness_for_head(head) : kStiffnessOfPoints;
   if (!config.contact_damping) config.contact_damping = config.contact_time == ContactTime::end ? kCalmingDamping : 0.0;
   return config;
 }

@@ -72,7 +72,7 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 
 /// Sets the constants of the materials for the contact, with the chosen stiffness if it was left to the simulation.
 void Simulation::State::set_contact_materials() noexcept {
-  if (chooses_stiffness) config.reference_stiffness = head_stiffness / max_relative_stiffness(workpiece.materials());
+  if (chooses_stiffness) config.reference_stiffness = head_stiffness;
   contact_stages.set_materials(
       contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
   set_material_friction();

@@ -47,7 +47,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
       chooses_stiffness(given_config.reference_stiffness == 0 && given_config.law->integrates_parts()),
-      config(complete(std::move(given_config), tool.head(), workpiece.materials())),
+      config(complete(std::move(given_config), tool.head())),
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity

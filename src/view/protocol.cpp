@@ -210,6 +210,7 @@ Message encode(std::span<const Control> controls) {
     message.add(control.id).add(std::uint8_t(control.kind)).add(std::uint8_t(0));
     message.add(control.value).add(control.min).add(control.max);
     message.add_text(control.panel).add_text(control.label).add_text(control.unit).add_text(control.choices);
+    message.add_text(control.idle);
   }
   return message.finish();
 }

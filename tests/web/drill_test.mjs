@@ -55,6 +55,15 @@ test("the mouse drills the tooth, the curve shows the force, and undo and redo r
   await until(page, (then) => hapticut.workpiece.triangles === then, before);
 });
 
+test("a control that does nothing says why beside it", async () => {
+  const beside = () => page.evaluate(() => [...hapticut.panels.controls.values()].map(({ id, label, idle }) =>
+    ({ label, idle, text: document.getElementById(`idle-${id}`).textContent })));
+  const controls = await beside();
+  for (const { label, idle, text } of controls) assert.equal(text, idle, label);
+  const friction = controls.find(({ label }) => label.endsWith("static friction"));
+  assert.equal(friction.text, "only while the spindle stands");
+});
+
 test("every control of every panel of the program changes its value", async () => {
   const controls = await page.evaluate(() => JSON.parse(JSON.stringify([...hapticut.panels.controls.values()])));
   assert.ok(controls.length > 50, `${controls.length} controls`);

@@ -45,7 +45,11 @@ export class Panels {
     this.controls = new Map(all.map((one) => [one.id, one]));
     if (order !== this.order) this.build(all);
     this.order = order;
-    for (const control of all) this.rows.get(control.id)?.update(control);
+    for (const control of all) {
+      this.rows.get(control.id)?.update(control);
+      const why = this.parent.querySelector<HTMLElement>(`#idle-${control.id}`);
+      if (why) why.textContent = control.idle;
+    }
   }
 
   enable(may: boolean) {
@@ -61,7 +65,8 @@ export class Panels {
       const name = panel.charAt(0).toUpperCase() + panel.slice(1);
       const details = element("details", { class: "server", "data-panel": panel }, element("summary", {}, name), box);
       if (panel === "application" || panel === "tool") details.open = true;
-      for (const control of all.filter((one) => one.panel === panel)) box.append(this.row(control));
+      for (const control of all.filter((one) => one.panel === panel))
+        box.append(this.row(control), element("small", { class: "idle", id: `idle-${control.id}` }));
       this.parent.insertBefore(details, before);
     }
   }

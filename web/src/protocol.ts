@@ -95,6 +95,7 @@ export interface Control {
   label: string;
   unit: string;
   choices: string[];
+  idle: string; // why it does nothing at present
   value: number;
   min: number;
   max: number;
@@ -212,8 +213,8 @@ function readMessage(kind: number, r: Reader): Message | null {
         const id = r.u16(), control = kControls[r.u8()] ?? "number";
         r.u8();
         const value = r.f64(), min = r.f64(), max = r.f64();
-        const [panel, label, unit, choices] = [0, 0, 0, 0].map(() => r.text(r.u16()));
-        return { id, control, panel, label, unit, choices: choices ? choices.split("|") : [], value, min, max };
+        const [panel, label, unit, choices, idle] = [0, 0, 0, 0, 0].map(() => r.text(r.u16()));
+        return { id, control, panel, label, unit, choices: choices ? choices.split("|") : [], idle, value, min, max };
       });
       return { kind: "controls", controls };
     }

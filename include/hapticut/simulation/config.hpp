@@ -37,8 +37,8 @@ inline constexpr double kCalmingDamping = 300;
 struct SimulationConfig {
   /// k_v of each material must be within 1 ... 1e25. This stiffness is a regularisation, not a material constant:
   /// cutting forces do not depend on it while the engaged layer is thin. 0: chosen so that the layer is a hundredth of
-  /// the head's radius in the stiffest material (`stiffness_for_head`), again after each exchange of tool or materials;
-  /// with a quadrature of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
+  /// the head's radius in a material of relative stiffness 1 (`stiffness_for_head`), again after each exchange of the
+  /// tool; with a quadrature of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
   /// force/stiffness.hpp.
   double reference_stiffness = 0;
 
@@ -130,7 +130,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
 void validate(const SimulationConfig& config);
 
 /// Replaces the values that are left to the simulation: `reference_stiffness` 0, Quadrature::automatic and an empty
-/// contact_damping, for this head in these materials. Simulation::config returns the completed configuration.
-[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials);
+/// contact_damping, for this head. Simulation::config returns the completed configuration.
+[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head);
 
 }  // namespace hapticut

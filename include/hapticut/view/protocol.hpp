@@ -43,7 +43,7 @@
 ///                    number of edges u32, for each: rho, z of its end, radius (0: straight, < 0: hollow) 3 f64 [m],
 ///                    cutting u32
 ///     6 controls     number u32, for each: id u16, kind u8 (Control::Kind), zero u8, value, min, max 3 f64, then
-///                    panel, label, unit, choices (separated by |) 4 text16
+///                    panel, label, unit, choices (separated by |), idle 5 text16
 ///     7 trace        first tick u64, number u32, for each tick: force 3 f32 [N], torque 3 f32 [N m]
 ///     8 notice       severity u32 (Severity), length u32, text
 ///     9 instruments  X_WG pose of the head where the hand wants it, power f64 [W], ticks u64, missed ticks u64,
@@ -65,7 +65,7 @@
 /// send commands, or exceeds the rate of commands; and with code 1009 after a message longer than kMaxCommand.
 namespace hapticut::view {
 
-inline constexpr std::uint8_t kProtocolVersion = 4;
+inline constexpr std::uint8_t kProtocolVersion = 5;
 inline constexpr std::size_t kMaxCommand = 128;  ///< [bytes] maximum length of a message from a page
 
 using Message = std::vector<std::uint8_t>;
@@ -116,6 +116,7 @@ struct Control {
   std::string panel, label;  ///< panel that shows it, and its label
   std::string unit;
   std::string choices = {};  ///< names, separated by |
+  std::string idle = {};     ///< why it does nothing at present; empty: it acts
 };
 
 /// Force and torque of a tick, for the curves.

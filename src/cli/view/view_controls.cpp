@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
+#include "cli/view/material_numbers.hpp"
 #include "cli/view/watched_model.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -21,28 +21,7 @@ std::string names_of_heads() {
 }
 
 constexpr double kMaxWatts = 1000;
-constexpr int kShownMaterials = 15;
 constexpr const char* kAxisNames[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
-
-/// A number of a material in a panel.
-struct MaterialNumber {
-  const char* label;
-  const char* unit;
-  double Material::*member;
-  double factor;  // value in SI units divided by shown value
-  double min, max;
-};
-constexpr MaterialNumber kMaterialNumbers[] = {
-    {"stiffness", "", &Material::relative_stiffness, 1, 1e-3, 100},
-    {"damping", "s/m", &Material::damping, 1, 0, 1000},
-    {"cutting energy", "J/mm³", &Material::specific_cutting_energy, 1e9, 1e-4, 100},
-    {"cutting ratio", "", &Material::cutting_ratio, 1, 0, 10},
-    {"static friction", "", &Material::static_friction, 1, 0, 2},
-    {"dynamic friction", "", &Material::dynamic_friction, 1, 0, 2},
-};
-constexpr int kIdsOfAMaterial = 10;
-constexpr int kDynamicFriction = 5;  // place in the list
-static_assert(std::size(kMaterialNumbers) <= kIdsOfAMaterial);
 
 /// The dimension `part`, scaled by the ratio of `chosen` to the usual value of `whole`; its usual value when `whole` is
 /// null.
@@ -52,12 +31,14 @@ double in_proportion(const HeadShape::Dimension& part, const HeadShape::Dimensio
 
 }  // namespace
 
-ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record)
-    : materials_(materials), effects_(effects), tool_(tool) {
+ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config,
+                           bool can_record)
+    : materials_(materials), config_(config), tool_(tool) {
   add_application(tool, can_record);
   add_tool(tool);
   add_materials();
-  add_additional(effects);
+  add_additional(config.effects);
+  tell_idle_ones();
 }
 
 void ViewControls::number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
@@ -177,6 +158,7 @@ Change ViewControls::set(const view::SetControl& command) {
   if (found->kind == view::Control::Kind::button) return change;
   found->value = command.value;
   if (change == Change::materials) show(materials());
+  tell_idle_ones();
   return change;
 }
 
@@ -208,6 +190,7 @@ void ViewControls::show(const ModelSettings& model) {
   at(kCutting) = model.removal != RemovalLaw::none ? 1 : 0;
   if (model.removal != RemovalLaw::none) at(kRemoval) = model.removal == RemovalLaw::elastic_release ? 1 : 0;
   show(model.effects);
+  tell_idle_ones();
 }
 
 void ViewControls::show(const Effects& effects) {
@@ -249,10 +232,10 @@ AxisMask ViewControls::mask() const {
 }
 
 Effects ViewControls::effects() const {
-  Effects effects = effects_;
+  Effects effects = config_.effects;
   effects.gravity.reset(), effects.vibration.reset(), effects.delta_filter.reset();
   if (at(kGravity) != 0) {
-    effects.gravity = effects_.gravity.value_or(Gravity{});
+    effects.gravity = config_.effects.gravity.value_or(Gravity{});
     effects.gravity->mass = at(kMass);
   }
   if (at(kVibration) != 0)

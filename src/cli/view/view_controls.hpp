@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/simulation/output.hpp"
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/view/protocol.hpp"
 #include "hapticut/workpiece/material.hpp"
@@ -20,7 +21,8 @@ struct ModelSettings;
 /// The panels of a page: controls, their values, and the settings that they define.
 class ViewControls {
  public:
-  ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record);
+  /// @param config  completed, see `complete`
+  ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config, bool can_record);
 
   [[nodiscard]] std::span<const view::Control> all() const { return controls_; }
 
@@ -97,11 +99,15 @@ class ViewControls {
   void set_spindle(double speed);
   [[nodiscard]] static Change change_of(std::uint16_t id);
   void require_friction_order(const view::SetControl& command) const;
+  void tell_idle_ones();
+  [[nodiscard]] std::string why_idle(std::uint16_t id) const;
+  [[nodiscard]] std::string why_idle(double Material::*number, const Material& material) const;
+  [[nodiscard]] bool head_has(HeadDimension first, HeadDimension second) const;
   [[nodiscard]] ToolHead head() const;
 
   std::vector<view::Control> controls_, before_;
   MaterialTable materials_;
-  Effects effects_;
+  SimulationConfig config_;
   Tool tool_;
 };
 

@@ -82,7 +82,7 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
       device_(device),
       pointer_(grown(scene_.box, kReach)),
       simulation_(std::move(scene_.workpiece), scene_.tool, scene_.config),
-      controls_(scene_.tool, simulation_.workpiece().materials(), scene_.config.effects,
+      controls_(scene_.tool, simulation_.workpiece().materials(), simulation_.config(),
 #ifdef HAPTICUT_HAS_IO
                 true),
 #else

@@ -13,6 +13,7 @@
 #include "cli/view/watched_model.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/simulation/thesis_mode.hpp"
 #include "support/refusal.hpp"
 #include "support/scripted_loop.hpp"
 
@@ -29,7 +30,7 @@ struct Panel {
   test::scripted_loop::ScriptedLoop scripted{3000, true};
   cli::WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
   ViewControls controls{scripted.simulation.tool(), scripted.simulation.workpiece().materials(),
-                        scripted.simulation.config().effects, true};
+                        scripted.simulation.config(), true};
 
   [[nodiscard]] const view::Control& control(const std::string& name) const {
     for (const view::Control& one : controls.all())
@@ -235,6 +236,45 @@ TEST(ViewControls, RefuseAStaticFrictionBelowTheDynamicOne) {
   test::expect_refused([&] { return panel.set("material/plain static friction", 0.4); },
                        "the static friction must be at least the dynamic friction, 0.5; lower the dynamic friction");
   EXPECT_EQ(panel.set("material/plain static friction", 0.6), Change::materials);
+}
+
+TEST(ViewControls, SayWhyTheyDoNothing) {
+  Panel panel;
+  const auto idle = [&](const std::string& name) { return panel.control(name).idle; };
+  EXPECT_EQ(idle("material/plain stiffness"), "");
+  EXPECT_EQ(idle("material/plain static friction"), "only while the spindle stands");
+  EXPECT_EQ(idle("material/plain cutting energy"), "");
+  panel.turn("application/Spindle", 0);
+  EXPECT_EQ(idle("material/plain static friction"), "");
+  EXPECT_EQ(idle("material/plain cutting energy"), "only while the spindle turns");
+  EXPECT_EQ(idle("tool/Speed"), "the spindle is off");
+  panel.turn("material/plain damping", 1);
+  EXPECT_EQ(idle("material/plain damping"), "at 5 mm/s less than 1 % of the force");
+  panel.turn("material/plain damping", 100);
+  EXPECT_EQ(idle("material/plain damping"), "");
+  EXPECT_EQ(idle("tool/Diameter"), "choose a head first");
+  panel.turn("tool/Head", 1);
+  EXPECT_EQ(idle("tool/Diameter"), "");
+  EXPECT_EQ(idle("tool/Cone angle"), "only a cone has one");
+  EXPECT_EQ(idle("vibration/Amplitude"), "vibration is off");
+  panel.turn("vibration/Vibration", 1);
+  EXPECT_EQ(idle("vibration/Amplitude"), "");
+}
+
+TEST(ViewControls, SayWhatTheLawOfTheThesisDoesNotUse) {
+  const Tool tool(SphereHead{1 * mm}, RayHandle{100 * mm}, Spindle{3000 * units::rad_per_s});
+  const ViewControls controls(tool, MaterialTable({test::plain_material()}), thesis_mode(), false);
+  const std::map<std::string, std::string> expected = {
+      {"plain stiffness", ""},
+      {"plain damping", "not in the law of the thesis"},
+      {"plain cutting energy", "not in the law of the thesis"},
+      {"plain cutting ratio", "not in the law of the thesis"},
+      {"plain static friction", "this scene has one friction for all, 0.3"},
+      {"Removal", "the law of the thesis removes by power"}};
+  for (const view::Control& one : controls.all())
+    if (expected.contains(one.label)) {
+      EXPECT_EQ(one.idle, expected.at(one.label)) << one.label;
+    }
 }
 
 TEST(ViewControls, LeaveWhatASceneHasBeyondTheirRange) {
