@@ -25,13 +25,6 @@ PassivityOptions rendered_by(PassivityOptions options, double stiffness, double 
   return options;
 }
 
-/// [N/s] The default growth limit of a device's force: what its stiffest wall needs. If the stiffness is unknown, the
-/// force may reach its peak within 10 ms.
-double default_growth(double stiffness, double max_contact_speed, double max_force) {
-  const double needed = min_force_growth(stiffness, max_contact_speed);
-  return needed > 0 ? needed : max_force / 10e-3;
-}
-
 /// [m] The lever that converts torques and rotations to forces and distances; 0: only forces are watched.
 double lever_of(double stiffness, const DeviceCapabilities& device, double max_force, double max_torque) {
   if (device.output_degrees_of_freedom < 6 || max_torque <= 0 || max_force <= 0) return 0;
@@ -44,21 +37,6 @@ double or_default(double value, double fallback) { return value > 0 ? value : fa
 bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFinite(); }
 
 }  // namespace
-
-OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed) {
-  require_positive(max_contact_speed, "max_contact_speed [m/s]");
-  if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
-    throw Error("the device '" + device.model +
-                "' renders no force according to its capabilities, so it has no output limits; "
-                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or set the OutputLimits directly.");
-  OutputLimits limits;
-  limits.max_force = device.peak_force;
-  limits.force_growth = default_growth(device.stiffness, max_contact_speed, device.peak_force);
-  if (device.output_degrees_of_freedom < 6 || !(device.peak_torque > 0)) return limits;
-  limits.max_torque = device.peak_torque;
-  limits.torque_growth = limits.force_growth * device.peak_torque / device.peak_force;
-  return limits;
-}
 
 SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options, Requests* requests)
     : capabilities_(capabilities),
@@ -85,7 +63,7 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
 
   const double stiffness = or_default(options.stiffness, capabilities.stiffness);
   const double needed = min_force_growth(stiffness, options.max_contact_speed);
-  slew_ = or_default(options.slew, default_growth(stiffness, options.max_contact_speed, max_force_));
+  slew_ = or_default(options.slew, default_force_growth(stiffness, options.max_contact_speed, max_force_));
   if (slew_ < needed)
     throw Error("GuardOptions::slew [N/s] = " + format_number(slew_, needed) +
                 "; must be >= " + format_number(needed, slew_) +

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
+#include "simulation/head_stiffness.hpp"
 
 namespace hapticut {
 
@@ -18,12 +20,31 @@ void validate(const SimulationConfig& config) {
   require_between(config.max_dt, config.min_dt, 1.0, "SimulationConfig::max_dt [s]");
 }
 
-SimulationConfig complete(SimulationConfig config, const ToolHead& head) {
+SimulationConfig SimulationConfig::for_device(const DeviceCapabilities& device) {
+  if (!(device.stiffness > 0))
+    throw Error(
+        "the device '" + device.model +
+        "' states no stiffness, so no contact can be chosen for it; set DeviceCapabilities::stiffness to that of "
+        "the stiffest wall that it renders.");
+  SimulationConfig config;
+  config.device_stiffness = device.stiffness;
+  config.effects.limits = output_limits(device);
+  return config;
+}
+
+HeadStiffness stiffness_of(const ToolHead& head, const SimulationConfig& config) {
+  HeadStiffness of;
+  const bool in_parts = config.quadrature == Quadrature::automatic ? config.law->integrates_parts()
+                                                                   : config.quadrature == Quadrature::sub_voxel;
+  of.chosen = in_parts ? stiffness_for_head(head) : kStiffnessOfPoints;
+  if (config.device_stiffness > 0) of.renderable = stiffness_for_device(head, config.device_stiffness);
+  return of;
+}
+
+SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials) {
   if (config.quadrature == Quadrature::automatic)
     config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
-  if (config.reference_stiffness == 0)
-    config.reference_stiffness =
-        config.quadrature == Quadrature::sub_voxel ? stiffness_for_head(head) : kStiffnessOfPoints;
+  if (config.reference_stiffness == 0) config.reference_stiffness = stiffness_of(head, config).in(materials);
   if (!config.contact_damping) config.contact_damping = config.contact_time == ContactTime::end ? kCalmingDamping : 0.0;
   return config;
 }

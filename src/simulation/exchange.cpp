@@ -29,7 +29,7 @@ struct PreparedTool::State {
   ContactStages::Buffers buffers;
   WorstCase worst_case;
   std::vector<RemovedVoxel> removed;
-  double stiffness;  // [N/m^4] stiffness_for_head
+  HeadStiffness stiffness;
 };
 
 PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config) {
@@ -40,7 +40,7 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   const WorstCase worst = buffers.worst_case(config);
   std::vector<RemovedVoxel> removed;
   reserve_touched(removed, listed_voxels(config, buffers.max_voxels));
-  const double stiffness = stiffness_for_head(tool.head());
+  const HeadStiffness stiffness = stiffness_of(tool.head(), config);
   state_ = std::make_unique<State>(
       State{std::move(tool), voxel_size, std::move(buffers), worst, std::move(removed), stiffness});
 }
@@ -72,7 +72,7 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 
 /// Sets the constants of the materials for the contact, with the chosen stiffness if it was left to the simulation.
 void Simulation::State::set_contact_materials() noexcept {
-  if (chooses_stiffness) config.reference_stiffness = head_stiffness;
+  if (chooses_stiffness) config.reference_stiffness = head_stiffness.in(workpiece.materials());
   contact_stages.set_materials(
       contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
   set_material_friction();

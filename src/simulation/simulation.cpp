@@ -46,8 +46,8 @@ void validate_head(const ToolHead& head, double voxel_size) {
 Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config)
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
-      chooses_stiffness(given_config.reference_stiffness == 0 && given_config.law->integrates_parts()),
-      config(complete(std::move(given_config), tool.head())),
+      chooses_stiffness(given_config.reference_stiffness == 0),
+      config(complete(std::move(given_config), tool.head(), workpiece.materials())),
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
@@ -59,7 +59,7 @@ void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
-  head_stiffness = stiffness_for_head(tool.head());
+  head_stiffness = stiffness_of(tool.head(), config);
   set_material_friction();
   compare_cutters();
   update_cutting_share();

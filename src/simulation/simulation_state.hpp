@@ -11,6 +11,7 @@
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/material_set.hpp"
 #include "simulation/contact_stages.hpp"
+#include "simulation/head_stiffness.hpp"
 #include "simulation/stage_timer.hpp"
 
 /// The state of a simulation, and the stages of its step.
@@ -127,8 +128,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   // Derived from them at set-up.
   ContactStages contact_stages;
   Pose X_VW;
-  double voxel_volume = 0;    // [m^3]
-  double head_stiffness = 0;  // [N/m^4] stiffness_for_head
+  double voxel_volume = 0;  // [m^3]
+  HeadStiffness head_stiffness;
 
   // What one step hands to the next. A recording holds or repeats all of it, and a copy has it: a new member that a
   // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.

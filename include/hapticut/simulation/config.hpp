@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/device_state.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/simulation/output.hpp"
@@ -38,9 +39,14 @@ struct SimulationConfig {
   /// k_v of each material must be within 1 ... 1e25. This stiffness is a regularisation, not a material constant:
   /// cutting forces do not depend on it while the engaged layer is thin. 0: chosen so that the layer is a hundredth of
   /// the head's radius in a material of relative stiffness 1 (`stiffness_for_head`), again after each exchange of the
-  /// tool; with a quadrature of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
-  /// force/stiffness.hpp.
+  /// tool; with a quadrature of points, kStiffnessOfPoints. A device that is driven without a coupling renders much
+  /// less: see force/stiffness.hpp.
   double reference_stiffness = 0;
+
+  /// Stiffness of a device that feels the step directly, without a coupling; 0: none. A reference_stiffness of 0 is
+  /// then chosen so low that the head's contact with the stiffest material is not stiffer (`stiffness_for_device`).
+  /// Cutting forces are too low where StepStatus::engaged_layer_thick says so. See `for_device`.
+  double device_stiffness = 0;
 
   /// Is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
   /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
@@ -90,6 +96,12 @@ struct SimulationConfig {
 
   /// A step that moves the head by more than half a voxel is split into equal sub-steps.
   int max_sweep = 64;
+
+  /// The configuration for a loop of your own that gives the force of each step to a device, without a coupling and a
+  /// guard: its device_stiffness, and limits of the output that the device can follow. With the defaults, which suit
+  /// scripts and couplings, the first touch of a hand would be a blow.
+  /// @throws Error when the device states no stiffness or no peak force
+  [[nodiscard]] static SimulationConfig for_device(const DeviceCapabilities& device);
 };
 
 constexpr auto fields_of(Of<SimulationConfig>) {
@@ -97,6 +109,8 @@ constexpr auto fields_of(Of<SimulationConfig>) {
   return std::tuple{
       field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::between(0, 1e25),
             "k_v, foundation stiffness of a material of relative stiffness 1; 0: chosen from the head's radius"),
+      field("device_stiffness", &C::device_stiffness, "N/m", Range::not_negative(),
+            "of a device that feels the step without a coupling, which limits a chosen reference_stiffness; 0: none"),
       field("contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
             "chi, Hunt and Crossley's damping of all contact; empty: 300 at the end of a step, 0 at its middle"),
       field("removal", &C::removal, "how material is removed"),
@@ -130,7 +144,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
 void validate(const SimulationConfig& config);
 
 /// Replaces the values that are left to the simulation: `reference_stiffness` 0, Quadrature::automatic and an empty
-/// contact_damping, for this head. Simulation::config returns the completed configuration.
-[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head);
+/// contact_damping, for this head in these materials. Simulation::config returns the completed configuration.
+[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials);
 
 }  // namespace hapticut

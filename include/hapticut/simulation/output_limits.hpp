@@ -6,6 +6,7 @@
 
 #include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/device_state.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -43,6 +44,21 @@ void validate(const OutputLimits& limits);
 /// @param stiffness  [N/m] that the device renders
 /// @param speed      [m/s] maximum speed of the hand into the wall
 [[nodiscard]] constexpr double min_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
+
+/// [N/s] The default growth limit of a device's force: what its stiffest wall needs. If the stiffness is unknown, the
+/// force may reach its peak within 10 ms.
+[[nodiscard]] constexpr double default_force_growth(double stiffness, double max_contact_speed, double max_force) {
+  const double needed = min_force_growth(stiffness, max_contact_speed);
+  return needed > 0 ? needed : max_force / 10e-3;
+}
+
+/// The limits of a device's output, for SimulationConfig::effects in a custom loop: the peak force and torque of the
+/// device, and the minimum growth at which the stiffest wall that it promises stays passive (min_force_growth). A
+/// RealtimeLoop does not need them, because SafetyGuard enforces the same limits and more. If the device has no motors
+/// for torque, the torque is not limited.
+/// @param max_contact_speed  [m/s] > 0 at which the tool meets a surface
+/// @throws Error when the device renders no force
+[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed = 0.5);
 
 /// Shortens a vector to a maximum length. Its direction is kept.
 /// @realtime no allocation, no lock; O(1)
