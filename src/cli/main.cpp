@@ -111,6 +111,8 @@ void run(const std::deque<Registered>& entries, const Registered& entry) {
     read_settings_file(entry.settings_file, settings, {}, " Check the name given to --settings.",
                        [&](const std::string& key) { return of_other_commands(entries, entry.command, key); });
   for (std::size_t i = 0; i < settings.size(); ++i)
+    if (!entry.texts[i].empty() && settings[i].begin_anew) settings[i].begin_anew();
+  for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
   require_own_files(settings, entry.settings_file);
   entry.command.run();

@@ -125,6 +125,12 @@ void ToolSettings::set_sphere(double radius_mm) {
 std::vector<Setting> settings_of(ToolSettings& t) {
   std::vector<Setting> settings = {choice("tool.head", "--head", t.head, names_of_heads(),
                                           "shape of the cutting head; docs/heads-and-materials.md shows the shapes")};
+  settings.back().begin_anew = [&t] {
+    t.lengths_and_angles = {};
+    t.tiers = 0;
+    t.flat_rule.reset();
+    t.profile.clear();
+  };
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{})) settings.push_back(setting_of(one, t));
   std::vector<Setting> others = {
       choice("tool.flat_rule", "--flat_rule", t.flat_rule,
