@@ -12,6 +12,7 @@ void bind_tool(pybind11::module_& m);
 void bind_materials(pybind11::module_& m);
 void bind_workpiece(pybind11::module_& m);
 void bind_builders(pybind11::module_& m);
+void bind_closed_forms(pybind11::module_& m);
 void bind_force(pybind11::module_& m);
 void bind_effects(pybind11::module_& m);
 void bind_results(pybind11::module_& m);

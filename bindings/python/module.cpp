@@ -109,6 +109,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_workpiece(m);
   bind_builders(m);
   bind_force(m);
+  bind_closed_forms(m);
   bind_effects(m);
   bind_results(m);
   bind_changed_block(m);

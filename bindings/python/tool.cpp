@@ -80,6 +80,7 @@ void bind_heads(py::module_& m) {
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
       .def("spring_at", &ToolHead::spring_at, py::arg("p_TQ"),
            "The spring at a point (3,) [m] in T: depth in the head and direction of the force.")
+      .def("spring_center", &ToolHead::spring_center, py::arg("p_TQ"), doc("ToolHead::spring_center"))
       .def("__repr__",
            [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
 

@@ -10,6 +10,8 @@ This module builds a workpiece and a tool and moves the tool through the workpie
 
 ``catalogue``, ``presets``, ``units``
     ready-made heads, ready-made materials, factors to SI
+``closed_forms``
+    the model in closed form, to compare with
 ``analysis``
     closed loops, stability and faults, without a device
 ``calibration``, ``effects``
@@ -34,6 +36,7 @@ from . import (
     analysis as analysis,
     calibration as calibration,
     catalogue as catalogue,
+    closed_forms as closed_forms,
     device as device,
     effects as effects,
     heat as heat,
@@ -155,6 +158,7 @@ from ._hapticut import (
     TwistDrillLaw as TwistDrillLaw,
     max_contact_stiffness as max_contact_stiffness,
     stiffness_for_accuracy as stiffness_for_accuracy,
+    stiffness_for_head as stiffness_for_head,
     stiffness_for_device as stiffness_for_device,
 
     # Simulation: one step, and runs of many
@@ -201,6 +205,6 @@ else:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where_is(name)}")
 
 
-export(__name__, "Pose", "analysis", "calibration", "catalogue", "device", "effects", "heat", "io", "islands", "loop",
-       "presets", "safety", "sound", "surface", "sweep", "units", "volume")
+export(__name__, "Pose", "analysis", "calibration", "catalogue", "closed_forms", "device", "effects", "heat", "io",
+       "islands", "loop", "presets", "safety", "sound", "surface", "sweep", "units", "volume")
 __version__: str = build_info().version

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -147,6 +148,18 @@ class ToolHead {
         visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
     const double scale = rho > 0 ? s.n_radial / rho : 0.0;
     return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial), s.smooth};
+  }
+
+  /// The local centre of the spring at a point: where its line meets the axis of the head (O''_i of the thesis, eqs.
+  /// 5.6-5.8); the centre of a ball. Nothing where there is no spring or its line is parallel to the axis, as below the
+  /// bottom of a flat head.
+  /// @param p_TQ  [m] in T
+  /// @return [m] in T
+  [[nodiscard]] std::optional<Vec3> spring_center(const Vec3& p_TQ) const {
+    const Spring s = spring_at(p_TQ);
+    const double across = s.direction.head<2>().norm();
+    if (!(s.depth > 0) || across == 0) return std::nullopt;
+    return Vec3(0, 0, p_TQ.z() - p_TQ.head<2>().norm() / across * s.direction.z());
   }
 
  private:
