@@ -144,7 +144,10 @@ void run_loop(LoopSettings s) {
   Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   SimulationConfig config = make_config(s.simulation);
-  if (coupled) config.contact_time = ContactTime::end;
+  if (coupled)
+    config.contact_time = ContactTime::end;
+  else
+    config.device_stiffness = device->capabilities().stiffness / s.scale;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
   const StopSignals signals;  // a signal ends the run, and the report covers the time until then
   const auto recorder =
@@ -182,8 +185,11 @@ Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
   tell_on_stderr(settings->workpiece);
   settings->simulation.config.reserved_blocks = kReservedBlocks;
-  return {"loop", "Cut with a device, real or simulated, in real time", settings_of(*settings),
-          [settings] { run_loop(*settings); }};
+  return {"loop",
+          "Cut with a device, real or simulated, in real time",
+          settings_of(*settings),
+          [settings] { run_loop(*settings); },
+          {"path"}};
 }
 
 }  // namespace hapticut::cli

@@ -11,6 +11,7 @@ namespace hapticut::cli {
 namespace {
 
 constexpr double kMicrosecond = 1e-6;
+constexpr double kOftenSlow = 0.01;  // [1] of the ticks
 
 Json to_json(const LatencyHistogram& h) {
   Json buckets = Json::array();  // [lower edge in us, count], without empty buckets
@@ -51,6 +52,8 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warnings.emplace_back(
         "at the end the hand was inside material that the tool had not cut, so there was no force; move the hand out "
         "of the material.");
+  else if (tool.steps > 0 && tool.touched.empty())
+    warnings.emplace_back("the tool never touched the workpiece; move loop.origin_mm, or give a longer path.");
   if (saw(StepStatus::spindle_stands))
     warnings.emplace_back(
         "the spindle stood in contact, so the head pressed, rubbed and crushed, but did not cut; set "
@@ -63,6 +66,11 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warnings.emplace_back(
         "the load stalled the spindle, and the head did not cut until it ran again; press less, or raise "
         "tool.power_limit_W or tool.torque_limit_Nmm.");
+  const std::uint64_t slow = r.run.compute.at_least(r.run.period);
+  if (double(slow) > kOftenSlow * double(r.run.ticks))
+    warnings.push_back(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +
+                       " ticks took longer than their period, so the force came late; choose larger voxels, a smaller "
+                       "head or simulation.voxel_budget.");
   if (saw(StepStatus::blocks_exhausted))
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");

@@ -9,6 +9,7 @@ namespace hapticut::cli {
 namespace {
 
 constexpr double kMaxClosure = 0.01;  // [1] above it, energies and forces are inconsistent
+constexpr double kOftenSlow = 0.01;   // [1] of the steps
 constexpr double kOftenThick = 0.5;   // [1] fraction of the cutting steps
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
@@ -54,6 +55,10 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warnings.emplace_back("in " + steps(r.steps_too_soft) + " of " + std::to_string(r.steps_cutting) +
                           " that cut, the engaged layer was thicker than a tenth of the head, so forces are too low; "
                           "raise simulation.reference_stiffness_N_per_m4 or lower the feed.");
+  if (double(r.times.deadline_misses) > kOftenSlow * double(r.steps))
+    warnings.push_back(steps(r.times.deadline_misses) + " of " + std::to_string(r.steps) +
+                       " took longer than 1 ms; for a haptic loop choose larger voxels, a smaller head or "
+                       "simulation.voxel_budget.");
   if (std::abs(r.energy.closure()) > kMaxClosure)
     warnings.emplace_back("the energy ledger does not close: " + rounded(100 * r.energy.closure(), 3) +
                           " % of the work is unexplained, " + rounded(r.energy.entered, 2) +

@@ -148,8 +148,8 @@ TEST_F(SettingsFile, NamesTheCommandOfAnotherCommandsKey) {
   };
   const std::string picture = "[output]\njson = \"a.json\"\npicture = \"a.png\"\n";
   expect_of("loop mock:rest", picture, ":3: loop takes no output.picture; it is a setting of drill. Leave it out.");
-  expect_of("loop mock:rest", "[path]\nkind = \"line\"\n",
-            ":1: loop takes no [path]; it is a table of drill. Leave it out.");
+  expect_of("convert molar molar.vdb", "[path]\nkind = \"line\"\n",
+            ":1: convert takes no [path]; it is a table of drill. Leave it out.");
   expect_of("drill", "[output]\npictur = \"a.png\"\n",
             ":2: output.pictur: there is no such setting. Did you mean output.picture?");
 }
