@@ -86,7 +86,7 @@ void ClosedLoop::apply(const Wrench& wrench) {
   applied_ = wrench;
   if (config_.saturation) {
     applied_.force = shortened(applied_.force, config_.device.peak_force);
-    applied_.torque = shortened(applied_.torque, config_.device.peak_torque);
+    applied_.torque = rendered_torque(config_.device, X_BS_read_.rotation.col(2), applied_.torque);
   }
   if (config_.delay == 0) return;
   std::swap(applied_, delayed_[std::size_t(next_)]);

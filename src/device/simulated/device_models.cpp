@@ -12,11 +12,11 @@ namespace {
 constexpr double kServoRate = 1000;  // [Hz]
 
 // name, mass, damping, friction, encoder, peak force, continuous force, rendered stiffness and damping, gimbal:
-// inertia, damping, peak torque, half width of the workspace.
+// inertia, damping, peak torque, half width of the workspace, gimbal: continuous torque, peak torque about the stylus.
 constexpr std::array<DeviceModel, 4> kDevices = {{
     {"touch", 0.045, 0.20, 0.13, 55e-6, 3.3, 0.88, 700, 4, 2e-5, 2e-4, 0, 0.08},
     {"premium15", 0.085, 0.05, 0.04, 30e-6, 8.5, 1.4, 800, 5, 2e-5, 2e-4, 0, 0.12},
-    {"premium6dof", 0.136, 0.10, 0.04, 30e-6, 8.5, 1.4, 800, 5, 4e-5, 2e-4, 0.048, 0.12},
+    {"premium6dof", 0.136, 0.10, 0.04, 30e-6, 8.5, 1.4, 800, 5, 4e-5, 2e-4, 0.515, 0.12, 0.188, 0.170},
     {"omega", 0.25, 0.50, 0.10, 10e-6, 12, 12, 5000, 30, 2e-5, 2e-4, 0, 0.075},
 }};
 
@@ -60,7 +60,7 @@ DeviceCapabilities capabilities(const DeviceModel& model) {
   c.peak_force = model.peak_force;
   c.continuous_force = model.continuous_force;
   c.peak_torque = model.peak_torque;
-  c.continuous_torque = model.peak_torque;
+  c.continuous_torque = model.continuous_torque;
   c.stiffness = model.rendered_stiffness;
   c.rotational_stiffness = model.peak_torque > 0 ? 2 * model.rotational_damping * kServoRate : 0;
   c.damping = model.rendered_damping;

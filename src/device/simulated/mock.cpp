@@ -81,7 +81,7 @@ bool MockDevice::read(DeviceState& state) noexcept {
 
 Wrench MockDevice::write(const Wrench& wrench) noexcept {
   Wrench applied{saturated(wrench.force, options_.device.peak_force),
-                 saturated(wrench.torque, options_.device.peak_torque)};
+                 rendered_torque(options_.device, X_BS_last_.rotation.col(2), wrench.torque)};
   if (!options_.rigid) plant_.advance(applied);
   return applied;
 }

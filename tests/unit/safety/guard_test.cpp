@@ -109,10 +109,10 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
 TEST(Guard, LimitsTheGrowthOfATorqueThatTurnsToTheOtherSide) {
   GuardedLoop loop({}, "premium6dof");
   loop.engage();
-  const Vec3 max_torque(0, 0.048, 0);
+  const Vec3 max_torque(0, 0.515, 0);
   for (int n = 0; n < 100; ++n) loop.tick(Vec3::Zero(), max_torque);
-  ASSERT_NEAR(loop.guard.output().applied.torque.y(), 0.048, 1e-12);
-  const double step = loop.guard.slew() / 8.5 * 0.048 * kPeriod;
+  ASSERT_NEAR(loop.guard.output().applied.torque.y(), 0.515, 1e-12);
+  const double step = loop.guard.slew() / 8.5 * 0.515 * kPeriod;
   for (int n = 1; n <= 5; ++n) {
     loop.tick(Vec3::Zero(), -max_torque);
     EXPECT_NEAR(loop.guard.output().applied.torque.y(), -n * step, 1e-9) << n;
@@ -132,7 +132,7 @@ TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
     EXPECT_NO_THROW(validate(limits));
   }
   const OutputLimits six = output_limits(capabilities(device_model("premium6dof")));
-  EXPECT_EQ(six.max_torque, 0.048);
+  EXPECT_EQ(six.max_torque, 0.515);
   EXPECT_NEAR(six.max_torque / six.torque_growth, six.max_force / six.force_growth, 1e-12)
       << "the torque reaches its peak in the same time as the force";
 }
@@ -161,8 +161,8 @@ TEST(Guard, GivesATorqueOnlyToDevicesThatHaveMotorsForIt) {
   Wrench given;
   for (int n = 0; n < 100; ++n) given = six.tick(Vec3::Zero(), Vec3(0, 0, 0.01));
   EXPECT_NEAR(given.torque.z(), 0.01, 1e-12);
-  for (int n = 0; n < 100; ++n) given = six.tick(Vec3::Zero(), Vec3(0, 0.3, 0.4));
-  EXPECT_NEAR(given.torque.norm(), 0.048, 1e-12);
+  for (int n = 0; n < 100; ++n) given = six.tick(Vec3::Zero(), Vec3(0, 0.6, 0.8));
+  EXPECT_NEAR(given.torque.norm(), 0.515, 1e-12);
 }
 
 TEST(Guard, WaitsUntilFreeAfterALateTickAndFadesInShortly) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
+#include "hapticut/simulation/output_limits.hpp"
 
 /// @file
 /// Mechanical models of devices and of the hand that holds them. The mock device and the closed loop in simulated time
@@ -28,6 +30,8 @@ struct DeviceModel {
   double rotational_damping = 2e-4;
   double peak_torque = 0;
   double workspace_half_width = 0.08;
+  double continuous_torque = 0;
+  double peak_roll_torque = 0;
 };
 
 constexpr auto fields_of(Of<DeviceModel>) {
@@ -49,7 +53,20 @@ constexpr auto fields_of(Of<DeviceModel>) {
       field("peak_torque", &M::peak_torque, "N m", Range::not_negative(), "0: the gimbal has no motors"),
       field("workspace_half_width", &M::workspace_half_width, "m", Range::not_negative(),
             "half the edge of the cube around the origin"),
+      field("continuous_torque", &M::continuous_torque, "N m", Range::not_negative(),
+            "that the motors of the gimbal bear permanently"),
+      field("peak_roll_torque", &M::peak_roll_torque, "N m", Range::not_negative(),
+            "about the stylus, whose motor is weaker; peak_torque is about the axes across it"),
   };
+}
+
+/// What the motors of the gimbal make of a torque.
+/// @param axis  [1] of the stylus
+/// @param torque  [N·m] about the stylus point
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] inline Vec3 rendered_torque(const DeviceModel& model, const Vec3& axis, const Vec3& torque) noexcept {
+  const double roll = torque.dot(axis), limit = std::min(model.peak_roll_torque, model.peak_torque);
+  return saturated(Vec3(torque - roll * axis), model.peak_torque) + std::clamp(roll, -limit, limit) * axis;
 }
 
 /// The presets `touch`, `premium15`, `premium6dof` and `omega`. They follow published data where available. The omega
