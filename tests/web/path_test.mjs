@@ -36,7 +36,7 @@ test("a scripted path of the mouse removes the volume that the simulation remove
   writeFileSync(file, [names.join(), ...rows].join("\n") + "\n");
   execFileSync(process.env.HAPTICUT_PROGRAM, [
     "drill", "--workpiece", "block", "--size-mm", "20,20,20", "--voxel-mm", "0.2", "--material", "clay", "--head", "sphere",
-    "--radius-mm", "2", "--handle", "ray", "--handle-length-mm", "100", "--spindle-rpm", "20000", "--path", "poses",
+    "--radius-mm", "2", "--handle", "ray", "--handle-length-mm", "100", "--spindle-rpm", "1000", "--path", "poses",
     "--poses", file, "--point", "handle", "--json", report]);
   const text = JSON.parse(readFileSync(report, "utf8"));
   const by_path = text.removed_volume_mm3?.total ?? text.results?.removed_volume_mm3?.total;

@@ -42,6 +42,20 @@ TEST(ViewScenes, AreReadyToBeDrilled) {
   }
 }
 
+// A Touch has a friction of its own of 0.13 N.
+TEST(ViewScenes, OfClayIsFelt) {
+  const ViewScene scene = make_view_scene("clay");
+  Simulation simulation = simulation_of(scene);
+  Pose X_WT = cli::start_pose(scene);
+  double felt = 0;  // [N]
+  for (int tick = 0; tick < 10'000 && felt < 0.5; ++tick) {
+    X_WT.translation -= 5e-6 * scene.axis;
+    const Twist down{-5 * mm * scene.axis, Vec3::Zero()};
+    felt = simulation.step(X_WT * scene.tool.X_HT().inverse(), down, 1e-3).force.norm();
+  }
+  EXPECT_GE(felt, 0.5);
+}
+
 TEST(ViewScenes, OfASettingsFileHaveWhatItSays) {
   const test::TemporaryFolder folder;
   test::write_bytes(folder / "a.toml",
