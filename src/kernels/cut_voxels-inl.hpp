@@ -20,10 +20,10 @@ namespace strips {
 /// VoxelSection in vectors; its comments give the reasons.
 class SectionVectors {
  public:
-  HWY_INLINE explicit SectionVectors(Vec max_component) : p_(max_component) {
+  HWY_INLINE SectionVectors(Vec max_component, float min_width) : p_(max_component) {
     const Vec one = broadcast(1.0F);
     q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(max_component, max_component, one))),
-                 broadcast(VoxelSection<float>::kMinWidth));
+                 broadcast(min_width));
     per_area_ = one / (p_ * q_);
   }
 
@@ -170,7 +170,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   PartOutcome p;
   // The steps have the numbers of FoundationLaw::evaluate_parts; the springs (4) come before the chips (3).
   // 1. The filled part: its section, far plane and height.
-  const SectionVectors section(s.max_component);
+  const SectionVectors section(s.max_component, m.min_width());
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;

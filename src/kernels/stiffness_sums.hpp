@@ -52,7 +52,7 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const auto damped = FoundationLaw::Damping::of(damping * closing);
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
     if (!(force.dot(n) < 0)) continue;
-    const VoxelSection<float> section(b.max_component[i]);
+    const VoxelSection<float> section(b.max_component[i], b.min_width);
     const float top = b.top[i] / m.voxel_size, height = top - b.depth[i] / m.voxel_size + section.span() / 2;
     const DepthIntegrals<float> part = section.integrals(height, top);
     const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel

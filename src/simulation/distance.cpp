@@ -100,7 +100,8 @@ class NearestVoxel {
     const HeadOutline::Place place = outline_.place(rho, p_TQ.z());
     const double radial = place.n_radial / std::max(rho, 1e-12);
     const Vec3 n_V = grid_.voxel_steps.transpose() * Vec3(radial * p_TQ.x(), radial * p_TQ.y(), place.n_axial) / size_;
-    const VoxelSection<double> section(std::clamp(n_V.cwiseAbs().maxCoeff(), double(kMinMaxNorm), 1.0));
+    const VoxelSection<double> section(std::clamp(n_V.cwiseAbs().maxCoeff(), double(kMinMaxNorm), 1.0),
+                                       VoxelSection<double>::kMinStandingWidth);
     gap_ = std::min(gap_, place.distance - size_ * (section.height_of(fill) - section.span() / 2));
   }
 

@@ -103,7 +103,7 @@ ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_siz
     block.depth[n] = empty ? 0.0F : float(random.between(0, 0.3) * mm);
     block.fill[n] = empty ? 0.0F : float(random.between(0.01, 1));
     block.max_component[n] = float(normal.cwiseAbs().maxCoeff());
-    const VoxelSection<float> section(block.max_component[n]);
+    const VoxelSection<float> section(block.max_component[n], block.min_width);
     const float above_middle = section.height_of(block.fill[n]) - section.span() / 2;
     block.top[n] = empty ? 0.0F : block.depth[n] + voxel_size * above_middle;
     block.force_x[n] = block.force_y[n] = block.force_z[n] = block.fill_after[n] = 99;  // must be overwritten

@@ -8,6 +8,7 @@
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/whole_contact.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
 
 /// `ForceLaw::evaluate`: input and output of a force law. Each law has a file in `force/laws/`.
 namespace hapticut {
@@ -78,6 +79,10 @@ struct HeadMotion {
 
   /// Whether a spinning head removes material.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
+  /// [1] The narrowest box of VoxelSection.
+  [[nodiscard]] float min_width() const noexcept {
+    return cuts() ? VoxelSection<float>::kMinWidth : VoxelSection<float>::kMinStandingWidth;
+  }
   /// [s] Time in which a small motion to the pose of the evaluation changes the velocity.
   [[nodiscard]] float time_to_move() const noexcept { return elapsed > 0 ? elapsed : duration; }
   /// Whether the contact is evaluated at the end of the sub-step.

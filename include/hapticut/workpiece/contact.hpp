@@ -35,6 +35,7 @@ struct ContactBlock {
   MaterialId one_material = kEmpty;
   bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is the centre's distance below the surface
                            ///< with the smallest w, and may be negative
+  float min_width = VoxelSection<float>::kMinWidth;  ///< [1] of VoxelSection; set before the block is sampled
 
   std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
@@ -162,7 +163,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       if (sub_voxel) {
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
         out.max_component[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kMinMaxNorm, 1.0F);
-        const VoxelSection<float> section(out.max_component[n]);
+        const VoxelSection<float> section(out.max_component[n], out.min_width);
         const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
         out.top[n] = is_inside ? top : 0.0F;

@@ -119,7 +119,7 @@ double smallest_gap(const Simulation& simulation, MaterialId material, const Vec
     if (id == kEmpty || (material != kEmpty && id != material)) return;
     const Vec3 from = workpiece.frame().center(at) - center;
     const Vec3 n_V = workpiece.frame().X_WV.rotation.transpose() * from / from.norm();
-    const VoxelSection<double> section(n_V.cwiseAbs().maxCoeff());
+    const VoxelSection<double> section(n_V.cwiseAbs().maxCoeff(), VoxelSection<double>::kMinStandingWidth);
     const double height = section.height_of(workpiece.fill_at(at));
     smallest = std::min(smallest, from.norm() - radius - size * (height - section.span() / 2));
   });

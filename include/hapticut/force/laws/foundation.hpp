@@ -199,7 +199,7 @@ class FoundationLaw final : public ForceLaw {
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
       // 1. The filled part: its section, far plane and height.
-      const VoxelSection<float> section(b.max_component[n]);
+      const VoxelSection<float> section(b.max_component[n], b.min_width);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
       const float full_height = b.top[n] / l - far_plane;
       // 2. Crushing.
