@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Measures the time of a step and compares it with straightforward implementations and with its deadline. Writes the raw
-# results to out/bench/*.json and the table to out/bench/table.md, and prints the table.
+# results to out/bench/*.json and the tables to out/bench/verdict.md and table.md, and prints them: first which scenes fit
+# into 1 ms.
 #
 #   scripts/bench.sh [--all] [--repetitions N] [--no-install]
 #
@@ -40,7 +41,7 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 out=out/bench
 mkdir -p "$out"
 cmake --preset release -DHAPTICUT_WITH_BENCHMARKS=ON >"$out/build.log" 2>&1 &&
-  cmake --build --preset release -t bench_step bench_scenarios bench_report hapticut_cli >>"$out/build.log" 2>&1 ||
+  cmake --build --preset release -t bench_verdict bench_step bench_scenarios bench_report hapticut_cli >>"$out/build.log" 2>&1 ||
   { tail -n 40 "$out/build.log" >&2; echo "bench.sh: the build failed; see $out/build.log." >&2; exit 1; }
 
 run() {
@@ -51,6 +52,8 @@ run() {
     >"$out/$name.log" 2>&1 || { tail -n 20 "$out/$name.log" >&2; exit 1; }
   mv "$out/$name.json.part" "$out/$name.json"
 }
+echo "measuring: what fits into 1 ms" >&2
+build/release/benchmarks/bench_verdict | tee "$out/verdict.md"
 run step --benchmark_filter="$filter" --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
 run scenarios --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
 echo "measuring: loop" >&2
