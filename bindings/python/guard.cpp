@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/simulation/config.hpp"
 #include "structs.hpp"
 
 namespace hapticut::python {
@@ -74,6 +75,8 @@ void bind_guard(py::module_& m) {
       .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop is active.")
       .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is requested.");
   bind_options(m);
+  py::reinterpret_borrow<py::class_<SimulationConfig>>(m.attr("SimulationConfig"))
+      .def_static("for_device", &SimulationConfig::for_device, py::arg("device"), doc("SimulationConfig::for_device"));
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("max_contact_speed") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
       .def(py::init([](const DeviceCapabilities& capabilities, const GuardOptions& options) {

@@ -108,7 +108,8 @@ std::string of_other_commands(const std::deque<Registered>& entries, const Comma
 void run(const std::deque<Registered>& entries, const Registered& entry) {
   const std::vector<Setting>& settings = entry.command.settings;
   if (!entry.settings_file.empty())
-    read_settings_file(entry.settings_file, settings, entry.command.ignored_tables, " Check the name given to --settings.",
+    read_settings_file(entry.settings_file, settings, entry.command.ignored_tables,
+                       " Check the name given to --settings.",
                        [&](const std::string& key) { return of_other_commands(entries, entry.command, key); });
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty() && settings[i].begin_anew) settings[i].begin_anew();

@@ -52,8 +52,8 @@ struct Setting {
   std::function<bool(const std::string& text)> assign_short_form = {};
   /// For a text that names a file: the name relative to `folder`, the folder of the settings file.
   std::function<std::string(const std::string& text, const std::filesystem::path& folder)> in_folder = {};
-  /// Removes what belongs to another value, e.g. the dimensions of another head. Called when a flag replaces the value of
-  /// a settings file, before the flags are applied.
+  /// Removes what belongs to another value, e.g. the dimensions of another head. Called when a flag replaces the value
+  /// of a settings file, before the flags are applied.
   std::function<void()> begin_anew = {};
   /// For a text that names a file: all files that it stands for; none while the text is empty.
   std::function<std::vector<std::filesystem::path>()> files = {};

@@ -205,13 +205,43 @@ void flick(Report& report) {
   chain.judge();
 }
 
+// --- G52 -------------------------------------------------------------------------------------------------------------
+
+/// The case of the thesis with six degrees of freedom. The handle is held by the gimbal and the fingers alone, so a
+/// lever of the length L makes the contact softer by K/L^2.
+void l_handle(Report& report) {
+  constexpr double kDeeper = 4 * mm;  // of the hand, below the surface
+  double last = 0;                    // [N] with the longer lever
+  for (const double length : {100 * mm, 30 * mm}) {
+    report.scene("ball 2 mm on an L handle of " + shown(1e3 * length, "mm") +
+                 ", 40 000 rpm, cortical bone, Premium 6DOF in a nominal hand, coupled");
+    const Tool tool(SphereHead{1 * mm}, LHandle{length, 20 * mm}, Spindle{40000 * rpm});
+    DeviceChain chain(report, slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()), tool,
+                      {.device = "premium6dof", .hand = "nominal"});
+    Hand hand(Pose::from_translation(Vec3(0, 0, 1.2 * mm)) * tool.X_HT().inverse());
+    chain.play(hand.move({0, 0, -0.2 * mm - kDeeper}, 0.3).hold(0.5));
+    const Span steady = chain.log.within(0.4, 0.8);
+    const double force = chain.log.mean(steady, [](const Tick& tick) { return tick.applied.force.norm(); });
+    const double gimbal = coupling_gains(capabilities(device_model("premium6dof"))).angular_stiffness;
+    const double fingers = hand_model("nominal").angular_stiffness;
+    const double springs = kDeeper / (length * length * (1 / gimbal + 1 / fingers));  // [N] if nothing else gave way
+    report.between("presses", force, 0.3 * springs, springs, "N", "gimbal and fingers in series, on this lever");
+    report.at_least("shorter lever presses harder", force, 3 * last, "N");
+    report.at_least("cuts", 1e9 * chain.log.sum(chain.log.all(), removed_of), 0.001, "mm^3");
+    demand_steady(report, chain.log, steady);
+    chain.judge();
+    last = force;
+  }
+}
+
 }  // namespace
 
 std::vector<Gesture> device_gestures() {
   return {{"G8", "press an ideal passive spring and let it out, every device", passive_spring, false},
           {"G16", "feed README's first example to a Touch", readme_on_touch},
           {"G17", "move a heavy tool fast and stop", heavy_tool, false},
-          {"G24", "flick the wrist at 10 rad/s with a long tool, no torque motors", flick}};
+          {"G24", "flick the wrist at 10 rad/s with a long tool, no torque motors", flick},
+          {"G52", "press with an L handle on a device with torque", l_handle}};
 }
 
 }  // namespace hapticut::gestures

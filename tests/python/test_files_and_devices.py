@@ -270,6 +270,10 @@ def test_models_maps_and_the_guard():
 
     limits = h.safety.output_limits(h.device.capabilities(h.device.device_model("touch")), max_contact_speed=0.5)
     assert limits.max_force == 3.3 and limits.force_growth == 437.5 and np.isinf(limits.max_torque)
+    config = h.SimulationConfig.for_device(h.device.capabilities(h.device.device_model("touch")))
+    assert config.device_stiffness == 700 and config.effects.limits.max_force == limits.max_force
+    with pytest.raises(h.Error, match="states no stiffness"):
+        h.SimulationConfig.for_device(h.device.DeviceCapabilities())
     guard = h.safety.SafetyGuard(h.device.capabilities(h.device.device_model("touch")))
     guard.start()
     for n in range(40):

@@ -43,11 +43,11 @@ namespace detail {
 }  // namespace detail
 
 /// The k_v that a simulation chooses by default. Under kPressureOfCuts the interface between head and material, whose
-/// pressure is k_v t^2/2 at depth t, is pressed in by a hundredth of the head's radius; a material of relative stiffness
-/// s by s^-1/2 times as much, so that it feels softer or stiffer. For a needle the layer is thinner, because the needle
-/// would otherwise sink through bone before the material at its point is crushed. The voxel size does not enter, because
-/// the volume that a constant force removes would then depend on it: the rear half of a bur rests on its own groove, at
-/// a depth proportional to k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
+/// pressure is k_v t^2/2 at depth t, is pressed in by a hundredth of the head's radius; a material of relative
+/// stiffness s by s^-1/2 times as much, so that it feels softer or stiffer. For a needle the layer is thinner, because
+/// the needle would otherwise sink through bone before the material at its point is crushed. The voxel size does not
+/// enter, because the volume that a constant force removes would then depend on it: the rear half of a bur rests on its
+/// own groove, at a depth proportional to k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
 /// @return [N/m^4] for a material of relative stiffness 1
 [[nodiscard]] inline double stiffness_for_head(const ToolHead& head) {
   const double pointed = std::clamp(kLayerOfPoint * detail::slope_of_tip(head), kMinLayer, 1.0);

@@ -41,8 +41,8 @@ class Simulation {
 
   // --- the step -----------------------------------------------------------------------------------------------------
   /// Moves the tool to a pose, removes what the spindle cuts on the way, and returns the force and torque on the hand.
-  /// For a device in your own loop construct the simulation with SimulationConfig::for_device, or use a VirtualCoupling:
-  /// the plain defaults suit scripts, whose path no force deflects.
+  /// For a device in your own loop construct the simulation with SimulationConfig::for_device, or use a
+  /// VirtualCoupling: the plain defaults suit scripts, whose path no force deflects.
   ///
   /// The head moves from its pose at the end of the last step to `X_WH` with constant velocity. In the first step it
   /// comes from `X_WH - V_WH dt`.

@@ -11,7 +11,6 @@ namespace hapticut::cli {
 namespace {
 
 constexpr double kMicrosecond = 1e-6;
-constexpr double kOftenSlow = 0.01;  // [1] of the ticks
 
 Json to_json(const LatencyHistogram& h) {
   Json buckets = Json::array();  // [lower edge in us, count], without empty buckets

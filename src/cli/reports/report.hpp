@@ -48,6 +48,9 @@ struct WorkpieceSummary {
 /// The warning of a run with RemovalLaw::none.
 inline constexpr const char* kRemovalIsOff = "removal is off (simulation.removal is none), so nothing was removed.";
 
+/// [1] The share of steps above their period from which on a report warns.
+inline constexpr double kOftenSlow = 0.01;
+
 /// Warnings about the numbers, as sentences; may be empty.
 [[nodiscard]] std::vector<std::string> warnings_of(const DrillResult& result, const Simulation& simulation);
 

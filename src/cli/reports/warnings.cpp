@@ -9,7 +9,6 @@ namespace hapticut::cli {
 namespace {
 
 constexpr double kMaxClosure = 0.01;  // [1] above it, energies and forces are inconsistent
-constexpr double kOftenSlow = 0.01;   // [1] of the steps
 constexpr double kOftenThick = 0.5;   // [1] fraction of the cutting steps
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }

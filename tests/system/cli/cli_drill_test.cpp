@@ -56,6 +56,19 @@ TEST_F(Drill, ReportsEveryField) {
   EXPECT_LE(time["p999"], time["max"]);
 }
 
+// A flat head of 3 mm needs several milliseconds a step in such voxels, on any machine of today.
+TEST_F(Drill, SaysThatItsStepsTakeLongerThanALoopAllows) {
+  const auto says_so = [this](const std::string& voxels) {
+    const nlohmann::json report = drill(
+        "--workpiece block --size_mm 8,8,4 --material cortical_bone --head flat --radius_mm 3 --height_mm 4 "
+        "--spindle_rpm 0 --path line --from_mm 4,4,4.1 --to_mm 4,4,3.8 --feed_mm_per_s 10 --voxel_mm " +
+        voxels);
+    return report["warnings"].dump().find("took longer than 1 ms") != std::string::npos;
+  };
+  EXPECT_TRUE(says_so("0.04"));
+  EXPECT_FALSE(says_so("0.4"));
+}
+
 TEST_F(Drill, PrintsTheLossesBesideTheWork) {
   const auto energy = [this](const std::string& head) {
     const nlohmann::json losses = drill(kBlock + head + kGroove)["energy_J"];

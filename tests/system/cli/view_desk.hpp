@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "cli/view/view_session.hpp"
 #include "system/cli/small_scene.hpp"
@@ -17,7 +18,9 @@ namespace hapticut::test {
 
 /// A session with running frames, and a page that sends commands.
 struct Desk {
-  Desk() { session.begin(true); }
+  explicit Desk(cli::ViewScene scene = small_scene("block")) : session{std::move(scene), server, nullptr} {
+    session.begin(true);
+  }
   /// Waits until the model has executed the commands and the force is on (without it the spindle stands), plus one
   /// tick.
   void frames() {
@@ -31,10 +34,9 @@ struct Desk {
       if (control.label == label) return session.apply(view::SetControl{control.id, value});
     ADD_FAILURE() << "there is no control " << label;
   }
-  /// Moves the tip of the ball to a point, and runs frames until the hand is there.
+  /// Moves the tip of the head to a point, and runs frames until the hand is there.
   void lead(const Vec3& tip, bool pressed) {
-    using units::mm;
-    const Pose X_WT = Pose::from_translation(tip + Vec3(0, 0, 0.5 * mm));
+    const Pose X_WT = Pose::from_translation(tip - Vec3(0, 0, session.tool().head().bounding_box().min.z()));
     session.apply(view::LookAt{});
     session.apply(view::MoveHand{X_WT * session.tool().X_HT().inverse(), pressed});
     ASSERT_TRUE(view_test::soon([&] {
@@ -50,7 +52,7 @@ struct Desk {
     return session.simulation();
   }
   view::ViewServer server{{}};
-  cli::ViewSession session{small_scene("block"), server, nullptr};
+  cli::ViewSession session;
 };
 
 }  // namespace hapticut::test

@@ -76,6 +76,22 @@ TEST(ViewSession, ThePointerCutsOnlyWhileItPresses) {
   EXPECT_EQ(desk.session.latest().tool.undo_marks, 1U);
 }
 
+TEST(ViewSession, InThesisModeCutsWithTheHeadsOfTheThesis) {
+  const test::TemporaryFolder folder;
+  const std::string scene = (folder / "thesis.toml").string();
+  for (const char* head : {"\"sphere\"\nradius_mm = 1", "\"cone\"\nhalf_angle_deg = 30\nheight_mm = 1.5",
+                           "\"flat\"\nradius_mm = 1\nheight_mm = 2"}) {
+    test::write_bytes(scene,
+                      "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"clay\"\nvoxel_mm = 0.1\n"
+                      "[simulation]\nthesis_mode = true\n[tool]\nspindle_rpm = 40000\nhead = " +
+                          std::string(head) + "\n");
+    Desk desk(cli::make_view_scene(scene));
+    desk.lead(Vec3(3, 3, 4) * mm, false);
+    desk.lead(Vec3(3, 3, 2) * mm, true);
+    EXPECT_GT(desk.session.latest().tool.removed_volume, 1e-10) << head;
+  }
+}
+
 TEST(ViewSession, TellsTheForceThatTheHandIsGiven) {
   Desk desk;
   desk.lead(Vec3(0, 0, 1 * mm), false);

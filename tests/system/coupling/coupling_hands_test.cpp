@@ -63,6 +63,14 @@ Material any_material(RandomPoses& random) {
   return material;
 }
 
+Handle any_handle(RandomPoses& random) {
+  const double kind = random.between(0, 1), length = random.between(10 * mm, 100 * mm);
+  if (kind < 0.3) return RayHandle{0};
+  if (kind < 0.7) return RayHandle{length};
+  const double neck = random.between(0, 30 * mm);
+  return LHandle{length, neck, random.between(0.3, 2)};
+}
+
 Workpiece any_slab(RandomPoses& random) {
   const double voxel = random.between(0.2 * mm, 0.3 * mm);
   const Vec3 aside = voxel * Vec3(random.between(0, 1), random.between(0, 1), random.between(0, 1));
@@ -120,8 +128,7 @@ struct Scene {
       : period(1 / one_of(random, std::array{500.0, 1000.0, 2000.0, 4000.0})),
         device(model),
         gains(any_gains(random, device)),
-        tool(any_head(random), RayHandle{random.between(0, 1) < 0.3 ? 0 : random.between(10 * mm, 100 * mm)},
-             Spindle{(spins ? random.between(500, 4000) : 0) * units::rad_per_s}),
+        tool(any_head(random), any_handle(random), Spindle{(spins ? random.between(500, 4000) : 0) * units::rad_per_s}),
         simulation(any_slab(random), tool, at_the_end()),
         coupling(simulation, gains) {
     path.start = above_the_slab(random, tool);

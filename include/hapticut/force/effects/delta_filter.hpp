@@ -13,8 +13,8 @@ namespace hapticut {
 ///
 /// The table adds the number epsilon to a vector. As a step along the difference vector it keeps its direction and does
 /// not run away when the force is released. It still lags: it changes by epsilon a step whatever the rate, 3 N in half
-/// a second. The torque is formed from the filtered force, as if the filter took the difference away at the head (6.2.5:
-/// "due to the output net force and cutting operation").
+/// a second. The torque is formed from the filtered force, as if the filter took the difference away at the head
+/// (6.2.5: "due to the output net force and cutting operation").
 struct DeltaFilter {
   double delta = 0.5;
   double epsilon = 0.005;
