@@ -18,7 +18,10 @@ int main(int argc, char** argv) {
   device->run([&](const DeviceState& hand) {
     const StepResult& result = simulation.step(hand.X_BS, hand.velocity, 1 * ms);
     max_force = std::max(max_force, result.force.norm());
-    return DeviceCommand{{result.force, result.torque}, false, {result.contact.voxels > 0}};
+    DeviceCommand command;
+    command.wrench = {result.force, result.torque};
+    command.contact.touching = result.contact.voxels > 0;  // lets the guard begin in the air
+    return command;
   });
   std::cout << "up to " << max_force << " N, " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3 removed\n";
 }

@@ -170,7 +170,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   PartOutcome p;
   // The steps have the numbers of FoundationLaw::evaluate_parts; the springs (4) come before the chips (3).
   // 1. The filled part: its section, far plane and height.
-  const SectionVectors section(s.max_component, m.min_width());
+  const SectionVectors section(s.max_component, m.min_width);
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;
@@ -181,7 +181,7 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     p.crushed = s.top > crushing_depth;
     p.top = hn::IfThenElse(p.crushed, crushing_depth, s.top);
     height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
-    const Vec below = section.fill_below(height);
+    const Vec below = hn::Min(fill, section.fill_below(height));  // rounding
     const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kMinPart), below);
     p.kept = hn::IfThenElse(p.crushed, kept, fill);
     p.yielding = hn::IfThenElseZero(p.crushed, p.top * per_l * section.area_at(height));

@@ -169,7 +169,7 @@ class Press : Places {
     if (hn::AllFalse(d, hn::And(deep, depth + reach > broadcast(deepest_)))) [[likely]]
       return;
     const Vec half_span =
-        broadcast(0.5F * m_.voxel_size) * SectionVectors(max_component_of(axes_, r, s), m_.min_width()).span();
+        broadcast(0.5F * m_.voxel_size) * SectionVectors(max_component_of(axes_, r, s), m_.min_width).span();
     sums.depth = hn::Max(sums.depth, hn::IfThenElseZero(deep, depth + half_span));
     deepest_ = hn::GetLane(hn::MaxOfLanes(d, sums.depth));
   }
@@ -221,7 +221,7 @@ class Press : Places {
     s.axial = spring.axial;
     s.smooth = spring.smooth;
     s.max_component = max_component_of(axes_, r, s);
-    const SectionVectors section(s.max_component, m_.min_width());
+    const SectionVectors section(s.max_component, m_.min_width);
     const Vec above_middle = hn::NegMulAdd(broadcast(0.5F), section.span(), section.height_of(fill));
     const Vec depth = distance_below<Springs::kSmooth>(s, spring.depth);
     s.top = hn::MulAdd(broadcast(m_.voxel_size), above_middle, depth);

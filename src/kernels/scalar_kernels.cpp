@@ -34,7 +34,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   task.change = {};
   BlockMask solid;
   const BlockView block = job.level_of_detail > 1 ? with_phase(job, task.block, solid) : task.block;
-  contact.min_width = job.motion.min_width();
+  contact.min_width = job.motion.min_width;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, contact);
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;
@@ -64,7 +64,7 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
 }
 
 int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
-  scratch().min_width = job.motion.min_width();
+  scratch().min_width = job.motion.min_width;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, scratch());
   return scratch().samples;
 }

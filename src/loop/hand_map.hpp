@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 #include "hapticut/tool/tool.hpp"
@@ -27,7 +29,7 @@ enum class Up { y, z };
   return box;
 }
 
-/// A map whose base origin puts the tip of the tool on the middle of the workpiece's top.
+/// A map whose base origin puts the head of the tool on the middle of the workpiece's top.
 /// @param scale  metres in the world per metre of the hand
 [[nodiscard]] inline WorkspaceMapOptions map_above(const DeviceCapabilities& capabilities, const Box& box,
                                                    const Tool& tool, Up up, double scale) {
@@ -35,9 +37,14 @@ enum class Up { y, z };
   map.scale = scale;
   if (up == Up::y)
     map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // +x stays, up (+y) becomes +z, towards the user (+z) becomes -y
-  const double tip_above_hand = tool.X_HT().translation.z() + tool.head().bounding_box().min.z();
-  map.X_WB.translation =
-      Vec3(0.5 * (box.min.x() + box.max.x()), 0.5 * (box.min.y() + box.max.y()), box.max.z() - tip_above_hand);
+  const HeadBox head = tool.head().bounding_box();
+  const Vec3 aside = tool.X_HT() * Vec3(0.5 * (head.min + head.max));  // of the hand, with an L handle
+  double lowest = aside.z();
+  for (const double x : {head.min.x(), head.max.x()})
+    for (const double y : {head.min.y(), head.max.y()})
+      for (const double z : {head.min.z(), head.max.z()}) lowest = std::min(lowest, (tool.X_HT() * Vec3(x, y, z)).z());
+  map.X_WB.translation = Vec3(0.5 * (box.min.x() + box.max.x()) - aside.x(),
+                              0.5 * (box.min.y() + box.max.y()) - aside.y(), box.max.z() - lowest);
   if (capabilities.input_degrees_of_freedom < 6) {
     map.orientation = false;
     map.X_SH.rotation = map.X_WB.rotation.transpose();  // the tool stands upright

@@ -216,7 +216,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   Encounter encounter;
   const GridInHead grid(at.X_VT.inverse(), workpiece_.voxel_size());
   HeadMotion motion = at.motion;
-  contact_.min_width = motion.min_width();
+  contact_.min_width = motion.min_width;
   WholeContact whole;
   if (law_->needs_moments()) {
     for (const CuttableBlock& block : blocks) {

@@ -95,7 +95,7 @@ MaterialSet ContactStages::find_touched(std::span<const CuttableBlock> blocks, c
 /// reference, so blocks out of reach are left out first.
 void ContactStages::sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept {
   contact_.rows = contact_.samples = 0;
-  contact_.min_width = job.motion.min_width();
+  contact_.min_width = job.motion.min_width;
   if (quadrature_ != Quadrature::sub_voxel)
     kernels::sample_contact(head_, block, job.grid, quadrature_, contact_);
   else if (kernels::count_voxels(job, block) > 0)

@@ -123,13 +123,18 @@ void drill_a_hole(Report& report) {
       Hand hand = pressing(bur);
       loop.play(hand.move({0, 0, -depth}, depth / (5 * mm)).hold(0.1));
       const Vec3 tip = loop.log.ticks.back().X_WH.translation - Vec3(0, 0, tip_below_hand(bur.tool));
-      const double volume = loop.log.sum(loop.log.all(), removed_of), deep = -tip.z();
-      const double cone = 0.5 * diameter / std::tan(59 * units::deg), point = std::min(deep, cone);  // [m] of the point
-      const double wide = 0.5 * diameter * point / cone;                                             // [m] radius there
+      const double volume = loop.log.sum(loop.log.all(), removed_of), slope = 59 * units::deg;
+      const double cone = 0.5 * diameter / std::tan(slope);                               // [m] height of the point
+      const double face = kPi * std::pow(std::min(-tip.z(), cone) * std::tan(slope), 2);  // [m^2] under the force
+      const double stiff = loop.simulation.config().reference_stiffness * bur.material.relative_stiffness;
+      const double layer = std::sqrt(2 * bur.force / (face * stiff));                        // [m] pressed in, not cut
+      const double deep = -tip.z() - layer / std::sin(slope), point = std::min(deep, cone);  // [m] of the hole
+      const double wide = 0.5 * diameter * point / cone;                                     // [m] radius there
       const double hole = kPi * wide * wide * (point / 3 + deep - point);
       const double wider = std::pow(volume / hole, deep > cone ? 1.0 / 2 : 1.0 / 3);
-      report.between("hole", wider, 0.95, 1.05, "",
-                     "of the drill's width, by the volume; " + shown(1e3 * deep, "mm") + " deep");
+      report.between(
+          "hole", wider, 0.95, 1.05, "",
+          "of the drill's width, by the volume without the pressed layer; " + shown(1e3 * deep, "mm") + " deep");
       report.at_most("not in balance", 100 * loop.log.mean(loop.log.all(), is_unbalanced), 0.2, "%", "of all ticks");
       loop.judge();
     }

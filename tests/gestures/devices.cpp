@@ -226,9 +226,11 @@ void l_handle(Report& report) {
     const double fingers = hand_model("nominal").angular_stiffness;
     const double springs = kDeeper / (length * length * (1 / gimbal + 1 / fingers));  // [N] if nothing else gave way
     report.between("presses", force, 0.3 * springs, springs, "N", "gimbal and fingers in series, on this lever");
-    report.at_least("shorter lever presses harder", force, 3 * last, "N");
-    report.at_least("cuts", 1e9 * chain.log.sum(chain.log.all(), removed_of), 0.001, "mm^3");
-    demand_steady(report, chain.log, steady);
+    if (last > 0) {
+      report.at_least("shorter lever presses harder", force, 3 * last, "N");
+      report.at_least("cuts", 1e9 * chain.log.sum(chain.log.all(), removed_of), 0.001, "mm^3");
+      demand_steady(report, chain.log, steady);
+    }
     chain.judge();
     last = force;
   }

@@ -8,15 +8,14 @@ namespace hapticut::gestures {
 namespace {
 
 constexpr std::string_view kSlow = "at kappa 5 the first touch of both faces of a hard corner spans few voxels";
+constexpr std::string_view kSoft = "at 0.05 mm the drill tilts in the soft wall of its hole without a balance";
 constexpr std::string_view kPoint =
     "a point or ridge thinner than a voxel is met or missed, and its springs turn within a voxel";
-constexpr std::string_view kPlate = "the head meets a plate of one voxel's thickness at once";
 constexpr std::string_view kGroove = "the groove is a fifth of a voxel deep";
 
 constexpr auto kKnown = std::to_array<KnownFailure>({
+    {"G1", "invariant 1", kSoft, "unexplained by the coupling 2.3 %, twist drill in trabecular bone at 0.05 mm"},
     {"G10", "invariant 1", kSlow, "unexplained by the coupling 2.3 %, at 0.2 mm"},
-    {"G11", "resists", kPlate, "5.37 N of at most 5.36 N, cylinder on trabecular bone at 0.2 mm"},
-    {"G11", "invariant 1", kPoint, "entered 2.78 %, cone at 0.05 mm"},
     {"G14", "indents", kPoint,
      "needle, flame at 0.2 mm 1.04, 1.29 of the bound; edges of a christmas tree 1.08 ... 1.58"},
     {"G42", "volume", kGroove, "3.0 % of 2 %, ball 1.6 mm in enamel at 0.2 mm"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between server and page: the comment of include/hapticut/view/protocol.hpp describes their bytes.
 
-export const kVersion = 4;
+export const kVersion = 5;
 
 export type Vec3 = [number, number, number];
 

@@ -247,8 +247,7 @@ struct SteadyCut {
 /// @return [m]
 [[nodiscard]] inline double torque_over_thrust_of_edges(double kappa, double R) { return 2.0 / 3 * kappa * R; }
 
-// --- C33: a head that goes down step by step; each step removes all material deeper than w_c
-// (ThesisLaw::removal_depth)
+// --- C33: a head that goes down step by step; each step removes all material deeper than w_c -------------------------
 
 /// C33: volume of a step of a flat head, `pi R^2 D`, equal in every step.
 /// @param step  [m] D

@@ -73,16 +73,14 @@ struct HeadMotion {
   /// [m/s] Velocity less its mean over the last 20 ms; it does not affect the energy of chips.
   Eigen::Vector3f ripple = Eigen::Vector3f::Zero();
   bool crushes = false;  ///< material deeper than its crushing_depth is removed, whether the head turns or not
+  /// [1] Of VoxelSection: kMinStandingWidth while the spindle is off.
+  float min_width = VoxelSection<float>::kMinWidth;
 
   /// [rad/s] Angular velocity of the head's surface about +z: spin plus rotation of the handpiece.
   [[nodiscard]] float turning() const noexcept { return spin + angular_velocity.z(); }
 
   /// Whether a spinning head removes material.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
-  /// [1] The narrowest box of VoxelSection.
-  [[nodiscard]] float min_width() const noexcept {
-    return cuts() ? VoxelSection<float>::kMinWidth : VoxelSection<float>::kMinStandingWidth;
-  }
   /// [s] Time in which a small motion to the pose of the evaluation changes the velocity.
   [[nodiscard]] float time_to_move() const noexcept { return elapsed > 0 ? elapsed : duration; }
   /// Whether the contact is evaluated at the end of the sub-step.

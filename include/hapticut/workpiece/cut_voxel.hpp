@@ -62,9 +62,9 @@ class VoxelSection {
   /// voxel begins before the last part of the voxel above it is removed, so the force dips at the change of layers. A
   /// longer overlap makes the dip smaller: along the grid 2.1 % at 0.05 and 0.5 % at 0.3.
   static constexpr Real kMinWidth = Real(0.3);
-  /// [1] The same for a head that cuts nothing, whose layers do not change. The relative error of a static force on a
-  /// face of the grid is (width l/depth)^2/12: with 0.3 a flat head pressed with 0.5 N would feel up to five times
-  /// that.
+  /// [1] The same for a head whose spindle is off, under which layers change only by crushing. The relative error of a
+  /// static force on a face of the grid is (width l/depth)^2/12: with 0.3 a flat head pressed with 0.5 N would feel up
+  /// to five times that.
   static constexpr Real kMinStandingWidth = Real(0.01);
 
   /// @param max_component  [1] the largest |n_i| along the grid's axes, 1/sqrt(3) ... 1

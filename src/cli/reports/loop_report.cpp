@@ -68,8 +68,8 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   const std::uint64_t slow = r.run.compute.at_least(r.run.period);
   if (double(slow) > kOftenSlow * double(r.run.ticks))
     warnings.push_back(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +
-                       " ticks took longer than their period, so the force came late; choose larger voxels, a smaller "
-                       "head or simulation.voxel_budget.");
+                       " ticks took longer than their period, so that a hand would feel the force late; choose larger "
+                       "voxels, a smaller head or simulation.voxel_budget.");
   if (saw(StepStatus::blocks_exhausted))
     warnings.emplace_back(
         "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");

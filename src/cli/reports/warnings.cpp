@@ -24,8 +24,11 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warnings.emplace_back("the path never touches the workpiece; check the positions and path.point against its box.");
   else if (cuts && r.steps_in_contact > 0 && r.removed_volume == 0 && stood == 0 && stalled == 0)
     warnings.emplace_back(
-        "the tool touches the workpiece but cuts nothing; check the edge pressure of the materials and "
-        "simulation.reference_stiffness_N_per_m4.");
+        simulation.config().law->is_foundation()
+            ? "the tool touches the workpiece but cuts nothing; check the edge pressure of the materials and "
+              "simulation.reference_stiffness_N_per_m4."
+            : "the tool touches the workpiece but cuts nothing; raise tool.spindle_rpm, go deeper, or lower the "
+              "constant of the law that says when it cuts, such as force.thesis_cutting_force_N.");
   if (r.starts_in_contact)
     warnings.emplace_back("the path starts inside the workpiece; start outside, e.g. with path.approach_mm.");
   if (r.steps_rejected > 0)

@@ -56,6 +56,19 @@ TEST_F(Drill, ReportsEveryField) {
   EXPECT_LE(time["p999"], time["max"]);
 }
 
+TEST_F(Drill, RunsTheScenesOfTheThesis) {
+  for (const char* name : {"case_6_5", "figures_7"})
+    for (const char* head :
+         {"", " --head cone --half_angle_deg 30 --height_mm 0.3", " --head flat --radius_mm 0.3 --height_mm 0.3"}) {
+      const nlohmann::json report = drill("--settings " + test::source_path("examples/thesis").string() + "/" + name +
+                                          ".toml" + head + " --spindle_rpm 300000");
+      EXPECT_GT(report["removed_volume_mm3"]["total"], 0.001) << name << head;
+      for (const auto& warning : report["warnings"])
+        EXPECT_NE(warning.get<std::string>().find("took longer than 1 ms"), std::string::npos)
+            << name << head << warning;
+    }
+}
+
 // A flat head of 3 mm needs several milliseconds a step in such voxels, on any machine of today.
 TEST_F(Drill, SaysThatItsStepsTakeLongerThanALoopAllows) {
   const auto says_so = [this](const std::string& voxels) {

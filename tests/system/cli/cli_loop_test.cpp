@@ -142,7 +142,7 @@ TEST_F(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
 TEST_F(LoopWarnings, SayThatTheToolNeverTouched) {
   report.seen.last.tool.steps = 1000;
   expect_only("the tool never touched the workpiece; move loop.origin_mm");
-  report.seen.last.tool.touched.add(1);
+  report.seen.last.tool.touched.insert(1);
   EXPECT_TRUE(cli::warnings_of(report).empty());
 }
 
@@ -253,8 +253,7 @@ TEST_F(Loop, PressedWithAFlatBurCutsInEveryPreset) {
 TEST_F(Loop, InThesisModeCutsWithTheHeadsOfTheThesis) {
   for (const char* head :
        {"ball --radius_mm 1", "cone --half_angle_deg 45 --height_mm 1", "flat --radius_mm 1 --height_mm 1"})
-    for (const char* handle :
-         {"ray --handle_length_mm 100", "L --handle_length_mm 100 --handle_neck_mm 20 --handle_bend_deg 30"}) {
+    for (const char* handle : {"ray --handle_length_mm 100", "L --handle_length_mm 100 --handle_neck_mm 20"}) {
       const auto cut = [&](const char* rpm) {
         const nlohmann::json report = loop(
             "mock:press,hand=nominal --seconds 3 --simulated-time --thesis_mode --workpiece block --size_mm "

@@ -201,6 +201,7 @@ struct Reference {
     }
     BlockView evaluated = block;
     evaluated.solid = with_phase.data();
+    contact.min_width = job.motion.min_width;
     job.head.visit_springs<float>(
         [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);

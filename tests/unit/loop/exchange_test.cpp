@@ -138,15 +138,18 @@ TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
   }
 }
 
-TEST(SetMaterials, SuitsTheStiffnessToTheStiffestOfThem) {
+TEST(SetMaterials, ChangesTheStiffnessOnlyToWhatTheDeviceRenders) {
   Material stiffer = material(3e8);
   stiffer.relative_stiffness = 4;
   const auto stiffness_in = [](const Simulation& simulation) { return simulation.config().reference_stiffness; };
-  Simulation automatic(block(), ball(1e-3), {}), given(block(), ball(1e-3), config());
-  const double before = stiffness_in(automatic);
-  automatic.set_materials(MaterialTable({stiffer}));
-  given.set_materials(MaterialTable({stiffer}));
-  EXPECT_EQ(stiffness_in(automatic), before / 4);
+  SimulationConfig of_device;
+  of_device.device_stiffness = 700;
+  Simulation automatic(block(), ball(1e-3), {}), rendered(block(), ball(1e-3), of_device),
+      given(block(), ball(1e-3), config());
+  const double chosen = stiffness_in(automatic), before = stiffness_in(rendered);
+  for (Simulation* simulation : {&automatic, &rendered, &given}) simulation->set_materials(MaterialTable({stiffer}));
+  EXPECT_EQ(stiffness_in(automatic), chosen) << "it belongs to the head alone";
+  EXPECT_DOUBLE_EQ(stiffness_in(rendered), before / 4);
   EXPECT_EQ(stiffness_in(given), 1e13);
 }
 

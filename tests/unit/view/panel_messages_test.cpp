@@ -32,7 +32,8 @@ TEST(PanelMessages, AToolIsItsHandleAndItsOutline) {
 }
 
 TEST(PanelMessages, ControlsDescribeThemselves) {
-  const std::vector<Control> controls = {{7, Control::Kind::choice, 1, 0, 2, "tool", "Head", "mm", "ball|cone|flat"}};
+  const std::vector<Control> controls = {
+      {7, Control::Kind::choice, 1, 0, 2, "tool", "Head", "mm", "ball|cone|flat", "off"}};
   const Message message = encode(controls);
   EXPECT_EQ(message[0], 6);
   EXPECT_EQ(number_at<std::uint32_t>(message, 4), 1U);
@@ -43,7 +44,7 @@ TEST(PanelMessages, ControlsDescribeThemselves) {
   EXPECT_EQ(number_at<double>(message, 28), 2);
   EXPECT_EQ(number_at<std::uint16_t>(message, 36), 4);
   EXPECT_EQ(std::string(message.begin() + 38, message.begin() + 42), "tool");
-  EXPECT_EQ(message.size(), 36 + (2 + 4) + (2 + 4) + (2 + 2) + (2 + 14U));
+  EXPECT_EQ(message.size(), 36 + (2 + 4) + (2 + 4) + (2 + 2) + (2 + 14) + (2 + 3U));
 }
 
 TEST(PanelMessages, ATraceIsSixNumbersATick) {

@@ -208,7 +208,7 @@ class FoundationLaw final : public ForceLaw {
       const float top = b.top[n], height = crushed ? std::max(0.0F, top / l - far_plane) : full_height;
       float phi = b.fill[n];
       if (crushed) {
-        phi = section.fill_below(height);
+        phi = std::min(phi, section.fill_below(height));  // rounding
         if (phi < kMinPart) phi = 0;
         b.fill_after[n] = phi;
       }
