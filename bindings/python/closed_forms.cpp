@@ -2,6 +2,7 @@
 // include/hapticut/closed_forms: results of the model in closed form; numbers may be arrays
 #include <pybind11/numpy.h>
 
+#include <string>
 #include <type_traits>
 
 #include "bindings.hpp"
@@ -22,7 +23,8 @@ using Passed = std::conditional_t<std::is_arithmetic_v<Argument>, Argument, form
 /// A form that gives a number: its numbers may be arrays.
 template <class... Given, class... Arguments>
 void number_form(py::module_& m, const char* name, double (*form)(Given...), const Arguments&... arguments) {
-  m.def(name, py::vectorize([form](Passed<Given>... given) { return form(given...); }), arguments..., doc(name));
+  const std::string text = std::string(doc(name)) + "\n\nEach number may be an array of shape (n,); arrays broadcast.";
+  m.def(name, py::vectorize([form](Passed<Given>... given) { return form(given...); }), arguments..., text.c_str());
 }
 
 void bind_standing_head(py::module_& m) {
@@ -68,7 +70,7 @@ void bind_steady_cut(py::module_& m) {
   number_form(m, "feed_of_a_flat_head_under", &forms::feed_of_a_flat_head_under, py::arg("force"), py::arg("cut"),
               py::arg("R"));
   m.def("side_milling_wrench", &forms::side_milling_wrench, py::arg("cut"), py::arg("R"), py::arg("height"),
-        py::arg("from"), py::arg("to"), doc("side_milling_wrench"));
+        py::arg("from_"), py::arg("to"), doc("side_milling_wrench"));
   m.def("slotting_wrench", &forms::slotting_wrench, py::arg("cut"), py::arg("R"), py::arg("height"),
         doc("slotting_wrench"));
   m.def("groove_wrench", &forms::groove_wrench, py::arg("cut"), py::arg("R"), py::arg("depth"), doc("groove_wrench"));
@@ -144,8 +146,8 @@ void bind_closed_forms(py::module_& m) {
   bind_other_laws(m);
   m.def("wrench_on_plane", &wrench_on_plane, py::arg("k_v"), py::arg("head"), py::arg("X_WT"),
         py::arg("normal") = Vec3(0, 0, 1), py::arg("offset") = 0.0, py::arg("points") = 200,
-        "C11: force and torque about To of a standing head in the half space that `normal . p < offset` fills, by the "
-        "pressure identity on its surface.");
+        "C11: force and torque about To of a standing head at the pose X_WT, of shape (4, 4), in the half space that "
+        "`normal . p < offset` fills, with a normal of shape (3,), by the pressure identity on its surface.");
 }
 
 }  // namespace hapticut::python

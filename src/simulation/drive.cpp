@@ -59,7 +59,7 @@ void Simulation::State::set_spin(HeadMotion& motion) const noexcept {
   motion.spin = float(motor.stalled() ? turning_spin() : motor.speed());
   motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.any_crushing();
   motion.removal = motor.stalled() ? RemovalLaw::none : config.removal;
-  const bool is_off = motor.setting() == 0 && motor.speed() == 0 && !(held && held_setting != 0);
+  const bool is_off = motor.setting() == 0 && motor.speed() == 0 && !held;
   using Section = VoxelSection<float>;
   motion.min_width = is_off ? Section::kMinStandingWidth : Section::kMinWidth;
   motion.tooth_rate = contact_stages.any_chips() ? float(tooth_rate(tool.cutter(), double(motion.spin))) : 0;

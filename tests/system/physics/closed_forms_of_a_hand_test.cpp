@@ -97,6 +97,29 @@ INSTANTIATE_TEST_SUITE_P(ClosedFormsOfAHand, AtRest, testing::ValuesIn(kPresses)
          std::to_string(std::lround(1e6 * p.voxel)) + "um";
 });
 
+// The table of docs/forces.md. Proves: what the stiffness of a material changes.
+TEST(AMaterial, IsPressedInAsItsStiffnessSays) {
+  struct Row {
+    double stiffness, depth, felt;  // [1], [m] under 1 N, [N/m]
+  };
+  for (const Row& row : {Row{10, 0.017 * mm, 177e3}, Row{1, 0.037 * mm, 81e3}, Row{0.1, 0.080 * mm, 37e3},
+                         Row{0.01, 0.177 * mm, 16e3}, Row{0.001, 0.410 * mm, 6.2e3}}) {
+    Material material;
+    material.relative_stiffness = row.stiffness;
+    Simulation simulation(build_block({Vec3(-1.2, -1.2, -1) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.03 * mm, material),
+                          Tool(SphereHead{kRadius}));
+    const auto force_at = [&](double depth) {
+      const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
+      (void)simulation.step(pose, {}, 1e-3);
+      return simulation.step(pose, {}, 1e-3).model.force.z();
+    };
+    const double step = 0.05 * row.depth, below = force_at(row.depth - step), at = force_at(row.depth),
+                 above = force_at(row.depth + step);
+    EXPECT_NEAR(at, 1, 0.06) << row.stiffness;
+    EXPECT_NEAR((above - below) / (2 * step) / row.felt, 1, 0.06) << row.stiffness;
+  }
+}
+
 // Default friction: a cone that goes down rubs upwards along its side, which adds mu_d cot(a) to the force of its
 // springs.
 TEST(AHeadThatGoesDown, FeelsTheFrictionOfItsSides) {

@@ -200,8 +200,7 @@ struct Reference {
       if (job.has_phase(block.origin, slab, in_slab / 2)) with_phase[std::size_t(slab)] |= solid & bits;
     }
     BlockView evaluated = block;
-    evaluated.solid = with_phase.data();
-    contact.min_width = job.motion.min_width;
+    evaluated.solid = with_phase.data(), contact.min_width = job.motion.min_width;
     job.head.visit_springs<float>(
         [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
