@@ -23,7 +23,7 @@ def step_down(head: hapticut.ToolHead, thesis: bool) -> NDArray[np.float64]:
     simulation = hapticut.Simulation(CUBE, hapticut.Tool(head, spindle=hapticut.Spindle(300_000 * rpm)), config)
     still, top = np.zeros(6), -head.bounding_box().min[2]
 
-    def pose_at(depth: float) -> hapticut.Pose:
+    def pose_at(depth: float) -> NDArray[np.float64]:
         return hapticut.Pose.from_translation([0.0013 * mm, 0.0021 * mm, top - depth])
 
     simulation.step(pose_at(0), still, 1 * ms)  # touches the cube

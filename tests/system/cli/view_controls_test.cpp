@@ -238,6 +238,7 @@ TEST(ViewControls, RefuseAStaticFrictionBelowTheDynamicOne) {
   EXPECT_EQ(panel.set("material/plain static friction", 0.6), Change::materials);
 }
 
+// Proves: what acts when.
 TEST(ViewControls, SayWhyTheyDoNothing) {
   Panel panel;
   const auto idle = [&](const std::string& name) { return panel.control(name).idle; };

@@ -104,9 +104,10 @@ TEST(AMaterial, IsPressedInAsItsStiffnessSays) {
   };
   for (const Row& row : {Row{10, 0.017 * mm, 177e3}, Row{1, 0.037 * mm, 81e3}, Row{0.1, 0.080 * mm, 37e3},
                          Row{0.01, 0.177 * mm, 16e3}, Row{0.001, 0.410 * mm, 6.2e3}}) {
-    Material material;
+    Material material = presets::cortical_bone();
     material.relative_stiffness = row.stiffness;
-    Simulation simulation(build_block({Vec3(-1.2, -1.2, -1) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.03 * mm, material),
+    material.static_friction = material.dynamic_friction = 0;
+    Simulation simulation(build_block({Vec3(-1.2, -1.2, -1) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.02 * mm, material),
                           Tool(SphereHead{kRadius}));
     const auto force_at = [&](double depth) {
       const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
