@@ -200,7 +200,7 @@ std::optional<std::string> nearest_name(std::string_view misspelled, const std::
   const std::string begun = std::string(misspelled) + (word.size() > 2 ? "" : "_");
   const auto begins_with_it = [&](const std::string& name) { return name.starts_with(begun); };
   const bool is_begun = !word.empty() && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
-  const bool is_end = word.size() > 2 && std::count_if(candidates.begin(), candidates.end(), ends_with_it) == 1;
+  const bool is_end = word.size() > 2 && std::any_of(candidates.begin(), candidates.end(), ends_with_it);
   std::optional<std::string> nearest;
   std::size_t min_distance = is_begun || is_end ? SIZE_MAX : std::max<std::size_t>(3, misspelled.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
