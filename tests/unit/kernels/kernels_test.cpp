@@ -246,7 +246,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                         trial % 8 < 4 ? 0.0F : 0.5F,
                         float(1 + trial % 11 % 3)};
       if (trial % 13 < 5) motion.tooth_rate = 600, motion.ripple = 0.25F * motion.felt_velocity;
-      motion.crushes = trial % 17 < 9;
+      motion.crushes = trial % 17 < 9, motion.min_width = trial % 7 < 3 ? VoxelSection<float>::kMinStandingWidth : 0.3F;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
       const kernels::ContactJob job = {
