@@ -54,13 +54,14 @@ const std::vector<LawKind>& law_kinds() {
          "voxel size at which its force equals that of the foundation law" +
              or_else(thesis.reference_voxel_size / units::mm)},
         {"thesis_damping_Ns_per_m", &S::thesis_damping_Ns_per_m, Range::not_negative(),
-         "damping coefficient of one voxel" + or_else(thesis.damping)},
+         "damping coefficient of one voxel, on top of that of its material" + or_else(thesis.damping)},
         {"thesis_spin_torque", &S::thesis_spin_torque, Range::not_negative(),
          "lambda, ratio of the spin torque to normal force times radius" + or_else(thesis.spin_torque)},
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
          "exponent of the spindle speed in the spin torque" + or_else(thesis.spin_exponent)},
         {"thesis_cutting_force_N", &S::thesis_cutting_force_N, Range::not_negative(),
-         "force at which a flat head begins to cut a material of relative stiffness 1; 0: it removes what it touches" +
+         "force at which a flat head of 1 mm radius begins to cut a material of relative stiffness 1; 0: it removes what "
+         "it touches" +
              or_else(thesis.cutting_force)},
         {"thesis_cutting_rpm", &S::thesis_cutting_rpm, Range::positive(),
          "speed at which this force is enough" + or_else(thesis.cutting_speed / units::rpm)}},

@@ -13,10 +13,6 @@ void fill_in_thesis_mode(SimulationSettings& s) {
   const SimulationConfig thesis = thesis_mode(mode);
   ForceSettings& force = s.force;
   if (!force.law) force.law = ForceSettings::Law::thesis;
-  if (!force.static_friction && !force.dynamic_friction) {
-    force.static_friction = thesis.friction->static_friction;
-    force.dynamic_friction = thesis.friction->dynamic_friction;
-  }
   if (!force.handle_torque) force.handle_torque = thesis.handle_torque;
   if (!s.quadrature) s.quadrature = thesis.quadrature;
   s.effects.thesis_filter = true;
@@ -34,7 +30,7 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.max_dt, 1 / limits.min_dt),
              "steps per second [1000]"),
       boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
-              "the whole model of the thesis: law, friction, handle torque and filter; vibration at 1112 Hz and above; "
+              "the whole model of the thesis: law, handle torque and filter; vibration at 1112 Hz and above; "
               "other settings override it [false]"),
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
              range_of(&SimulationConfig::reference_stiffness),
@@ -42,7 +38,8 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
              "head [0]"),
       number("simulation.contact_damping_s_per_m", "--contact_damping", s.config.contact_damping,
              range_of(&SimulationConfig::contact_damping),
-             "damping of the contact, s/m, added to the damping of each material [300 with a coupling, 0 without]"),
+             "damping of the contact, s/m, added to the damping of each material [300 for law foundation with a coupling, else "
+             "0]"),
       choice("simulation.removal", "--removal", s.removal, "removal law [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
              "point in a partly filled voxel where the force is evaluated [automatic: sub_voxel, or centroid for laws "

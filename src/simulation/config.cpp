@@ -45,7 +45,10 @@ SimulationConfig complete(SimulationConfig config, const ToolHead& head, const M
   if (config.quadrature == Quadrature::automatic)
     config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
   if (config.reference_stiffness == 0) config.reference_stiffness = stiffness_of(head, config).in(materials);
-  if (!config.contact_damping) config.contact_damping = config.contact_time == ContactTime::end ? kCalmingDamping : 0.0;
+  if (!config.contact_damping) {
+    const bool calms = config.contact_time == ContactTime::end && config.law->is_foundation();
+    config.contact_damping = calms ? kCalmingDamping : 0.0;
+  }
   return config;
 }
 

@@ -11,7 +11,6 @@ SimulationConfig thesis_mode(const ThesisMode& mode) {
   SimulationConfig config;
   config.law = std::make_shared<ThesisLaw>(mode.law);
   config.quadrature = Quadrature::voxel_center;
-  config.friction = DryFriction{0.3, 0.3, 1000};
   config.deep_contact = false;
   config.handle_torque = HandleTorque::thesis;
   config.handle_torque_scale = mode.handle_torque_scale;

@@ -15,6 +15,9 @@ namespace hapticut::closed_forms {
 // --- a head at rest: springs alone -----------------------------------------------------------------------------------
 
 /// C1: vertical force of a ball, `k_v (pi/12) e^3 (4R - 3e)` with e = min(d, 2R - d); it decreases beyond d = R.
+/// Springs only, as are C4 ... C6: by default a head that stands also has friction, which adds up to nine tenths after
+/// a few steps. `SimulationConfig::friction = DryFriction{0, 0}` leaves it out. A step returns the mean over its
+/// motion.
 /// @param k_v    [N/m^4]
 /// @param R      [m] > 0
 /// @param depth  [m] any; outside 0 ... 2R there is no force
@@ -40,7 +43,7 @@ namespace hapticut::closed_forms {
   return units::kPi * k_v * (R * std::pow(depth, 4) / 12 - std::pow(depth, 5) / 20);
 }
 
-/// C4: vertical force of a cone, `(pi/12) k_v sin^2 a tan^2 a d^4`, d at most its height.
+/// C4: vertical force of a cone, `(pi/12) k_v sin^2 a tan^2 a d^4`, d at most its height. No friction, as in C1.
 /// @param half_angle  [rad] a, between axis and generatrix
 /// @return [N]
 [[nodiscard]] inline double cone_force(double k_v, double half_angle, double depth) {
@@ -48,14 +51,14 @@ namespace hapticut::closed_forms {
   return units::kPi / 12 * k_v * slope * slope * std::pow(depth, 4);
 }
 
-/// C5: vertical force of a flat head with rule bottom_only, `k_v pi R^2 d^2/2`.
+/// C5: vertical force of a flat head with rule bottom_only, `k_v pi R^2 d^2/2`. No friction, as in C1.
 /// @return [N]
 [[nodiscard]] inline double flat_bottom_force(double k_v, double R, double depth) {
   return k_v * units::kPi * R * R * depth * depth / 2;
 }
 
 /// C6: vertical force of a flat head with rule nearest, where points nearer to the side wall do not push up:
-/// `pi k_v (R^2 d^2/2 - 2R d^3/3 + d^4/4)`, d <= R and at most the height.
+/// `pi k_v (R^2 d^2/2 - 2R d^3/3 + d^4/4)`, d <= R and at most the height. No friction, as in C1.
 /// @return [N]
 [[nodiscard]] inline double flat_nearest_force(double k_v, double R, double depth) {
   return units::kPi * k_v * (R * R * depth * depth / 2 - 2 * R * std::pow(depth, 3) / 3 + std::pow(depth, 4) / 4);

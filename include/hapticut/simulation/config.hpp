@@ -50,7 +50,7 @@ struct SimulationConfig {
 
   /// Is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
   /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
-  /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end`, else 0.
+  /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end` and the law is FoundationLaw, else 0.
   std::optional<double> contact_damping;
 
   RemovalLaw removal = RemovalLaw::constant_energy;
@@ -111,8 +111,9 @@ constexpr auto fields_of(Of<SimulationConfig>) {
             "k_v, foundation stiffness of a material of relative stiffness 1; 0: chosen from the head's radius"),
       field("device_stiffness", &C::device_stiffness, "N/m", Range::not_negative(),
             "of a device that feels the step without a coupling, which limits a chosen reference_stiffness; 0: none"),
-      field("contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
-            "chi, Hunt and Crossley's damping of all contact; empty: 300 at the end of a step, 0 at its middle"),
+      field(
+          "contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
+          "chi, Hunt and Crossley's damping of all contact; empty: 300 for FoundationLaw at the end of a step, else 0"),
       field("removal", &C::removal, "how material is removed"),
       field("quadrature", &C::quadrature, "where in a partly filled voxel the force is evaluated"),
       field("contact_time", &C::contact_time, "when in a sub-step the contact is evaluated"),

@@ -80,12 +80,12 @@ std::string ViewControls::why_idle(double Material::*number, const Material& mat
   const bool is_thesis = dynamic_cast<const ThesisLaw*>(config_.law.get()) != nullptr;
   if (number == &Material::relative_stiffness)
     return config_.law->is_foundation() || is_thesis ? "" : "the law of this scene has its own";
-  if (!config_.law->is_foundation())
-    return is_thesis ? "not in the law of the thesis" : "the law of this scene has its own";
-  if (number == &Material::damping) {
+  if (number == &Material::damping && (config_.law->is_foundation() || is_thesis)) {
     const double others = 1 + config_.contact_damping.value_or(0) * kHandSpeed;
     return material.damping * kHandSpeed < kFelt * others ? "at 5 mm/s less than 1 % of the force" : "";
   }
+  if (!config_.law->is_foundation())
+    return is_thesis ? "not in the law of the thesis" : "the law of this scene has its own";
   if (!spins) return "only while the spindle turns";
   if (number == &Material::specific_cutting_energy && at(kCutting) == 0) return "cutting is off";
   return "";

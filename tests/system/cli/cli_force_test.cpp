@@ -2,8 +2,12 @@
 // Force laws, friction, handle torque and effects on the command line: each setting takes effect, and a wrong one is
 // named.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 
 #include "support/program.hpp"
+#include "support/test_data.hpp"
 
 namespace hapticut::cli_force_test {
 namespace {
@@ -112,15 +116,12 @@ TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
                  {"force.dynamic_friction = 0.3; must be at most force.static_friction = 0.2"});
 }
 
-// The flag is the library's thesis_mode: law, handle torque, friction, quadrature, filter.
+// The flag is the library's thesis_mode: law, handle torque, quadrature, filter.
 TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   const std::string bent = test::kSpinningBall + "--handle L --handle_length_mm 50 --handle_neck_mm 10 ";
   const auto mode = steps("--thesis_mode true", bent);
   EXPECT_EQ(steps("--thesis_mode", bent), mode);
-  const auto parts = steps(
-      "--law thesis --handle_torque thesis --quadrature voxel_center --static_friction 0.3 --dynamic_friction 0.3 "
-      "--thesis_filter",
-      bent);
+  const auto parts = steps("--law thesis --handle_torque thesis --quadrature voxel_center --thesis_filter", bent);
   ASSERT_EQ(mode.size(), parts.size());
   for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
   EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
@@ -132,6 +133,19 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   EXPECT_EQ(steps("--thesis_mode --rate 2000 --vibration_Hz 500 --vibration_N 0.3", bent), shaken);
   EXPECT_NE(steps("--thesis_mode --rate 2000 --vibration_N 0", bent), shaken);
   EXPECT_FALSE(still.empty());
+}
+
+TEST_F(ForceSettings, ComparesTheModelsOnTheCaseStudy) {
+  const std::filesystem::path scene = test::source_path("examples/thesis/case_6_5.toml");
+  const nlohmann::json of_thesis = drill("--settings " + scene.string());
+  const nlohmann::json cured = drill("--settings " + scene.string() + " --thesis_mode false");
+  EXPECT_GT(cured["removed_volume_mm3"]["total"], 0.1);
+  EXPECT_NE(of_thesis["force_N"]["mean"], cured["force_N"]["mean"]);
+
+  const std::string text = test::read_bytes(scene);
+  std::ofstream(folder / "damped.toml") << std::regex_replace(text, std::regex("(damping_s_per_m) = 10"), "$1 = 300");
+  const double most = of_thesis["force_N"]["max"];
+  EXPECT_GT(drill("--settings " + (folder / "damped.toml").string())["force_N"]["max"], 1.1 * most);
 }
 
 TEST_F(EffectsSettings, ArriveInTheForceThatTheHandFeels) {

@@ -267,10 +267,10 @@ TEST(ViewControls, SayWhatTheLawOfTheThesisDoesNotUse) {
   const ViewControls controls(tool, MaterialTable({test::plain_material()}), thesis_mode(), false);
   const std::map<std::string, std::string> expected = {
       {"plain stiffness", ""},
-      {"plain damping", "not in the law of the thesis"},
+      {"plain damping", "at 5 mm/s less than 1 % of the force"},
       {"plain cutting energy", "not in the law of the thesis"},
       {"plain cutting ratio", "not in the law of the thesis"},
-      {"plain static friction", "this scene has one friction for all, 0.3"},
+      {"plain static friction", "only while the spindle stands"},
       {"Removal", "the law of the thesis removes by power"}};
   for (const view::Control& one : controls.all())
     if (expected.contains(one.label)) {

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
@@ -117,6 +119,9 @@ TEST(CouplingDamping, IsThereByDefaultOnlyWhereContactIsTakenAtTheEndOfAStep) {
   EXPECT_EQ(damping_of(config), 0);
   config.contact_damping = -1;
   EXPECT_THROW((void)damping_of(config), Error);
+  config.contact_damping.reset();
+  config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
+  EXPECT_EQ(damping_of(config), 0) << "its damper grows with the number of voxels, not with their forces";
 }
 
 // With a late or wrong velocity the damper does work on the tool, so its loss is negative.

@@ -24,7 +24,8 @@ using units::kPi;
 using units::mm;
 
 constexpr double kStiffnessOfMaterial = 0.4, kDepth = 0.5 * mm;
-constexpr double kSinglePrecision = 1e-5;  // [1] of sums of a thousand forces
+constexpr double kDampingOfMaterial = 5, kFriction = 0.3;  // [s/m], [1]
+constexpr double kSinglePrecision = 1e-5;                  // [1] of sums of a thousand forces
 const Vec3 kTo(0.013 * mm, 0.021 * mm, kRadius - kDepth);
 
 const LHandle kHandle{40 * mm, 12 * mm, 60 * deg};
@@ -45,6 +46,8 @@ ThesisMode constants() {
 Simulation over_block(const SimulationConfig& config, double spin) {
   Material material = plain_material();
   material.relative_stiffness = kStiffnessOfMaterial;
+  material.damping = kDampingOfMaterial;
+  material.static_friction = material.dynamic_friction = kFriction;
   return Simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, kVoxel, material),
                     Tool(SphereHead{kRadius}, kHandle, Spindle{spin * units::rad_per_s}), config);
 }
@@ -70,10 +73,11 @@ struct ByHand {
 
   explicit ByHand(const ThesisLaw::Constants& c, const Vec3& velocity, double spin) {
     const double k = kStiffnessOfMaterial * kStiffnessOfPoints * std::pow(c.reference_voxel_size, 2);
+    const double b = c.damping + kDampingOfMaterial * k * std::pow(c.reference_voxel_size, 2);
     for_each_place([&](const Vec3& r) {
       const double w = kRadius - r.norm();
       if (!(w > 0)) return;
-      const Vec3 force = -k * kVoxel * w * r.normalized() - c.damping * velocity;
+      const Vec3 force = -k * kVoxel * w * r.normalized() - b * velocity;
       wrench_T.force += force;
       wrench_T.torque += r.cross(force);
       normal_sum += k * kVoxel * w;
@@ -139,9 +143,9 @@ TEST(ThesisMode, RemovesWholeVoxelsThatAreDeepEnoughForTheRequiredPower) {
   EXPECT_EQ(simulation.step(at, {}, 1e-3).removed_volume, 0) << "the rest stays, however long";
 }
 
-// Table 5.2 with mu_s = mu_d = 0.3, whatever the material.
+// Table 5.2 with the mu_s = mu_d = 0.3 of case study 6.5.
 // Proves: thesis mode.
-TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
+TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfItsMaterial) {
   ThesisMode mode;
   Simulation simulation = over_block(thesis_mode(mode), 0);
   Pose pose = handle_at(simulation, kDepth);
@@ -237,16 +241,31 @@ TEST(ThesisMode, PushesInProportionToTheStiffness) {
   }
 }
 
-// F_c s (omega_c/omega)^2, where the layer that stays is some voxels thick.
-TEST(ThesisMode, NeedsTheForceThatItsConstantsNameWithAFlatHead) {
-  const ThesisLaw::Constants constants;
-  const FlatHead flat{0.3 * mm, 0.3 * mm, FlatRule::bottom_only};
-  for (const double slower : {0.5, 1.0}) {
-    const Lowered lowered(flat, slower * constants.cutting_speed, 0.4, 0.01 * mm);
-    const double expected = 0.4 * constants.cutting_force / (slower * slower);
-    EXPECT_NEAR(lowered.max / expected, 1, 0.2) << "layers of voxels are met or missed";
-    EXPECT_NEAR(lowered.last / lowered.middle, 1, 0.3) << "constant";
+/// The force with which a flat head of 1 mm radius begins to cut: n_c voxels deep, pi R^2 k_1 Sum (n_c - j).
+double first_cut(AngularSpeed speed, double stiffness, double voxel) {
+  const FlatHead flat{1 * mm, 1 * mm, FlatRule::bottom_only};
+  Simulation simulation = as_offered(flat, speed, stiffness, voxel);
+  double before = 0;
+  for (int tick = 0; tick < 3000; ++tick) {
+    const StepResult& result = simulation.step(at_depth(flat, tick * 0.2e-6), {}, kTick);
+    if (result.removed_volume > 0) return before;
+    before = result.model.force.z();
   }
+  return 0;
+}
+
+// Proves: thesis mode.
+TEST(ThesisMode, BeginsToCutWithTheForceThatItsConstantsNameAtAnyVoxelSize) {
+  const ThesisLaw::Constants constants;
+  const auto layers = [](double n) { return (std::floor(n) + 1) * (n - std::floor(n) / 2); };
+  const double n = ThesisLaw(constants).removal_depth(constants.cutting_speed, 1 * mm, kVoxel) / kVoxel;
+  for (const double voxel : {kVoxel, kVoxel / 2})
+    for (const double stiffness : {0.4, 1.0})
+      for (const double slower : {0.5, 1.0, 2.0}) {
+        const double expected = stiffness * constants.cutting_force * layers(n * slower) / layers(n);
+        EXPECT_NEAR(first_cut(1 / slower * constants.cutting_speed, stiffness, voxel) / expected, 1, 0.02)
+            << "stiffness " << stiffness << ", " << voxel / mm << " mm, 1/" << slower << " of the speed";
+      }
 }
 
 /// A hand behind the coupling of a Touch that presses with a force for a second.

@@ -16,20 +16,24 @@ namespace hapticut {
 ///
 /// For every voxel i inside the head, whole or partly filled, of depth w, direction n and material stiffness k_i:
 ///
-///     F_i   = -k_i l w_i n_i - b V                                        spring and damper of one voxel
+///     F_i   = -k_i l w_i n_i - b_i V                                      spring and damper of one voxel
 ///     F     = Sum F_i,   T = Sum (X_i - To) x F_i + T_spin z
 ///     T_spin = -lambda sgn(omega) (|omega|/omega_0)^m R Sum k_i l w_i     omega_0 = 1 rad/s
 ///     P_i   = lambda (|omega|/omega_0)^m R k_i l w_i |omega|              power generated at the voxel
 ///     voxel i is removed, whole and in this step, iff  P_i >= c k_i       power required
 ///
-/// The thesis gives no number for c. Here it is the power at which a flat head, which turns with omega_c, begins to cut
-/// a material of stiffness 1 when it is pressed with the force F_c:
+/// Both dampers that a user meets are in b_i = b + chi_i k_i l0^2: one for all, and that of Hunt and Crossley of the
+/// material (Material::damping), as it is at the depth l0 in voxels of l0.
 ///
-///     c = lambda (omega_c/omega_0)^m omega_c l^2 sqrt(2 F_c/(pi k_1)),   k_1 = kStiffnessOfPoints l0^2
+/// The thesis gives no number for c. Here a force F_c and a speed omega_c give it, with which a flat head of R_1 = 1 mm
+/// begins to cut a material of stiffness 1:
 ///
-/// so that voxels go that are deeper than w_c = (omega_c/|omega|)^(m+1) (l/R) sqrt(2 F_c/(pi k_1)). F_c does not depend
-/// on the radius nor, because c grows as l^2, on the voxel size. A material of stiffness s begins to be cut at s F_c,
-/// at twice the speed (m = 0) at a quarter of it. Balls and cones begin at less, the less the smaller the voxels (D1).
+///     c = lambda (omega_c/omega_0)^m omega_c R_1 n_c l^2,   F_c = pi R_1^2 k_1 Sum_(j = 0)^(j < n_c) (n_c - j)
+///
+/// n_c is the depth in voxels, j counts the layers of voxels below the head, and k_1 = kStiffnessOfPoints l0^2. So
+/// voxels go that are deeper than w_c = (omega_c/|omega|)^(m+1) (R_1/R) n_c l. F_c does not depend on the voxel size,
+/// because c grows as l^2. A material of stiffness s begins to be cut at s F_c. Balls and cones begin at less, the less
+/// the smaller the voxels (D1). lambda is in both powers, so it changes the torque and not what is cut.
 ///
 /// Interpretations of the text: the repulsive sign (as printed, the springs pull the tool in); the arm X_i - To (along
 /// the spring, as printed, the torque is zero, D3); the second lines of 5.6-5.8, of which only a constant lambda, a
@@ -47,10 +51,11 @@ class ThesisLaw final : public ForceLaw {
   /// The numbers of the law.
   struct Constants {
     double reference_voxel_size = 1e-4;  ///< [m] > 0, l0
-    double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b
+    double damping = 0;                  ///< [N·s/m] >= 0 of one voxel of any material, b
     double spin_torque = 0.3;            ///< [1] >= 0, lambda
     double spin_exponent = 0;            ///< [1] m
-    /// [N] >= 0, F_c: with this force a flat head begins to cut a material of stiffness 1; 0: all that is touched goes
+    /// [N] >= 0, F_c: with this force a flat head of 1 mm radius, springs at its bottom only, begins to cut a material
+    /// of stiffness 1; 0: all that is touched goes
     double cutting_force = 0.5;
     AngularSpeed cutting_speed = 10'000 * units::rpm;  ///< [rad/s] > 0, omega_c: at this speed
   };
@@ -73,15 +78,18 @@ class ThesisLaw final : public ForceLaw {
   /// @return [m] infinite when the spindle stands
   [[nodiscard]] double removal_depth(AngularSpeed spin, double radius, double voxel_size) const noexcept {
     if (spin == 0) return std::numeric_limits<double>::infinity();
-    return std::pow(c_.cutting_speed / std::abs(spin), c_.spin_exponent + 1) * voxel_size / radius *
-           std::sqrt(2 * c_.cutting_force / (units::kPi * stiffness_of_one(c_.reference_voxel_size)));
+    const double over = c_.cutting_force / force_of_one(c_.reference_voxel_size);
+    const double layers = std::floor((std::sqrt(1 + 8 * over) - 1) / 2);
+    const double voxels = layers + (over - layers * (layers + 1) / 2) / (layers + 1);  // n_c
+    return std::pow(c_.cutting_speed / std::abs(spin), c_.spin_exponent + 1) * kStatedRadius / radius * voxels *
+           voxel_size;
   }
 
   /// The Constants::cutting_force for a removal depth at cutting_speed.
   [[nodiscard]] static double cutting_force_for(double removal_depth, double radius, double voxel_size,
                                                 double reference_voxel_size = 1e-4) {
-    const double slope = removal_depth * radius / voxel_size;
-    return units::kPi / 2 * stiffness_of_one(reference_voxel_size) * slope * slope;
+    const double voxels = removal_depth * radius / (kStatedRadius * voxel_size), layers = std::floor(voxels);
+    return force_of_one(reference_voxel_size) * (layers + 1) * (voxels - layers / 2);
   }
 
   LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
@@ -92,7 +100,7 @@ class ThesisLaw final : public ForceLaw {
     const double removal_depth = this->removal_depth(spin * units::rad_per_s, R, l);
     const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>(),
                turning = Omega + Vec3(0, 0, spin);
-    const Vec3 damper = c_.damping * m.felt_velocity.cast<double>();
+    const Vec3 felt = m.felt_velocity.cast<double>();
 
     LawTotals totals;
     totals.may_remove = removes;
@@ -105,7 +113,9 @@ class ThesisLaw final : public ForceLaw {
       const double w = double(b.depth[n]);
       const Vec3 r(double(b.x[n]), double(b.y[n]), double(b.z[n]));
       const Vec3 direction(double(b.normal_x[n]), double(b.normal_y[n]), double(b.normal_z[n]));
-      const double k = double(materials[b.material_of(i)].stiffness) * l0_squared, scale = double(b.scale_of(i));
+      const ContactMaterial& material = materials[b.material_of(i)];
+      const double k = double(material.stiffness) * l0_squared, scale = double(b.scale_of(i));
+      const Vec3 damper = (c_.damping + double(material.damping) * k * l0_squared) * felt;
       const double normal = scale * k * l * w;
       const Vec3 force = -normal * direction - damper;
       b.force_x[n] = float(force.x());
@@ -131,9 +141,12 @@ class ThesisLaw final : public ForceLaw {
   }
 
  private:
-  /// [N/m^2] k_1, of a voxel of stiffness 1
-  static double stiffness_of_one(double reference_voxel_size) noexcept {
-    return kStiffnessOfPoints * reference_voxel_size * reference_voxel_size;
+  static constexpr double kStatedRadius = 1e-3;  ///< [m] R_1
+
+  /// [N] pi R_1^2 k_1, of a flat head that is one voxel deep in a material of stiffness 1.
+  static double force_of_one(double reference_voxel_size) noexcept {
+    return units::kPi * kStatedRadius * kStatedRadius * kStiffnessOfPoints * reference_voxel_size *
+           reference_voxel_size;
   }
 
   Constants c_;
