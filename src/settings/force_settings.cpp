@@ -60,8 +60,8 @@ const std::vector<LawKind>& law_kinds() {
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
          "exponent of the spindle speed in the spin torque" + or_else(thesis.spin_exponent)},
         {"thesis_cutting_force_N", &S::thesis_cutting_force_N, Range::not_negative(),
-         "force at which a flat head of 1 mm radius begins to cut a material of relative stiffness 1; 0: it removes what "
-         "it touches" +
+         "force at which a flat head of 1 mm radius with springs at its bottom begins to cut a material of relative "
+         "stiffness 1, if no reference stiffness is set; 0: it removes what it touches" +
              or_else(thesis.cutting_force)},
         {"thesis_cutting_rpm", &S::thesis_cutting_rpm, Range::positive(),
          "speed at which this force is enough" + or_else(thesis.cutting_speed / units::rpm)}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/simulation_settings.hpp"
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 
 namespace hapticut::settings {
@@ -14,7 +15,7 @@ void fill_in_thesis_mode(SimulationSettings& s) {
   ForceSettings& force = s.force;
   if (!force.law) force.law = ForceSettings::Law::thesis;
   if (!force.handle_torque) force.handle_torque = thesis.handle_torque;
-  if (!s.quadrature) s.quadrature = thesis.quadrature;
+  if (!s.quadrature && force.law == ForceSettings::Law::thesis) s.quadrature = thesis.quadrature;
   s.effects.thesis_filter = true;
   if (const auto& vibration = thesis.effects.vibration; vibration && !s.effects.vibration_Hz) {
     s.effects.vibration_Hz = vibration->frequency;
@@ -38,7 +39,8 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
              "head [0]"),
       number("simulation.contact_damping_s_per_m", "--contact_damping", s.config.contact_damping,
              range_of(&SimulationConfig::contact_damping),
-             "damping of the contact, s/m, added to the damping of each material [300 for law foundation with a coupling, else "
+             "damping of the contact, s/m, added to the damping of each material [300 for law foundation with a "
+             "coupling, else "
              "0]"),
       choice("simulation.removal", "--removal", s.removal, "removal law [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
@@ -54,10 +56,15 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
 }
 
 SimulationConfig make_config(const SimulationSettings& given) {
+  constexpr auto foundation = ForceSettings::Law::foundation;
   SimulationSettings settings = given;
   if (settings.thesis_mode) fill_in_thesis_mode(settings);
   SimulationConfig config = settings.config;
   config.removal = settings.removal.value_or(config.removal);
+  if (config.removal == RemovalLaw::elastic_release && settings.force.law.value_or(foundation) != foundation)
+    throw Error(
+        "simulation.removal = elastic_release; only the foundation law has it. Leave it out, or choose --law "
+        "foundation.");
   config.quadrature = settings.quadrature.value_or(config.quadrature);
   config.update_rate = settings.rate_Hz;
   apply(settings.force, config);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kHandSpeed = 5e-3;  // [m/s] of a careful hand
 constexpr double kFelt = 0.01;       // [1] of the force
+// [1] chi v up to which damping changes the force of a cut by 2 %: most of it is the energy of the cut.
+constexpr double kHiddenByCutting = 5;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
     const MaterialTable now = materials();
     return why_idle(kMaterialNumbers[place % kIdsOfAMaterial].member, now[MaterialId(place / kIdsOfAMaterial + 1)]);
   }
-  if (id >= kMask) return unless(haptics(), "haptics is off");
+  if (id >= kGravity && id != kSound && id != kVolume && !haptics()) return "haptics is off";
   const bool is_of_scene = at(kHead) == 0;
   using enum HeadDimension;
   switch (id) {
@@ -82,6 +84,8 @@ std::string ViewControls::why_idle(double Material::*number, const Material& mat
     return config_.law->is_foundation() || is_thesis ? "" : "the law of this scene has its own";
   if (number == &Material::damping && (config_.law->is_foundation() || is_thesis)) {
     const double others = 1 + config_.contact_damping.value_or(0) * kHandSpeed;
+    if (!is_thesis && spins && at(kCutting) != 0 && material.damping * kHandSpeed < kHiddenByCutting)
+      return "while the head cuts less than 2 % of the force";
     return material.damping * kHandSpeed < kFelt * others ? "at 5 mm/s less than 1 % of the force" : "";
   }
   if (!config_.law->is_foundation())

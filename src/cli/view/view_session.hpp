@@ -90,6 +90,10 @@ class ViewSession {
     is_looked_at_ = true;
   }
   void handle(const view::SetControl& command);
+  void handle(const commands::Undo& command) {
+    removed_at_mark_ = -1;  // the mark is used up
+    send(command);
+  }
   void handle(const view::Load&) {}  // handled by the Viewer
   void handle(const view::WriterLeft&) { pause(); }
 

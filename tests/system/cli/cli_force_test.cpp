@@ -125,6 +125,10 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   ASSERT_EQ(mode.size(), parts.size());
   for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
   EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
+  const auto cured = steps("--thesis_mode --law foundation", bent);
+  EXPECT_EQ(cured.at("force_z_N"), steps("--handle_torque thesis --thesis_filter", bent).at("force_z_N"));
+  expect_failure("--law thesis --removal elastic_release",
+                 {"simulation.removal = elastic_release; only the foundation"});
   // Other settings override the thesis mode. The mode vibrates at rates of 1112 Hz and above.
   const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
   EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));

@@ -260,18 +260,23 @@ TEST(ViewControls, SayWhyTheyDoNothing) {
   EXPECT_EQ(idle("vibration/Amplitude"), "vibration is off");
   panel.turn("vibration/Vibration", 1);
   EXPECT_EQ(idle("vibration/Amplitude"), "");
+  panel.turn("application/Spindle", 1);
+  EXPECT_EQ(idle("material/plain damping"), "while the head cuts less than 2 % of the force");
+  panel.turn("application/Haptics", 0);
+  for (const char* name : {"additional/Gravity", "additional/Mass", "vibration/Amplitude", "outputs/force x"})
+    EXPECT_EQ(idle(name), "haptics is off") << name;
+  EXPECT_EQ(idle("additional/Volume"), "");
 }
 
 TEST(ViewControls, SayWhatTheLawOfTheThesisDoesNotUse) {
   const Tool tool(SphereHead{1 * mm}, RayHandle{100 * mm}, Spindle{3000 * units::rad_per_s});
   const ViewControls controls(tool, MaterialTable({test::plain_material()}), thesis_mode(), false);
-  const std::map<std::string, std::string> expected = {
-      {"plain stiffness", ""},
-      {"plain damping", "at 5 mm/s less than 1 % of the force"},
-      {"plain cutting energy", "not in the law of the thesis"},
-      {"plain cutting ratio", "not in the law of the thesis"},
-      {"plain static friction", "only while the spindle stands"},
-      {"Removal", "the law of the thesis removes by power"}};
+  const std::map<std::string, std::string> expected = {{"plain stiffness", ""},
+                                                       {"plain damping", "at 5 mm/s less than 1 % of the force"},
+                                                       {"plain cutting energy", "not in the law of the thesis"},
+                                                       {"plain cutting ratio", "not in the law of the thesis"},
+                                                       {"plain static friction", "only while the spindle stands"},
+                                                       {"Removal", "the law of the thesis removes by power"}};
   for (const view::Control& one : controls.all())
     if (expected.contains(one.label)) {
       EXPECT_EQ(one.idle, expected.at(one.label)) << one.label;

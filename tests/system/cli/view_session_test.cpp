@@ -76,6 +76,21 @@ TEST(ViewSession, ThePointerCutsOnlyWhileItPresses) {
   EXPECT_EQ(desk.session.latest().tool.undo_marks, 1U);
 }
 
+TEST(ViewSession, SetsAnUndoMarkAfterTheMarksAreUsedUp) {
+  Desk desk;
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  desk.lead(Vec3(0, 0, -0.3 * mm), true);
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  desk.lead(Vec3(0, 0, 1.1 * mm), true);  // in air
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  for (unsigned left = desk.session.latest().tool.undo_marks; left-- > 0;) {
+    desk.session.apply(commands::Undo{});
+    ASSERT_TRUE(soon([&] { return desk.session.latest().tool.undo_marks == left; }));
+  }
+  desk.lead(Vec3(0, 0, -0.3 * mm), true);
+  EXPECT_EQ(desk.session.latest().tool.undo_marks, 1U);
+}
+
 TEST(ViewSession, InThesisModeCutsWithTheHeadsOfTheThesis) {
   const test::TemporaryFolder folder;
   const std::string scene = (folder / "thesis.toml").string();

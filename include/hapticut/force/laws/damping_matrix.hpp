@@ -15,8 +15,9 @@ namespace hapticut {
 ///
 /// The source tabulates the factors K for the head, the material, the speed and the layer; here they are one product,
 /// `resistance`. F(H, L), its "function for the contact area", is that area: the filled volume in the head over its
-/// maximum depth. The force needs motion: at rest it is zero, and a surface does not push back. Its only work is -m
-/// |V|^2, which cuts while the spindle turns. For any head.
+/// maximum depth, which is half a voxel below the deepest centre: a layer of whole voxels would otherwise meet a flat
+/// head like a wall, because its volume enters at once. The force needs motion: at rest it is zero, and a surface does
+/// not push back. Its only work is -m |V|^2, which cuts while the spindle turns. For any head.
 class DampingMatrixLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.
@@ -36,7 +37,7 @@ class DampingMatrixLaw final : public LumpedLaw {
                                  const ContactMoments& moments) const noexcept override {
     if (!(moments.depth > 0)) return {};
     const Vec3 V = m.velocity.cast<double>();
-    const double factor = c_.resistance * moments.volume / moments.depth;
+    const double factor = c_.resistance * moments.volume / (moments.depth + double(m.voxel_size) / 2);
     const Vec3 axis(0, 0, m.spin == 0 ? 0.0 : std::copysign(1.0, double(m.spin)));
     LumpedForce lumped;
     lumped.wrench_T.force = -factor * (V + c_.friction * axis.cross(V));

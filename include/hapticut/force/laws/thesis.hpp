@@ -22,8 +22,8 @@ namespace hapticut {
 ///     P_i   = lambda (|omega|/omega_0)^m R k_i l w_i |omega|              power generated at the voxel
 ///     voxel i is removed, whole and in this step, iff  P_i >= c k_i       power required
 ///
-/// Both dampers that a user meets are in b_i = b + chi_i k_i l0^2: one for all, and that of Hunt and Crossley of the
-/// material (Material::damping), as it is at the depth l0 in voxels of l0.
+/// b_i = b + chi_i k_i l0^2: b is the same in all materials; chi is Material::damping, and its part is the damper that
+/// Hunt and Crossley's spring has at the depth l0 in a voxel of l0.
 ///
 /// The thesis gives no number for c. Here a force F_c and a speed omega_c give it, with which a flat head of R_1 = 1 mm
 /// begins to cut a material of stiffness 1:
@@ -32,7 +32,8 @@ namespace hapticut {
 ///
 /// n_c is the depth in voxels, j counts the layers of voxels below the head, and k_1 = kStiffnessOfPoints l0^2. So
 /// voxels go that are deeper than w_c = (omega_c/|omega|)^(m+1) (R_1/R) n_c l. F_c does not depend on the voxel size,
-/// because c grows as l^2. A material of stiffness s begins to be cut at s F_c. Balls and cones begin at less, the less
+/// because c grows as l^2. It belongs to a reference_stiffness of kStiffnessOfPoints, and grows with it. A material of
+/// stiffness s begins to be cut at s F_c. Balls and cones begin at less, the less
 /// the smaller the voxels (D1). lambda is in both powers, so it changes the torque and not what is cut.
 ///
 /// Interpretations of the text: the repulsive sign (as printed, the springs pull the tool in); the arm X_i - To (along
