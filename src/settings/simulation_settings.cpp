@@ -40,8 +40,7 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       number("simulation.contact_damping_s_per_m", "--contact_damping", s.config.contact_damping,
              range_of(&SimulationConfig::contact_damping),
              "damping of the contact, s/m, added to the damping of each material [300 for law foundation with a "
-             "coupling, else "
-             "0]"),
+             "coupling, else 0]"),
       choice("simulation.removal", "--removal", s.removal, "removal law [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
              "point in a partly filled voxel where the force is evaluated [automatic: sub_voxel, or centroid for laws "
@@ -63,8 +62,8 @@ SimulationConfig make_config(const SimulationSettings& given) {
   config.removal = settings.removal.value_or(config.removal);
   if (config.removal == RemovalLaw::elastic_release && settings.force.law.value_or(foundation) != foundation)
     throw Error(
-        "simulation.removal = elastic_release; only the foundation law has it. Leave it out, or choose --law "
-        "foundation.");
+        "simulation.removal = elastic_release; only the foundation law has it. Leave it out, or choose "
+        "--law foundation.");
   config.quadrature = settings.quadrature.value_or(config.quadrature);
   config.update_rate = settings.rate_Hz;
   apply(settings.force, config);

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kHandSpeed = 5e-3;  // [m/s] of a careful hand
 constexpr double kFelt = 0.01;       // [1] of the force
-// [1] chi v up to which damping changes the force of a cut by 2 %: most of it is the energy of the cut.
-constexpr double kHiddenByCutting = 5;
+constexpr double kFeltInACut = 0.1;  // [1] chi v that changes the force of a cut, mostly its energy, by 1 %
 
 }  // namespace
 
@@ -42,6 +41,7 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
   switch (id) {
     case kRemoval:
       if (dynamic_cast<const ThesisLaw*>(config_.law.get()) != nullptr) return "the law of the thesis removes by power";
+      if (!config_.law->is_foundation()) return "the law of this scene has its own";
       return unless(at(kCutting) != 0, "cutting is off");
     case kSpeed:
     case kPower:
@@ -84,9 +84,9 @@ std::string ViewControls::why_idle(double Material::*number, const Material& mat
     return config_.law->is_foundation() || is_thesis ? "" : "the law of this scene has its own";
   if (number == &Material::damping && (config_.law->is_foundation() || is_thesis)) {
     const double others = 1 + config_.contact_damping.value_or(0) * kHandSpeed;
-    if (!is_thesis && spins && at(kCutting) != 0 && material.damping * kHandSpeed < kHiddenByCutting)
-      return "while the head cuts less than 2 % of the force";
-    return material.damping * kHandSpeed < kFelt * others ? "at 5 mm/s less than 1 % of the force" : "";
+    const bool cuts = !is_thesis && spins && at(kCutting) != 0;
+    const double felt = cuts ? kFeltInACut : kFelt * others;
+    return material.damping * kHandSpeed < felt ? "at 5 mm/s less than 1 % of the force" : "";
   }
   if (!config_.law->is_foundation())
     return is_thesis ? "not in the law of the thesis" : "the law of this scene has its own";

@@ -260,8 +260,12 @@ TEST(ViewControls, SayWhyTheyDoNothing) {
   EXPECT_EQ(idle("vibration/Amplitude"), "vibration is off");
   panel.turn("vibration/Vibration", 1);
   EXPECT_EQ(idle("vibration/Amplitude"), "");
+  panel.turn("material/plain damping", 10);
+  EXPECT_EQ(idle("material/plain damping"), "");
   panel.turn("application/Spindle", 1);
-  EXPECT_EQ(idle("material/plain damping"), "while the head cuts less than 2 % of the force");
+  EXPECT_EQ(idle("material/plain damping"), "at 5 mm/s less than 1 % of the force") << "a cut hides it";
+  panel.turn("material/plain damping", 100);
+  EXPECT_EQ(idle("material/plain damping"), "");
   panel.turn("application/Haptics", 0);
   for (const char* name : {"additional/Gravity", "additional/Mass", "vibration/Amplitude", "outputs/force x"})
     EXPECT_EQ(idle(name), "haptics is off") << name;

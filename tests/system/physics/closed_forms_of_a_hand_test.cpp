@@ -121,6 +121,28 @@ TEST(AMaterial, IsPressedInAsItsStiffnessSays) {
   }
 }
 
+// Proves: what acts when.
+TEST(AMaterial, HidesItsDampingBehindTheEnergyOfACut) {
+  const auto mean_force = [](Material material, const ToolHead& head, double damping) {
+    material.damping = damping;
+    Simulation simulation(build_block({Vec3(-1.2, -1.2, -1.2) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, material),
+                          Tool(head, RayHandle{0}, Spindle{40'000 * units::rpm}));
+    double sum = 0;
+    for (int tick = 0; tick < 200; ++tick) {  // down by 1 mm at 5 mm/s
+      const Vec3 at(0, 0, -tick * 5e-6 - head.bounding_box().min.z());
+      sum += simulation.step(Pose::from_translation(at), {Vec3(0, 0, -5e-3), Vec3::Zero()}, 1e-3).model.force.norm();
+    }
+    return sum;
+  };
+  for (const Material& material : {presets::enamel(), presets::cortical_bone(), presets::trabecular_bone()})
+    for (const ToolHead& head : {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{kHalfAngle, 1.5 * mm}),
+                                 ToolHead(FlatHead{kRadius, kRadius})}) {
+      const double undamped = mean_force(material, head, 0);
+      EXPECT_NEAR(mean_force(material, head, 20) / undamped, 1, 0.01) << material.name;
+      EXPECT_NEAR(mean_force(material, head, 1000) / undamped, 1.05, 0.045) << material.name;
+    }
+}
+
 // Default friction: a cone that goes down rubs upwards along its side, which adds mu_d cot(a) to the force of its
 // springs.
 TEST(AHeadThatGoesDown, FeelsTheFrictionOfItsSides) {

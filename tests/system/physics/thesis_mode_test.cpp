@@ -264,7 +264,8 @@ TEST(ThesisMode, BeginsToCutWithTheForceThatItsConstantsNameAtAnyVoxelSize) {
       for (const double slower : {0.5, 1.0, 2.0}) {
         const double expected = stiffness * constants.cutting_force * layers(n * slower) / layers(n);
         EXPECT_NEAR(first_cut(1 / slower * constants.cutting_speed, stiffness, voxel) / expected, 1, 0.02)
-            << "stiffness " << stiffness << ", " << voxel / mm << " mm, 1/" << slower << " of the speed";
+            << "area of a disc of whole voxels; stiffness " << stiffness << ", " << voxel / mm << " mm, 1/" << slower
+            << " of the speed";
       }
 }
 

@@ -33,8 +33,8 @@ namespace hapticut {
 /// n_c is the depth in voxels, j counts the layers of voxels below the head, and k_1 = kStiffnessOfPoints l0^2. So
 /// voxels go that are deeper than w_c = (omega_c/|omega|)^(m+1) (R_1/R) n_c l. F_c does not depend on the voxel size,
 /// because c grows as l^2. It belongs to a reference_stiffness of kStiffnessOfPoints, and grows with it. A material of
-/// stiffness s begins to be cut at s F_c. Balls and cones begin at less, the less
-/// the smaller the voxels (D1). lambda is in both powers, so it changes the torque and not what is cut.
+/// stiffness s begins to be cut at s F_c. Balls and cones begin at less, the less the smaller the voxels (D1). lambda
+/// is in both powers, so it changes the torque and not what is cut.
 ///
 /// Interpretations of the text: the repulsive sign (as printed, the springs pull the tool in); the arm X_i - To (along
 /// the spring, as printed, the torque is zero, D3); the second lines of 5.6-5.8, of which only a constant lambda, a
