@@ -104,8 +104,8 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
   if (groups->second.size() > frames)
     throw Error("its number of frames is " + std::to_string(frames) + ", but its functional groups describe " +
                 std::to_string(groups->second.size()) + "; some are missing. Get a complete copy.");
-  for (std::size_t n = 0; n < groups->second.size(); ++n) {
-    const DicomItem* plane = groups->second[n].item(kPlanePosition);
+  for (const DicomItem& group : groups->second) {
+    const DicomItem* plane = group.item(kPlanePosition);
     const std::vector<double> p = plane != nullptr ? plane->numbers(kPosition, 3, "position") : std::vector<double>();
     if (!p.empty()) places.emplace_back(p[0], p[1], p[2]);
   }

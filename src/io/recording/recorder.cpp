@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <ctime>
 #include <thread>
 
@@ -39,7 +41,10 @@ std::string now_as_text() {
 }
 
 /// Whether numbers have equal bits: -0 is not 0 here, because the sign reaches the force.
-bool same_bits(const EffectNumbers& a, const EffectNumbers& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(const EffectNumbers& a, const EffectNumbers& b) {
+  using Bits = std::array<std::uint64_t, kEffectNumbers>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 /// The `.new` file next to an older recording.
 std::filesystem::path path_beside(const std::filesystem::path& at) {
