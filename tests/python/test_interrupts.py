@@ -139,6 +139,8 @@ device = open_device("mock:press,hand=nominal")
 model = SimulationModel(simulation, device)
 loop = RealtimeLoop(model, RealtimeLoopOptions(run=RunOptions(seconds=1000, stop_on_signals=False)))
 loop.start()
+while loop.latest().tick == 0:
+    time.sleep(1e-3)
 begun()
 try:
     loop.wait()
