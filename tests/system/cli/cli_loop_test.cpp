@@ -26,6 +26,14 @@ class Loop : public Program {
   }
 };
 
+TEST_F(Loop, CarriesTheCaseStudyOfTheThesisAtItsRate) {
+  const std::string scene = test::source_path("examples/thesis/case_6_5.toml").string();
+  const nlohmann::json report = loop("mock:press,hand=nominal --seconds 4 --simulated_time true --settings " + scene);
+  EXPECT_EQ(report["rate_Hz"], 2000);
+  EXPECT_GT(report["removed_volume_mm3"], 0.5);
+  EXPECT_LT(report["compute_us"]["p50"], 500);
+}
+
 TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
   const nlohmann::json report = loop("mock:spiral --seconds 4 --simulated-time " + kCoarse);
   for (const char* pointer :
