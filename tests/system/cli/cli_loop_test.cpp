@@ -31,7 +31,7 @@ TEST_F(Loop, CarriesTheCaseStudyOfTheThesisAtItsRate) {
   const nlohmann::json report = loop("mock:press,hand=nominal --seconds 4 --simulated_time true --settings " + scene);
   EXPECT_EQ(report["rate_Hz"], 2000);
   EXPECT_GT(report["removed_volume_mm3"], 0.5);
-  EXPECT_LT(report["compute_us"]["p50"], 500);
+  EXPECT_LT(report["compute_us"]["p50"], 500) << "a tick; 180 on an idle machine, so that a busy one passes";
 }
 
 TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
