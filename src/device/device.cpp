@@ -120,11 +120,19 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
 }
 
 Servo::Servo(Device& device, SafetyGuard& guard, const DeviceCallback& callback, const RunOptions& options)
-    : device_(device), guard_(guard), callback_(callback), seconds_(options.seconds) {}
+    : device_(device),
+      guard_(guard),
+      callback_(callback),
+      seconds_(options.seconds),
+      in_real_time_(!options.simulated_time) {}
 
 Wrench Servo::tick(const DeviceState& reading) noexcept {
   const double began = monotonic_time();
-  if (report_.ticks++ == 0) begin_ = reading.time;
+  if (report_.ticks++ == 0)
+    begin_ = reading.time;
+  else if (in_real_time_)
+    guard_.report_wait(began - last_began_);
+  last_began_ = began;
   run_slots::Slot& slot = run_slots::slot(slot_);
   if (slot.emergency.exchange(false, std::memory_order_acq_rel)) device_.emergency_stop();
 
@@ -168,7 +176,8 @@ const char* Servo::why_it_ended() const noexcept {
   return time_is_up_ ? "its time was up" : "stopped";
 }
 
-Wrench Servo::fading_force(int n) const noexcept {
+Wrench Servo::fading_force(int n) noexcept {
+  guard_.keep_alive();
   const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
   const bool may_fade = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
   if (!may_fade) return {};

@@ -6,6 +6,11 @@
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
+namespace {
+
+constexpr int kMaxBadPerGood = 2;  // readings of a device that is slower than the loop
+
+}  // namespace
 
 const char* name_of(ArmingState state) {
   const char* known = name_or_null(state);
@@ -16,7 +21,7 @@ Arming::Arming(const ArmingOptions& options) : options_(options) { require_field
 
 void Arming::start(SafetyLog& log) noexcept {
   state_ = ArmingState::armed;
-  ticks_ = 0;
+  ticks_ = bad_ = 0;
   first_ = true;
   log.report(SafetyEvent::armed);
 }
@@ -63,7 +68,8 @@ double Arming::tick(double dt, Reading reading, double force, double torque, std
 
     case ArmingState::armed:
       if (reading == Reading::repeated) return 0;
-      ticks_ = is_good ? ticks_ + 1 : 0;
+      ++(is_good ? ticks_ : bad_);
+      if (bad_ > kMaxBadPerGood * (ticks_ + 1)) ticks_ = bad_ = 0;
       if (ticks_ >= options_.valid_ticks) {
         short_ramp_ = !first_;
         wait_free(log);
@@ -71,10 +77,10 @@ double Arming::tick(double dt, Reading reading, double force, double torque, std
       return 0;
 
     case ArmingState::wait_free: {
-      if (reading == Reading::repeated) return 0;
+      if (!is_good) return 0;  // the last good pose holds
       const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
-      const bool is_free = is_good && (touching ? !*touching : is_quiet);
-      if (is_good && !inspected_) {
+      const bool is_free = touching ? !*touching : is_quiet;
+      if (!inspected_) {
         inspected_ = true;
         if (!is_free) log.report(SafetyEvent::start_inside, force);
       }

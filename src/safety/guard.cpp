@@ -11,12 +11,14 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMinStep = 0.2;       // [ticks] bounds of dt in derivatives
-constexpr double kMaxLateness = 5e-3;  // [s]
 constexpr double kRampDampingShare = 0.2;
-constexpr double kUnitsWatched = 1;         // [s] after which the spread of positions is checked
-constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
-constexpr double kImplausiblySmall = 1e-6;  // [m] spread of all positions within that time
+constexpr double kFastPace = 0.6, kSlowPace = 1.9;  // [periods] mean time of a tick
+constexpr double kSlowDevice = 0.95;                // [1] good readings per tick
+constexpr double kUnitsWatched = 1;                 // [s] after which the spread of positions is checked
+constexpr double kImplausiblyFar = 2;               // [m] no desktop device reaches farther
+constexpr double kImplausiblySmall = 1e-6;          // [m] spread of all positions within that time
+constexpr double kExactRest = 1e-8;                 // [m] spread of a simulated hand that rotates about its point
+constexpr double kRotatedByHand = 0.1;              // [rad]
 
 /// The options, where the stiffness and the damping that a device can render replace zeros.
 PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
@@ -53,11 +55,12 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
           max_force_,
           lever_of(or_default(options.stiffness, capabilities.stiffness), capabilities, max_force_, max_torque_),
           max_torque_),
+      watchdog_(options.watchdog, options.period),
+      clock_(options.period, options.pause),
       thermal_(max_force_, capabilities.continuous_force, options.thermal),
       requests_(requests != nullptr ? requests : &own_requests_) {
   require_fields_within(options, "GuardOptions::");
   require_between(options.pause, options.late, 10, "GuardOptions::pause [s]");
-  (void)Watchdog(options.watchdog, options.period);
   if (capabilities.output_degrees_of_freedom < 3) max_force_ = 0;
   if (capabilities.output_degrees_of_freedom < 6) max_torque_ = 0;
 
@@ -75,6 +78,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
 
 void SafetyGuard::start() noexcept {
   started_ = false;
+  clock_.restart();
+  worst_silence_.store(Watchdog::Verdict::alive, std::memory_order_release);
   gate_.restart();
   passivity_.restart();
   not_finite_ = 0;
@@ -103,8 +108,14 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
       break;
     case Watchdog::Verdict::dead:
       log_.note(SafetyEvent::watchdog_fault, scale);
-      if (options_.watchdog.latch) was_dead_.store(true, std::memory_order_release);
       break;
+  }
+  note_silence(verdict);
+}
+
+void SafetyGuard::note_silence(Watchdog::Verdict verdict) noexcept {
+  Watchdog::Verdict worst = worst_silence_.load(std::memory_order_relaxed);
+  while (worst < verdict && !worst_silence_.compare_exchange_weak(worst, verdict, std::memory_order_acq_rel)) {
   }
 }
 
@@ -112,25 +123,33 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
 void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   // The clock of a device that is slower than the loop may stand between its readings, while ticks go on.
   const bool repeats = started_ && reading.sequence == gate_.state().sequence && reading.time <= last_time_;
-  const double elapsed = started_ && !repeats ? reading.time - last_time_ : options_.period;
-  last_time_ = repeats ? last_time_ + options_.period : reading.time;
-  const bool known = std::isfinite(elapsed);
-  const double min_dt = kMinStep * options_.period, max_dt = options_.period + kMaxLateness;
-  dt_ = known ? std::clamp(elapsed, min_dt, max_dt) : options_.period;
-  gate_time_ = known ? std::clamp(elapsed, dt_, std::max(dt_, options_.pause + options_.period)) : options_.period;
-  if (!started_ || !known) return;
-  const double late = elapsed - options_.period;
-  if (late > options_.pause) {
-    arming_.interrupt(SafetyEvent::paused, false, log_, late);
+  last_time_ = reading.time;
+  elapsed_ = clock_.tick(reading.time, repeats);
+  const Watchdog::Verdict silence = worst_silence_.exchange(Watchdog::Verdict::alive, std::memory_order_acq_rel);
+  if (!started_) return;
+  if (silence == Watchdog::Verdict::dead && options_.watchdog.latch) arming_.fail(log_);
+  if (elapsed_.late > options_.pause || silence == Watchdog::Verdict::dead) {
+    arming_.interrupt(SafetyEvent::paused, false, log_, std::max(elapsed_.late, 0.0));
     gate_.restart();  // the hand may be anywhere now
-  } else if (late > options_.late) {
-    arming_.interrupt(SafetyEvent::late_wake_up, true, log_, late);
+  } else if (elapsed_.late > options_.late || silence == Watchdog::Verdict::fading) {
+    arming_.interrupt(SafetyEvent::late_wake_up, true, log_, std::max(elapsed_.late, 0.0));
   }
+}
+
+void SafetyGuard::watch_pace(bool good) noexcept {
+  if (good) clock_.count_good();
+  const std::optional<TickClock::Pace> pace = clock_.pace();
+  if (!pace) return;
+  const double ticks = pace->period / options_.period;
+  const auto report_once = [&](SafetyEvent event, double value) {
+    if (log_.count(event) == 0) log_.report(event, value);
+  };
+  if (ticks < kFastPace || ticks > kSlowPace) report_once(SafetyEvent::other_period, pace->period);
+  if (pace->rate * pace->period < kSlowDevice) report_once(SafetyEvent::slow_readings, pace->rate);
 }
 
 // Applies the requests of other threads since the last tick.
 void SafetyGuard::apply_requests() noexcept {
-  if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
   // An emergency stop that is reset within the same tick still ends in the fault state first.
   if (requests_->reset_wanted() && requests_->emergency() && arming_.state() != ArmingState::fault) fail_in_emergency();
   if (requests_->accept_reset() && arming_.state() == ArmingState::fault) {
@@ -147,18 +166,25 @@ void SafetyGuard::fail_in_emergency() noexcept {
   arming_.fail(log_);
 }
 
-// Positions in millimetres are outside any workspace. Positions in kilometres seem not to move.
+// Positions in millimetres are outside any workspace. Positions in kilometres seem not to move, although the hand
+// rotates the stylus.
 void SafetyGuard::watch_units(const DeviceState& reading) noexcept {
   const Vec3& p = reading.X_BS.translation;
-  if (!p.allFinite()) return;
+  if (!is_finite(reading.X_BS)) return;
   if (p.norm() > kImplausiblyFar) log_.report(SafetyEvent::pose_units, p.norm());
-  if (watched_ == 0) low_seen_ = high_seen_ = p;
+  if (watched_ == 0) {
+    low_seen_ = high_seen_ = p;
+    R_BS_seen_ = reading.X_BS.rotation;
+    rotated_ = 0;
+  }
   low_seen_ = low_seen_.cwiseMin(p);
   high_seen_ = high_seen_.cwiseMax(p);
-  watched_ += dt_;
+  rotated_ = std::max(rotated_, vector_from_rotation(reading.X_BS.rotation * R_BS_seen_.transpose()).norm());
+  watched_ += elapsed_.for_speeds;
   if (watched_ < kUnitsWatched) return;
   const double spread = (high_seen_ - low_seen_).norm();
-  if (spread > 0 && spread < kImplausiblySmall) log_.report(SafetyEvent::pose_units, spread);
+  if (rotated_ > kRotatedByHand && spread > kExactRest && spread < kImplausiblySmall)
+    log_.report(SafetyEvent::pose_units, spread);
   watched_ = 0;
 }
 
@@ -169,11 +195,12 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   watch_units(reading);
 
   const std::uint32_t epoch = gate_.state().epoch;
-  const PoseGate::Verdict verdict = gate_.check(reading, gate_time_, log_);
+  const PoseGate::Verdict verdict = gate_.check(reading, elapsed_.for_poses, log_);
   const DeviceState& state = gate_.state();
   reading_ = verdict == PoseGate::Verdict::accepted   ? Reading::good
              : verdict == PoseGate::Verdict::repeated ? Reading::repeated
                                                       : Reading::bad;
+  watch_pace(reading_ == Reading::good);
   if (started_ && reading_ == Reading::good && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
     X_BS_last_ = state.X_BS;  // the distance between two calibrations is not a motion
@@ -225,8 +252,8 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& conta
   // If torque is rendered, the force may return the energy of a rotation, so the force is not reduced.
   const bool reduces = max_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
   const std::optional<double> motor = reduces ? contact.motor : std::nullopt;
-  Wrench damped = passivity_.control({wrench, effects, output_.applied, motion_, rotation_, dt_, contact.stored, motor,
-                                      !contact.touching.value_or(true)});
+  Wrench damped = passivity_.control({wrench, effects, output_.applied, motion_, rotation_, elapsed_.for_speeds,
+                                      contact.stored, motor, !contact.touching.value_or(true)});
   if (passivity_.damping_force() > 0) {
     output_.changes |= OutputChange::damped;
     log_.report(SafetyEvent::passivity, passivity_.damping_force());
@@ -254,7 +281,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
     output_.changes |= OutputChange::cooled;
     log_.report(SafetyEvent::continuous_limited, thermal_.limit());
   }
-  const double growth_time = std::min(dt_, options_.period);  // a late tick may not take a larger step
+  const double growth_time = std::min(elapsed_.for_speeds, options_.period);  // a late tick may not take a larger step
   Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
                growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
   // A rounding error does not count as a limit.
@@ -270,15 +297,16 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
   output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
-  const double ramp = arming_.tick(dt_, reading_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
+  const double ramp =
+      arming_.tick(elapsed_.for_ramps, reading_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
   Wrench wrench;
   if (ramp > 0) {
     before_ramp_ = bound(make_passive(finite, contact));
     wrench = {ramp * before_ramp_.force, ramp * before_ramp_.torque};
     if (ramp < 1) {
       output_.changes |= OutputChange::ramped;
-      const Vec3 speed = motion_ / dt_;
-      const double growth_time = std::min(dt_, options_.period);
+      const Vec3 speed = motion_ / elapsed_.for_speeds;
+      const double growth_time = std::min(elapsed_.for_speeds, options_.period);
       wrench.force = saturated(wrench.force - (1 - ramp) * ramp_damping_ * speed, max_force_);
       wrench.force = growth_limited(output_.applied.force, wrench.force, slew_ * growth_time);
     }
@@ -288,10 +316,10 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
     before_ramp_ = {};
     passivity_.restart();
   }
-  thermal_.tick(wrench.force.norm(), gate_.state().temperature, dt_);
+  thermal_.tick(wrench.force.norm(), gate_.state().temperature, elapsed_.for_ramps);
   output_.applied = wrench;
   published_state_.store(arming_.state(), std::memory_order_release);
-  heartbeat_.fetch_add(1, std::memory_order_acq_rel);
+  keep_alive();
   return wrench;
 }
 

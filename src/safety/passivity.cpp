@@ -10,8 +10,22 @@
 namespace hapticut {
 namespace {
 
-constexpr double kFaster = 1.25;        // [1] speed that the hand may reach in the next tick, over its speed now
 constexpr double kMaxStillTime = 0.02;  // [s] of hand motion that one step of the encoders may stand for
+constexpr double kMeanTime = 0.01;      // [s] and
+constexpr double kMeanPath = 0.5e-3;    // [m] over which the hand's velocity is averaged
+constexpr double kPayTime = 0.02;       // [s] in which a debt is paid back
+constexpr double kGentleChange = 0.01;  // [N] per tick, which a hand does not feel
+constexpr double kGentleSpeed = 0.15;   // [m/s] up to which it would feel more
+
+constexpr double kSlopeTime = 0.005;   // [s] over which the change of the force is averaged
+constexpr double kAbruptSpeed = 0.05;  // [m/s] and
+constexpr double kAbruptShare = 0.8;   // [1] of the device's stiffness from which on a wall acts on a fast hand
+
+/// [N] per tick
+double max_change_at(double speed) {
+  const double fast = std::max(1.0, speed / kGentleSpeed), cube = fast * fast * fast;
+  return kGentleChange * cube * cube;
+}
 
 }  // namespace
 
@@ -28,7 +42,15 @@ PassivityController::PassivityController(const PassivityOptions& options, double
 }
 
 void PassivityController::restart() noexcept {
-  stored_ = damping_force_ = commanded_ = 0;
+  stored_ = damping_force_ = commanded_ = motor_work_ = stands_ = 0;
+  abrupt_ = false;
+  time_ = kMeanTime;  // at rest
+  path_.setZero();
+  velocity_.setZero();
+  reduction_.setZero();
+  damping_.setZero();
+  last_contact_.setZero();
+  slope_.setZero();
   effects_.setZero();
   mean_.setZero();
   still_.setZero();
@@ -41,6 +63,20 @@ PassivityController::Vector6 PassivityController::compared(const Wrench& wrench)
   all.head<3>() = wrench.force;
   if (lever_ > 0) all.tail<3>() = wrench.torque / lever_;
   return all;
+}
+
+/// [N] The contact's share of what the device applied since the last tick, after the delay.
+PassivityController::Vector6 PassivityController::contact_that_acted(const Tick& tick) noexcept {
+  Vector6 acted = compared(tick.applied);
+  const double applied = acted.norm();
+  acted -= (applied < commanded_ ? applied / commanded_ : 1.0) * effects_;
+  commanded_ = compared(tick.commanded).norm();
+  effects_ = compared(tick.effects);
+  if (options_.delay > 0) {
+    std::swap(acted, delayed_[std::size_t(next_)]);
+    next_ = (next_ + 1) % options_.delay;
+  }
+  return acted;
 }
 
 /// [J] that the hand gets from `acted`
@@ -57,42 +93,76 @@ double PassivityController::work_of(const Vector6& acted, const Vector6& motion,
   return work;
 }
 
+// Mean velocity of the hand and mean power of the motor. None is taken where the hand is fast and its force changes as
+// at a stiff wall.
+void PassivityController::follow(const Vector6& motion, double motor, const Vector6& of_contact, double dt) noexcept {
+  const double moved = motion.norm();
+  stands_ = moved > 0 ? 0 : stands_ + dt;
+  slope_ += std::min(1.0, dt / kSlopeTime) * ((of_contact - last_contact_) / dt - slope_);
+  last_contact_ = of_contact;
+  const double speed = moved / dt;
+  abrupt_ = speed > kAbruptSpeed && slope_.norm() > kAbruptShare * options_.stiffness * speed;
+  const double kept = abrupt_ ? 0 : 1 / (1 + dt / kMeanTime + moved / kMeanPath);
+  path_ = kept * path_ + motion;
+  motor_work_ = kept * motor_work_ + motor;
+  time_ = kept * time_ + dt;
+  velocity_ = path_ / time_;
+}
+
+void PassivityController::change_towards(const Vector6& reduction, const Vector6& damping,
+                                         const Vector6& of_contact) noexcept {
+  const double speed = velocity_.norm();
+  const Vector6 less = reduction - reduction_, more = damping - damping_;
+  const double change = (less + more).norm(), max_change = max_change_at(speed);
+  const double share = !abrupt_ && change > max_change ? max_change / change : 1.0;
+  reduction_ += share * less;
+  damping_ += share * more;
+
+  // The push may have become smaller than its reduction.
+  const double square = reduction_.squaredNorm(), push = -of_contact.dot(reduction_);
+  if (push < square) reduction_ *= std::max(0.0, push) / square;
+  // A damping never pushes the hand on.
+  const double on = damping_.dot(velocity_);
+  if (on > 0) damping_ -= on / (speed * speed) * velocity_;
+  const double most = options_.max_damping * speed, damped = damping_.norm();
+  if (damped > most) damping_ *= most / damped;
+}
+
 Wrench PassivityController::control(const Tick& tick) noexcept {
   damping_force_ = 0;
   if (!options_.enabled) return tick.commanded;
-  Vector6 acted = compared(tick.applied), motion = Vector6::Zero();
-  const double applied = acted.norm();
-  acted -= (applied < commanded_ ? applied / commanded_ : 1.0) * effects_;
-  commanded_ = compared(tick.commanded).norm();
-  effects_ = compared(tick.effects);
-  const Vector6 of_contact = compared(tick.commanded) - effects_;
+  Vector6 motion;
   motion << tick.motion, lever_ * tick.rotation;
-  if (options_.delay > 0) {
-    std::swap(acted, delayed_[std::size_t(next_)]);
-    next_ = (next_ + 1) % options_.delay;
-  }
+  const Vector6 of_contact = compared(tick.commanded) - compared(tick.effects);
+  const Vector6 acted = contact_that_acted(tick);
+  const double motor = tick.motor.value_or(0);
   double work = work_of(acted, motion, tick.dt);
   if (tick.motor && !tick.in_air) work = std::max(work, acted.dot(motion));
-  if (of_contact.norm() < options_.free) {
-    stored_ = 0;
-    return tick.commanded;
-  }
-  const double moved = motion.norm(), speed = moved / tick.dt;
-  const double held = (0.5 + options_.delay) * options_.stiffness * moved * moved;
-  const double max_stored = std::min(options_.credit, tick.stored.value_or(options_.credit));
-  stored_ = std::min(stored_ - work + held + tick.motor.value_or(0), max_stored);
+  follow(motion, motor, of_contact, tick.dt);
 
-  if (speed < options_.min_speed) return tick.commanded;
-  const double left = stored_ + options_.allowance;
-  if (left < 0) damping_force_ = std::min({-left / moved, max_force_, options_.max_damping * speed});
-  if (tick.motor) {
-    const double work_ahead = kFaster * of_contact.dot(motion);  // [J] in the next tick
-    damping_force_ += std::max(0.0, (work_ahead - std::max(0.0, left) - held) / (kFaster * moved));
+  const bool free = of_contact.norm() < options_.free;
+  const double held_stiffness = (0.5 + options_.delay) * options_.stiffness;
+  const double max_stored = std::min(options_.credit, tick.stored.value_or(options_.credit));
+  stored_ = free ? 0 : std::min(stored_ - work + held_stiffness * motion.squaredNorm() + motor, max_stored);
+
+  Vector6 reduction = Vector6::Zero(), damping = Vector6::Zero();
+  const double speed = velocity_.norm();
+  if (!free && speed >= options_.min_speed && stands_ < kMaxStillTime) {
+    const double pay_time = abrupt_ ? tick.dt : kPayTime;
+    const double left = stored_ + options_.allowance;
+    if (left < 0)
+      damping = -std::min({-left / (pay_time * speed), max_force_, options_.max_damping * speed}) / speed * velocity_;
+    if (tick.motor) {
+      const double covered =
+          motor_work_ / time_ + std::max(0.0, left) / pay_time + held_stiffness * speed * speed * tick.dt;
+      reduction = -std::max(0.0, of_contact.dot(velocity_) - covered) / (speed * speed) * velocity_;
+    }
   }
-  const double along = damping_force_ / moved, torque = lever_ * lever_ * along * tick.rotation.norm();
-  const double reduction = torque > max_torque_ ? max_torque_ / torque : 1.0;
-  return {tick.commanded.force - along * tick.motion,
-          tick.commanded.torque - reduction * lever_ * lever_ * along * tick.rotation};
+  change_towards(reduction, damping, of_contact);
+  const Vector6 added = reduction_ + damping_;
+  damping_force_ = added.norm();
+  const Vec3 torque = lever_ * added.tail<3>();
+  return {tick.commanded.force + added.head<3>(), tick.commanded.torque + saturated(torque, max_torque_)};
 }
 
 }  // namespace hapticut

@@ -80,6 +80,8 @@ std::string sentence_of(const SafetyLogEntry& entry) {
   for (const Named<SafetyEvent>& one : names_of(Of<SafetyEvent>{}))
     if (one.value == entry.event) sentence = one.words;
   if (entry.event == SafetyEvent::device_fault) sentence += ": " + describe(DeviceFault(int(entry.value))) + ".";
+  if (entry.event == SafetyEvent::other_period) sentence += " Now: " + format_number(entry.value) + " s.";
+  if (entry.event == SafetyEvent::slow_readings) sentence += " Now: " + format_number(entry.value) + " Hz.";
   return sentence;
 }
 

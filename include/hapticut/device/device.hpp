@@ -185,7 +185,7 @@ class Servo {
 
   /// The force of the n-th tick after the end, n = 0, 1, ... It fades to zero over kFadeOut. It is zero at once after
   /// an error or an emergency stop.
-  [[nodiscard]] Wrench fading_force(int n) const noexcept;
+  [[nodiscard]] Wrench fading_force(int n) noexcept;
   static constexpr double kFadeOut = 20e-3;  ///< [s]
 
   /// Reports that the last force is written and is zero. What follows may take any time.
@@ -218,6 +218,8 @@ class Servo {
   SafetyGuard& guard_;
   const DeviceCallback& callback_;
   double seconds_;
+  bool in_real_time_;
+  double last_began_ = 0;  // [s] when the last tick began, by the clock of the computer
   RunReport report_;
   std::exception_ptr exception_;
   double begin_ = 0;

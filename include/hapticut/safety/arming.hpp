@@ -47,7 +47,7 @@ constexpr auto fields_of(Of<ArmingOptions>) {
   using O = ArmingOptions;
   return std::tuple{
       field("valid_ticks", &O::valid_ticks, "ticks", Range::between(1, 10000),
-            "accepted readings in a row after which the device counts as ready"),
+            "accepted readings, at least a third of all, after which the device counts as ready"),
       field("free_force", &O::free_force, "N", Range::positive(),
             "force below which the tool counts as free, if the model does not report whether it touches anything"),
       field("free_torque", &O::free_torque, "N m", Range::positive(),
@@ -90,7 +90,7 @@ class Arming {
 
   /// Advances the state machine by one tick.
   /// @param dt           [s] since the last tick
-  /// @param reading      a bad one begins the count of good ones anew, a repeated one leaves it as it is
+  /// @param reading      repeated ones do not count
   /// @param force        [N] commanded by the model
   /// @param torque       [N·m] commanded by the model
   /// @param touching     whether the tool touches anything; empty: force and torque decide
@@ -105,7 +105,8 @@ class Arming {
 
   ArmingOptions options_;
   ArmingState state_ = ArmingState::off;
-  int ticks_ = 0;           // in a row that fulfil what the state waits for
+  int ticks_ = 0;           // that fulfil what the state waits for
+  int bad_ = 0;             // readings that were not accepted while `armed`
   bool inspected_ = false;  // whether the first force since the wait began was inspected
   bool first_ = true;       // there was no force since the start or since a fault
   bool short_ramp_ = false;

@@ -11,6 +11,7 @@
 #include "hapticut/safety/requests.hpp"
 #include "hapticut/safety/safety_log.hpp"
 #include "hapticut/safety/thermal_budget.hpp"
+#include "hapticut/safety/tick_clock.hpp"
 #include "hapticut/safety/watchdog.hpp"
 #include "hapticut/simulation/output_limits.hpp"
 
@@ -102,9 +103,18 @@ class SafetyGuard {
   Wrench limit(const Wrench& commanded, const ModelContact& contact = {}) noexcept;
 
   /// Reports that the loop does not answer. A watchdog in another thread calls this, or a test. Logs each verdict once
-  /// per silence, and latches the fault if WatchdogOptions::latch is set. `alive` ends a silence. One thread at a time.
+  /// per silence. After `fading` the tool must be free again before there is a force, after `dead` the long fade-in
+  /// follows as well, or the fault state if WatchdogOptions::latch is set. `alive` ends a silence. One thread at a
+  /// time.
   /// @param scale  [1] fraction of the last force that is still allowed
   void report_silence(Watchdog::Verdict verdict, double scale);
+
+  /// Reports by a clock of the loop how long ago the last tick was: the clock of a device may stand with the loop. In
+  /// the thread of the loop, before `admit`. The same verdicts as for a silence.
+  void report_wait(double seconds) noexcept { note_silence(watchdog_.verdict(seconds)); }
+
+  /// Reports that the loop answers, although it asks for no force.
+  void keep_alive() noexcept { heartbeat_.fetch_add(1, std::memory_order_acq_rel); }
 
   /// Reports the wrench that the device did render, when it differs from what `limit` returned.
   void report_applied(const Wrench& wrench) noexcept;
@@ -139,6 +149,8 @@ class SafetyGuard {
 
  private:
   void keep_time(const DeviceState& reading) noexcept;
+  void watch_pace(bool good) noexcept;
+  void note_silence(Watchdog::Verdict verdict) noexcept;
   void apply_requests() noexcept;
   void fail_in_emergency() noexcept;
   void watch_units(const DeviceState& reading) noexcept;
@@ -153,22 +165,27 @@ class SafetyGuard {
   PoseGate gate_;
   Arming arming_;
   PassivityController passivity_;
+  Watchdog watchdog_;
+  TickClock clock_;
   ThermalBudget thermal_;
 
   Requests own_requests_;
   Requests* requests_;
-  std::atomic<bool> was_dead_{false};
+  std::atomic<Watchdog::Verdict> worst_silence_{Watchdog::Verdict::alive};  // since the last tick
   std::atomic<ArmingState> published_state_{ArmingState::off};
   std::atomic<std::uint64_t> heartbeat_{0};
   Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
 
   bool started_ = false;
   Reading reading_ = Reading::bad;
-  double last_time_ = 0, dt_ = 0, gate_time_ = 0;
+  double last_time_ = 0;  // [s] of the last reading
+  TickClock::Elapsed elapsed_;
   int not_finite_ = 0;
   Pose X_BS_last_;          // of the last admitted reading
   Vec3 motion_, rotation_;  // since then
   Vec3 low_seen_, high_seen_;
+  Mat3 R_BS_seen_;      // the first while the units are checked
+  double rotated_ = 0;  // [rad] farthest from it
   double watched_ = 0;  // [s] for which the units were checked
   Wrench before_ramp_;  // of the last tick: the slew limit starts from it
   DeviceOutput output_;

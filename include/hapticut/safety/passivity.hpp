@@ -66,15 +66,23 @@ constexpr auto fields_of(Of<PassivityOptions>) {
 ///
 /// W > 0 is energy that the model has absorbed and stored; energy lost by cutting and rubbing is not counted. The term
 /// with k is the energy that holding the force of a passive spring returns. When W falls below minus the allowance, the
-/// controller adds a damping force `-a v` with `a = -W / (v^2 T)`, limited by max_damping and max_force (time-domain
-/// passivity control, Hannaford and Ryu 2002). The damping acts one tick late and is limited by the device, so it helps
-/// strongly but proves nothing. The account is closed when the force ends: nothing is damped in free air.
+/// controller adds a damping force `-a v` that pays the debt back in 20 ms, limited by max_damping and max_force
+/// (time-domain passivity control, Hannaford and Ryu 2002, but slower). The damping is limited by the device, so it
+/// helps strongly but proves nothing. The account is closed when the force ends.
 ///
 /// A spindle that drags the tool sideways does generate energy. The controller then holds the hand back slightly, as a
 /// guard should. If the model reports the work of its motor, that work is added to W. Then all energy that the hand may
-/// get is known, also in advance: a force that pushes the hand on as it moves now, or a quarter faster, is reduced to
-/// what W + k |dx|^2/2 covers. This keeps from the hand the work that a rotation of the tool does when no motor renders
-/// the torque. In contact F is then the mean force or the last force, whichever gives the hand more energy.
+/// get is known: a force that pushes the hand on is reduced to the power of the motor, what W gives in 20 ms, and
+/// k |dx|^2/2 per tick. This keeps from the hand the work that a rotation of the tool does when no motor renders the
+/// torque. In contact F is then the mean force or the last force, whichever gives the hand more energy.
+///
+/// What the controller takes or adds changes by at most 0.01 N per tick, or the controller would make a smooth force
+/// buzz. v is therefore the mean velocity over 10 ms or half a millimetre, so that it does not step with the encoders.
+/// What is taken is kept while the reading stands still, for at most 20 ms, and it never exceeds the push itself. Until
+/// it has grown, the hand gets energy: this is the debt that the damping pays back. The limit is higher where nobody
+/// feels single ticks: it grows with the sixth power of the speed of a hand faster than 0.15 m/s. A hand that strikes a
+/// wall (faster than 0.05 m/s, while its force changes as that of 0.8 times the device's stiffness) is damped at once,
+/// without means and limit.
 /// @realtime no allocation, no lock
 class PassivityController {
  public:
@@ -97,26 +105,39 @@ class PassivityController {
     bool in_air = false;               ///< the tool touches nothing
   };
 
-  /// @return the commanded wrench with the damping added
+  /// @return the commanded wrench, reduced and damped
   [[nodiscard]] Wrench control(const Tick& tick) noexcept;
 
   void restart() noexcept;
 
   [[nodiscard]] double stored() const { return stored_; }                ///< [J] W
-  [[nodiscard]] double damping_force() const { return damping_force_; }  ///< [N] norm of that of the last tick
+  [[nodiscard]] double damping_force() const { return damping_force_; }  ///< [N] norm of the last tick's change
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   [[nodiscard]] Vector6 compared(const Wrench& wrench) const noexcept;
+  [[nodiscard]] Vector6 contact_that_acted(const Tick& tick) noexcept;
   [[nodiscard]] double work_of(const Vector6& acted, const Vector6& motion, double dt) noexcept;
+  void follow(const Vector6& motion, double motor, const Vector6& of_contact, double dt) noexcept;
+  void change_towards(const Vector6& reduction, const Vector6& damping, const Vector6& of_contact) noexcept;
 
   PassivityOptions options_;
   double max_force_, lever_, max_torque_;
   double stored_ = 0, damping_force_ = 0;
-  double commanded_ = 0;  // [N] at the last tick
-  Vector6 effects_;       // [N] in it
-  Vector6 mean_;          // [N] that acted since the reading last stepped, along each axis
-  Vector6 still_;         // [ticks] since then
+  double commanded_ = 0;   // [N] at the last tick
+  Vector6 effects_;        // [N] in it
+  Vector6 mean_;           // [N] that acted since the reading last stepped, along each axis
+  Vector6 still_;          // [ticks] since then
+  Vector6 velocity_;       // [m/s] mean of the hand's
+  Vector6 path_;           // [m] motion, where the past counts less and less
+  double motor_work_ = 0;  // [J] of the model's motor, likewise
+  double time_ = 0;        // [s] likewise
+  double stands_ = 0;      // [s] since the reading last stepped
+  Vector6 reduction_;      // [N] of a push
+  Vector6 damping_;        // [N]
+  Vector6 slope_;          // [N/s] mean change of the commanded force
+  Vector6 last_contact_;   // [N] commanded at the last tick
+  bool abrupt_ = false;    // the hand is fast, and its force changes as at a stiff wall
   static constexpr auto kMaxDelay = std::size_t(range_of(&PassivityOptions::delay).high);
   std::array<Vector6, kMaxDelay> delayed_;
   int next_ = 0;

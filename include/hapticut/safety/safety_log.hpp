@@ -51,6 +51,8 @@ enum class SafetyEvent : std::uint8_t {
   watchdog_fault,          ///< the model has not answered for 50 ticks
   exception,               ///< the user's code threw
   emergency_stop,          ///< the emergency stop was triggered
+  other_period,            ///< the readings come at another period than the guard was given; the value is theirs
+  slow_readings,           ///< the device has good readings in fewer ticks than there are; the value is their rate
   count                    ///< number of events
 };
 
@@ -116,6 +118,12 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{exception, "exception",
             "The program's code failed, so there is no force: reset the fault, or start the program again."},
       Named{emergency_stop, "emergency_stop", "The emergency stop was triggered: reset it when the hand is ready."},
+      Named{other_period, "other_period",
+            "The ticks come at another period than guard.period: set guard.period to that of the loop, or let the loop "
+            "wait for each tick."},
+      Named{slow_readings, "slow_readings",
+            "The device has no good reading in some ticks, so the last one is used: set guard.period to the period of "
+            "the device, or check its cable and driver."},
   };
 }
 

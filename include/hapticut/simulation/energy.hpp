@@ -38,8 +38,8 @@ struct EnergyLedger {
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
   /// material that left it while still pressed. This happens when the tool appears inside material, and when material
   /// passes a face behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a
-  /// cone). Otherwise it is zero within the error of the quadrature. No work brought it in, so `closure` does not count
-  /// it. With ContactTime::end it is the part that `damping` did not take in the same sub-step.
+  /// cone). Otherwise it is zero within the error of the quadrature. `imbalance` and `closure` show it, with
+  /// the other sign. With ContactTime::end it is the part that `damping` did not take in the same sub-step.
   double entered = 0;
 
   /// Counts energy that came in even if it went out again, so it only grows. An imbalance is judged relative to it.
@@ -53,7 +53,7 @@ struct EnergyLedger {
   /// [J] work that no term accounts for; `-entered` within single precision.
   [[nodiscard]] double imbalance() const { return hand_work + motor_work + credited - stored() - losses(); }
 
-  /// [1] imbalance relative to the turnover; 0 before any work.
+  /// [1] imbalance relative to the turnover, so also -entered/turnover within single precision; 0 before any work.
   [[nodiscard]] double closure() const { return turnover > 0 ? imbalance() / turnover : 0.0; }
 };
 

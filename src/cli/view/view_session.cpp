@@ -377,8 +377,7 @@ void ViewSession::send_guard_notice() {
                           entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset ||
                           entry.event == SafetyEvent::waiting_free;  // snapshots show it
     const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
-                       entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
-                       entry.event == SafetyEvent::pose_units;  // a pointer may rest
+                       entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up;
     if (!is_state && !noise) server_.send_notice(view::Severity::warning, sentence_of(entry));
   }
 }

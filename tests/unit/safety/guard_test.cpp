@@ -296,6 +296,20 @@ TEST(Guard, NoticesPositionsInOtherUnits) {
   EXPECT_EQ(loop.guard.state(), ArmingState::armed);
 }
 
+TEST(Guard, TellsKilometresFromAHandAtRest) {
+  for (const bool kilometres : {true, false}) {
+    GuardedLoop loop;
+    for (int n = 0; n < 3000; ++n) {
+      const double time = n * kPeriod, size = kilometres ? 1e-3 : 1;
+      // A hand that moves by 0.2 mm as it rotates the stylus, or a simulated one that rests but for rounding.
+      loop.reading.X_BS.translation.x() = size * (kilometres ? 2e-4 : 1e-12) * std::sin(3 * time);
+      if (kilometres) loop.reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 0.3 * std::sin(3 * time)));
+      loop.tick();
+    }
+    EXPECT_EQ(loop.count(SafetyEvent::pose_units) > 0, kilometres);
+  }
+}
+
 TEST(Guard, CountsEveryTickOfAnEventButEntersItOnce) {
   GuardedLoop loop;
   loop.engage();

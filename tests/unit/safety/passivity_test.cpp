@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -131,23 +132,58 @@ TEST(PassivityController, DiscardsEnergyThatTheModelHasNotStored) {
 }
 
 // The work of a force along the hand's motion is limited to the motor work that the model reports, plus k dx^2/2 per
-// tick of a spring whose force is held.
+// tick of a spring whose force is held. What the hand gets before the force is reduced, it gives back to the damping.
 TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
-  const Vec3 pushes(0, 0, 1), on(0, 0, 1e-4);  // 0.1 mJ a tick
+  const Vec3 on(0, 0, 1e-4);  // a tick
   for (const double paid : {0.0, 0.5, 1.0}) {
     PassivityController controller(options_of_touch(), kPeak);
     Vec3 applied = Vec3::Zero();
-    double given = 0, motor = 0, held = 0;  // [J]
-    for (int n = 0; n < 100; ++n) {
+    double given = 0, motor = 0, held = 0, most_ahead = 0;  // [J]
+    for (int n = 0; n < 2000; ++n) {
+      const Vec3 pushes(0, 0, std::min(1.0, 0.01 * n));
       given += applied.dot(on);
       applied = control(controller, pushes, Vec3::Zero(), applied, on, 1.0, paid * pushes.dot(on));
       motor += paid * pushes.dot(on);
       held += 0.5 * kStiffness * on.squaredNorm();
-      EXPECT_GE(applied.z(), 0) << "the damping does not exceed the push";
+      most_ahead = std::max(most_ahead, given - motor - held);
     }
-    EXPECT_LE(given, motor + held + 1e-12) << paid;
-    EXPECT_GE(given, 0.9 * std::min(1.0, paid) * 100 * pushes.dot(on)) << paid;
+    EXPECT_LE(most_ahead, 1e-3) << paid;  // of 1 N that would push for 10 mm
+    EXPECT_LE(given, motor + held + 1e-6) << paid;
+    EXPECT_GE(given, 0.9 * motor) << paid;
   }
+}
+
+// A smooth force stays smooth, whatever the hand does and whether or not the motor pays, at every rate.
+TEST(PassivityController, ChangesASmoothForceByLittleInATick) {
+  for (const double rate : {250.0, 500.0, 1000.0, 4000.0, 8000.0})
+    for (const double step : {0.0, 5e-6, 55e-6})  // [m] of the encoders
+      for (const bool knows : {false, true}) {
+        PassivityController controller(options_of_touch(), kPeak);
+        Vec3 applied = Vec3::Zero(), before = Vec3::Zero(), last = Vec3::Zero(), was = Vec3::Zero();
+        double most = 0;
+        for (int n = 0; n < int(3 * rate); ++n) {
+          const double t = n / rate;
+          Vec3 at = 5e-3 * Vec3(std::sin(7 * t), std::cos(5 * t), 0.3 * std::sin(11 * t));
+          if (step > 0) at = step * (at / step).array().floor().matrix();
+          const Vec3 force = std::min(1.0, t) * Vec3(std::cos(4 * t), 0.5 * std::sin(3 * t), 1 + std::sin(6 * t));
+          applied = controller
+                        .control({{force},
+                                  {},
+                                  {applied},
+                                  n > 0 ? Vec3(at - before) : Vec3(Vec3::Zero()),
+                                  Vec3::Zero(),
+                                  1 / rate,
+                                  1e-4,
+                                  knows ? std::optional(0.0) : std::nullopt})
+                        .force;
+          if (n > 0) most = std::max(most, (applied - last).norm() - (force - was).norm());
+          before = at;
+          last = applied;
+          was = force;
+        }
+        EXPECT_LE(most, step > 5e-5 ? 0.025 : 0.02) << rate << " Hz, steps of " << step << ", motor known: " << knows;
+        EXPECT_GT(most, 0) << "the controller does nothing";
+      }
 }
 
 // A spring and a damper couple a light tool to a hand whose encoders have steps of 55 um. The response to each step
@@ -225,8 +261,12 @@ TEST(PassivityController, ClosesTheAccountWithTheLastForce) {
   const Vec3 pushes(0, 0, 1), out(0, 0, 1e-4);
   for (int n = 0; n < 20; ++n) (void)control(controller, pushes, Vec3::Zero(), pushes, out);
   EXPECT_LT(controller.stored(), 0);
-  EXPECT_TRUE(control(controller, Vec3::Zero(), Vec3::Zero(), pushes, out).isZero(0));
+  const double damped = controller.damping_force();
+  EXPECT_GT(damped, 0);
+  EXPECT_LT(control(controller, Vec3::Zero(), Vec3::Zero(), pushes, out).norm(), damped);
   EXPECT_EQ(controller.stored(), 0);
+  for (int n = 0; n < 20; ++n) (void)control(controller, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), out);
+  EXPECT_EQ(controller.damping_force(), 0);
 }
 
 }  // namespace
