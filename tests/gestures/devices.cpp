@@ -198,10 +198,10 @@ void flick(Report& report) {
     sum += work;
   }
   report.at_least("force of the largest flick", most, 1, "N");
-  report.that("energy to the hand", "none over all flicks, and at most 3 mJ in one",
+  report.that("energy to the hand", "none over all flicks, and at most 2 mJ in one",
               std::to_string(giving) + " of " + std::to_string(flicks) + " give energy, " + shown(1e3 * worst, "mJ") +
                   " at most; all together the hand gives " + shown(1e3 * sum, "mJ"),
-              sum > 0 && worst < 3e-3);
+              sum > 0 && worst < 2e-3);
   chain.judge();
 }
 
