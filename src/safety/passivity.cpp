@@ -93,8 +93,8 @@ double PassivityController::work_of(const Vector6& acted, const Vector6& motion,
   return work;
 }
 
-// Mean velocity of the hand and mean power of the motor. None is taken where the hand is fast and its force changes as
-// at a stiff wall.
+// Mean velocity of the hand and mean power of the motor; the present ones where the hand is fast and its force changes
+// as at a stiff wall.
 void PassivityController::follow(const Vector6& motion, double motor, const Vector6& of_contact, double dt) noexcept {
   const double moved = motion.norm();
   stands_ = moved > 0 ? 0 : stands_ + dt;
