@@ -88,6 +88,7 @@ void bind_guard(py::module_& m) {
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
       .def("limit", &SafetyGuard::limit, py::arg("commanded"), py::arg("contact") = ModelContact{},
            doc("SafetyGuard::limit"))
+      .def("report_wait", &SafetyGuard::report_wait, py::arg("seconds"), doc("SafetyGuard::report_wait"))
       .def("report_applied", &SafetyGuard::report_applied, py::arg("wrench"), doc("SafetyGuard::report_applied"))
       .def_property_readonly("requests", &SafetyGuard::requests, py::return_value_policy::reference_internal,
                              doc("SafetyGuard::requests"))

@@ -316,7 +316,7 @@ Wrench SafetyGuard::limit(const Wrench& commanded, const ModelContact& contact) 
     before_ramp_ = {};
     passivity_.restart();
   }
-  thermal_.tick(wrench.force.norm(), gate_.state().temperature, elapsed_.for_ramps);
+  thermal_.tick(wrench.force.norm(), gate_.state().temperature, elapsed_.for_speeds);
   output_.applied = wrench;
   published_state_.store(arming_.state(), std::memory_order_release);
   keep_alive();

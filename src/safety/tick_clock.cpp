@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMinStep = 0.2;       // [periods]
 constexpr double kMaxLateness = 5e-3;  // [s]
-constexpr double kMaxAhead = 20e-3;    // [s] of the clock before the readings, as long as they stand
+constexpr double kMaxAhead = 20e-3;    // [s] of the clock before readings that stand, as long as the gate holds one
 constexpr int kPaceTicks = 1000, kFewestTicks = 20;
 constexpr double kPaceTime = 1;  // [s]
 

@@ -158,10 +158,8 @@ TEST(Pace, AHangOfARunInterruptsTheForceOfADeviceThatCountsItsTicks) {
 
 TEST(Pace, ARunThatEndsInContactFadesItsForceWithoutAnAlarm) {
   const RunReport report = run_in_contact([](const DeviceState&) {}, 0.3);
-  if (report.wake_up.max() > 2e-3) GTEST_SKIP() << "the machine is busy";
-  EXPECT_EQ(report.arming, ArmingState::on);
-  EXPECT_EQ(report.events[std::size_t(SafetyEvent::watchdog_late)], 0U);
-  EXPECT_EQ(report.events[std::size_t(SafetyEvent::watchdog_fading)], 0U);
+  if (report.wake_up.max() > WatchdogOptions{}.fade_after) GTEST_SKIP() << "the machine is busy";
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::watchdog_fading)], 0U);  // the fade-out takes 20 ms
 }
 
 }  // namespace
