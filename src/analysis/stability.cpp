@@ -19,11 +19,10 @@ constexpr double kBuzzRms = 50e-6;    // [m]
 constexpr double kBuzzForce = 0.3;    // [N]
 constexpr double kBuzzPower = 5e-3;   // [W]
 
-// A measure in [m/s] of the difference of two loops: of speeds, and of positions times a rate.
+// [m/s] The difference of two loops in speed. Their positions may stay apart: material that is pressed deeply holds a
+// tool where it has come to rest.
 double distance(const ClosedLoop& a, const ClosedLoop& b) {
-  constexpr double kRate = 100;  // [1/s] between the rates of slow and fast modes of devices in hands
-  return std::hypot((a.plant().velocity().linear - b.plant().velocity().linear).norm(),
-                    kRate * (a.plant().pose().translation - b.plant().pose().translation).norm());
+  return (a.plant().velocity().linear - b.plant().velocity().linear).norm();
 }
 
 void require_stiffness(double stiffness) { require_within(stiffness, Range::any(), "the stiffness"); }

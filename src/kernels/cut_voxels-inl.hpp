@@ -174,12 +174,23 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;
+  const Vec work = half * material.cutting_ratio * material.stiffness * damped * s.slip_path;
+  const float slip_time = m.duration * m.level_of_detail, feed = (m.velocity - m.ripple).norm();
+  const Vec per_time = broadcast(1 / slip_time);
+  Vec speed = hn::Max(zero, s.rate);
   p.top = s.top;
   p.kept = fill;
   p.yielding = zero;
   if constexpr (kCrushes) {  // 2. Crushing.
-    p.crushed = s.top > crushing_depth;
-    p.top = hn::IfThenElse(p.crushed, crushing_depth, s.top);
+    Vec deepest = crushing_depth;
+    if (may_cut) {  // what can be cut at the strength is not crushed
+      const Vec rate = work * per_time * material.inverse_energy;
+      const Vec cut = hn::Min(speed, recession_at(crushing_depth, material, m.tooth_rate, rate, mean_rate, feed));
+      deepest = hn::MulAdd(cut, broadcast(0.5F * slip_time), crushing_depth);
+      speed = hn::IfThenElse(s.top > deepest, cut, speed);
+    }
+    p.crushed = s.top > deepest;
+    p.top = hn::IfThenElse(p.crushed, deepest, s.top);
     height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
     const Vec below = hn::Min(fill, section.fill_below(height));  // rounding
     const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kMinPart), below);
@@ -199,14 +210,10 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
   // 3. Chips: energy and threshold of the cut.
   Mask is_cut = hn::MaskFromVec(zero);
   CutDepthVectors cut_depth(p.top, material.cutting_depth);
-  const Vec work = half * material.cutting_ratio * material.stiffness * damped * s.slip_path;
-  const float slip_time = m.duration * m.level_of_detail;
-  const Vec speed = hn::Max(zero, s.rate), per_time = broadcast(1 / slip_time);
   if (may_cut) {
     if (m.tooth_rate > 0) {
       const Vec rate = work * per_time * material.inverse_energy;
-      const ChordVectors chord =
-          chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, mean_rate, (m.velocity - m.ripple).norm());
+      const ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, mean_rate, feed);
       p.energy = p.price = chord.energy;
       cut_depth = chord.cut;
     }
@@ -259,6 +266,10 @@ HWY_INLINE PartOutcome press_parts_of(const HeadMotion& m, const MaterialVectors
     const Vec harder = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
     const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before + harder);
     p.released = hn::IfThenElseZero(removed, hn::Max(zero, surplus));
+    if constexpr (kCrushes) {
+      const Vec strength = half * material.stiffness * material.crushing_depth * material.crushing_depth;
+      p.released = hn::IfThenElse(p.crushed, strength * (fill - p.kept), p.released);
+    }
     p.before = p.before + p.released;
   }
   return p;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,6 +38,22 @@ struct StiffnessSums {
   }
 };
 
+/// [m] Depth below which FoundationLaw crushes.
+inline float limit_of(const HeadMotion& m, const ContactMaterial& material, const FoundationLaw::Damping& damped,
+                      const Eigen::Vector3f& r, const Eigen::Vector3f& n, const Eigen::Vector3f& velocity) noexcept {
+  const float depth = damped.crushing_depth(material.crushing_depth);
+  if (!m.cuts()) return depth;
+  constexpr float kRegular = FoundationLaw::kSlipRegularization;
+  const float squared =
+      FoundationLaw::AxisSlip(m).squared((velocity - velocity.dot(n) * n).squaredNorm(), r.head<2>().squaredNorm());
+  const float slip = squared / std::sqrt(squared + kRegular * kRegular);
+  const float power = 0.5F * material.cutting_ratio * material.stiffness * damped.factor * slip;
+  const float speed = (m.velocity + m.angular_velocity.cross(r)).dot(n);
+  const float recession = ChipChord<float>::recession_at(depth, material, m.tooth_rate, power / material.cutting_energy,
+                                                         speed - m.ripple.dot(n), (m.velocity - m.ripple).norm());
+  return depth + std::clamp(speed, 0.0F, recession) * 0.5F * m.duration * m.level_of_detail;
+}
+
 /// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it. Each sample is a spring and
 /// damper of `f' = k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step, with the
 /// constants at its surface. Reference for the vectors.
@@ -56,7 +73,8 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const float top = b.top[i] / m.voxel_size, height = top - b.depth[i] / m.voxel_size + section.span() / 2;
     const DepthIntegrals<float> part = section.integrals(height, top);
     const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel
-    const bool at_limit = m.crushes && b.top[i] >= (1 - 1e-5F) * damped.crushing_depth(material.crushing_depth);
+    const Eigen::Vector3f velocity = m.velocity + (m.angular_velocity + Eigen::Vector3f(0, 0, m.spin)).cross(r);
+    const bool at_limit = m.crushes && b.top[i] >= (1 - 1e-5F) * limit_of(m, material, damped, r, n, velocity);
     const float crushed =
         at_limit ? top * section.area_at(height) : 0.0F;  // at the crushing limit: its force does not grow
     // The crushing limit moves up with the closing speed.
@@ -74,7 +92,6 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     };
     add(slope, along, n.cast<double>());
     // The drag rotates with the slip: the two are parallel, and a motion across them rotates both.
-    const Eigen::Vector3f velocity = m.velocity + (m.angular_velocity + Eigen::Vector3f(0, 0, m.spin)).cross(r);
     const Eigen::Vector3d across = n.cross(velocity).cast<double>();
     const double slip = across.norm();
     if (m.spin == 0 || slip < 1e-6) continue;

@@ -19,6 +19,8 @@ constexpr double kImplausiblyFar = 2;               // [m] no desktop device rea
 constexpr double kImplausiblySmall = 1e-6;          // [m] spread of all positions within that time
 constexpr double kExactRest = 1e-8;                 // [m] spread of a simulated hand that rotates about its point
 constexpr double kRotatedByHand = 0.1;              // [rad]
+// Smallest difference of force that a hand tells: Pang, Tan and Durlach, Perception & Psychophysics 49 (1991).
+constexpr double kNoticed = 0.07;  // [1]
 
 /// The options, where the stiffness and the damping that a device can render replace zeros.
 PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
@@ -254,7 +256,7 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& conta
   const std::optional<double> motor = reduces ? contact.motor : std::nullopt;
   Wrench damped = passivity_.control({wrench, effects, output_.applied, motion_, rotation_, elapsed_.for_speeds,
                                       contact.stored, motor, !contact.touching.value_or(true)});
-  if (passivity_.damping_force() > 0) {
+  if (passivity_.damping_force() > kNoticed * wrench.force.norm()) {
     output_.changes |= OutputChange::damped;
     log_.report(SafetyEvent::passivity, passivity_.damping_force());
   }

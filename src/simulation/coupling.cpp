@@ -14,6 +14,7 @@ namespace {
 
 // Brake of a tool that the spindle throws about.
 constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
+constexpr double kMuchBraked = 0.1;             // [1] of the force between tool and material
 
 constexpr double kMinDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and the chosen ratio
 constexpr double kMinMass = 1e-3;                              // [kg] of a tool that a hand could hold
@@ -173,14 +174,14 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
 
 WorstCase VirtualCoupling::worst_case() const {
   WorstCase worst = simulation_->worst_case();
-  worst.contacts = gains_.newton_steps + kMaxParts;
+  worst.contacts = NewtonSearch::most_steps(gains_.newton_steps, kMaxParts) + kMaxParts;
   return worst;
 }
 
 /// Moves the hand and the tool by one part of a tick.
 StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
-  const Twist tool_before = result_.V_WH;
-  const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
+  const Twist tool_before = accelerated();
+  const Pull before = pull(result_.X_WH, result_.V_WH, X_WD_, hand);
   const Twist tool = NewtonSearch(*this, part, hand).find();
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
   if (!has_torque()) X_WH.rotation = part.X_WD.rotation;
@@ -193,6 +194,10 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
 
   result_.X_WH = X_WH;
   result_.V_WH = tool;
+  const Wrench& pulled = output.after().wrench;
+  remainder_ =
+      remainder_of({stepped.model.force + pulled.force + output.after().brake, stepped.model.torque + pulled.torque},
+                   tool_before, part.dt);
   book(before, output.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
   // The pose of a tool at rest is found within a small distance.
   const double distance = std::max((tool.linear.norm() + (has_torque() ? tool.angular.norm() * reach() : 0)) * part.dt,
@@ -200,7 +205,8 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const double force = std::max(stepped.model.force.norm(), output.after().wrench.force.norm());
   if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarFraction * force) * distance)
     result_.status |= StepStatus::not_in_balance;
-  if (stepped.contact.voxels > 0 && !output.after().brake.isZero(0)) result_.status |= StepStatus::tool_braked;
+  if (stepped.contact.voxels > 0 && output.after().brake.norm() > kMuchBraked * stepped.model.force.norm())
+    result_.status |= StepStatus::tool_braked;
   X_WD_ = part.X_WD;
   return stepped.status;
 }
@@ -264,11 +270,33 @@ void VirtualCoupling::set_gains(const CouplingGains& gains) noexcept {
   if (!held_ || waits_) return;
   CouplingEnergy& energy = result_.energy;
   const double before = energy.kinetic + energy.spring;
-  energy.kinetic = kinetic_energy(result_.V_WH);
+  energy.kinetic = kinetic_energy(accelerated());
   energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, {}));
   const double brought = energy.kinetic + energy.spring - before;
   energy.hand_work += brought;
   energy.turnover += std::abs(brought);
+}
+
+/// What a part of a tick leaves of the balance of forces, as a change of the tool's twist V. The work of the force that
+/// is left is r V dt, and a change d of the twist takes M (d V + d^2/2). The change is the part of r dt/M for which
+/// both are equal; where the force acts against the motion, the one for which they differ least.
+/// @param on_tool  forces at the end of the part
+/// @param before   twist at its beginning
+Twist VirtualCoupling::remainder_of(const Wrench& on_tool, const Twist& before, double dt) const noexcept {
+  const Twist& tool = result_.V_WH;
+  Twist d = {dt / gains_.mass * on_tool.force - (tool.linear - before.linear), Vec3::Zero()};
+  if (has_torque()) d.angular = dt / gains_.inertia * on_tool.torque - (tool.angular - before.angular);
+  const double work = gains_.mass * d.linear.dot(tool.linear) + gains_.inertia * d.angular.dot(tool.angular);
+  const double own = kinetic_energy(d);
+  if (!(own > 0)) return {};
+  const double part =
+      work > 0 ? 2 * work / (work + std::sqrt(work * (work + 4 * own))) : std::min(1.0, -work / (2 * own));
+  return {part * d.linear, part * d.angular};
+}
+
+/// The twist from which the forces of the next part accelerate the tool.
+Twist VirtualCoupling::accelerated() const noexcept {
+  return {result_.V_WH.linear + remainder_.linear, result_.V_WH.angular + remainder_.angular};
 }
 
 double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
@@ -302,7 +330,7 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
   energy.tool_work += tool_work;
   energy.damper += damper;
   energy.implicit += implicit;
-  energy.kinetic = kinetic_energy(tool), energy.spring = spring_energy(after);
+  energy.kinetic = kinetic_energy(accelerated()), energy.spring = spring_energy(after);
   energy.turnover += std::abs(by_hand) + std::abs(tool_work) + std::abs(damper) + std::abs(implicit);
 }
 

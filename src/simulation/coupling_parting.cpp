@@ -17,6 +17,7 @@ constexpr double kMaxLag = 0.9 * std::numbers::pi;  // [rad] between hand and to
 /// The hand takes the tool. The energies of its speed and of the stretched spring count as work of the hand.
 void VirtualCoupling::begin_grip(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
   X_WD_ = advance(X_WD, V_WD, -dt);
+  remainder_ = {};
   result_.energy = {};
   result_.energy.kinetic = kinetic_energy(result_.V_WH);
   result_.energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, V_WD));
@@ -88,7 +89,7 @@ const CoupledResult& VirtualCoupling::suspend(StepStatus status) noexcept {
   waits_ = true;
   simulation_->release_hand();
   result_.hand = result_.coupling = {};
-  result_.V_WH = {};
+  result_.V_WH = remainder_ = {};
   result_.status |= status;
   return result_;
 }

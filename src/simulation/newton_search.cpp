@@ -9,127 +9,125 @@
 namespace hapticut {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // The search ends when a correction moves no point of the head farther than kSolved; or, after one more correction,
-// when the residual is small: below kNearBalance at first, below kFarBalance after kPatient steps or without progress.
+// when the residual is small: below kNearBalance at first, below kFarBalance after kPatient steps.
 constexpr double kNearBalance = 2e-4;   // [N] absolute part
 constexpr double kNearFraction = 2e-4;  // [1] part of the maximum force
 constexpr int kPatient = 6;
-// A fraction of a correction must reduce the residual by at least this part of it, or a smaller fraction is tried.
-constexpr double kMinDescent = 1e-4;                // [1]
-constexpr double kMinFraction = 0.01, kHalf = 0.5;  // [1] of the fraction before
-constexpr int kMaxTries = 6;
-constexpr double kSmallMotion = 1e-4;  // [voxels] by which a slope is measured
+constexpr double kMinDescent = 1e-4;  // [1] by which a correction must reduce the residual
+constexpr double kStuck = 0.1;        // [1] of the largest force, residual of a point that friction holds
+constexpr double kAgainst = 3;        // [1]
+constexpr double kShorter = 0.7;      // [1] times one that does not, the next one
 
 }  // namespace
 
 VirtualCoupling::NewtonSearch::NewtonSearch(VirtualCoupling& coupling, const Part& part, const Twist& hand)
-    : coupling_(coupling),
-      part_(part),
-      hand_(hand),
-      lever_(coupling.reach()),
-      left_(coupling.gains_.newton_steps - coupling.result_.newton_steps - kMinSteps * part.left) {}
+    : coupling_(coupling), part_(part), hand_(hand), before_(coupling.accelerated()), lever_(coupling.reach()) {}
 
 Twist VirtualCoupling::NewtonSearch::find() noexcept {
-  const Twist before = coupling_.result_.V_WH;
-  Twist tool = before, from = before, best_tool = before;
+  Twist tool = coupling_.result_.V_WH;
   if (!coupling_.has_torque()) tool.angular = twist_between(coupling_.result_.X_WH, part_.X_WD, part_.dt).angular;
   const double solved = kSolved * coupling_.simulation_->workpiece().voxel_size() / part_.dt;  // [m/s]
-  Vector6 correction = Vector6::Zero();
-  double fraction = 1, residual_before = kInfinity;  // [1] of the correction, [N]
-  Residual best;
-  best.size = kInfinity;
-  bool slid = false, from_rest = false, is_measured = false, from_air = false;
-  int tries = 0;
-
-  for (int n = 0; left_ > 0; ++n) {
-    Residual residual = residual_at(tool);
-    if (residual.size < best.size) best = residual, best_tool = tool;
-    const bool gains = residual.size <= (1 - kMinDescent * fraction) * residual_before;
-    if (!gains && ++tries <= kMaxTries) {
-      const double onward = residual.of.dot(correction), slope = correction.dot(residual.slope * correction);
-      const double of_fraction = onward < 0 && slope > 0 ? 1 + onward / (slope * fraction) : 0;
-      fraction *= of_fraction > kMinFraction ? std::min(of_fraction, kHalf) : kHalf;
-      tool = moved(from, fraction * correction);
-      continue;
-    }
-    if (!gains) {
-      if (best.size < kFarBalance + kFarFraction * best.max_force || left_ < 6) return best_tool;
-      if (is_measured) {
-        if (std::exchange(from_air, true)) return best_tool;
-        is_measured = false;
-        tool = without_contact(best_tool, best);
-        correction.setZero();
-        residual_before = kInfinity;
-        continue;
-      }
-      is_measured = true;
-      tool = best_tool, residual = best;
-      residual.slope = measure_slope(tool, residual);
-    } else {
-      is_measured = false;
-    }
-    const Vector6 last = correction;
-    correction = correct(residual);
+  Residual residual = residual_at(tool);
+  Vector6 last = Vector6::Zero();
+  double longest = std::numeric_limits<double>::infinity();  // [m/s] correction that is tried
+  Twist cheapest = tool;
+  double lowest_cost = cost(residual, tool);
+  bool gains = true, slid = false, from_rest = false, from_air = false;
+  int failed = 0;
+  for (int n = 0;; ++n) {
+    Vector6 correction = correct(residual);
+    const double size = speed_of(correction);
+    const double balance = n < kPatient ? kNearBalance + kNearFraction * residual.max_force
+                                        : kFarBalance + kFarFraction * residual.max_force;
+    if (gains && (size < solved || residual.size < balance)) return moved(tool, correction);
+    if (!may_go_on()) return cheapest;
+    if (size > longest) correction *= longest / size;
     if (gains && slid && residual.sliding && !from_rest &&
         correction.head<3>().dot(last.head<3>()) < -0.5 * last.head<3>().squaredNorm()) {
       // It alternates between sliding to and fro: the head sticks or nearly sticks, which is found from rest.
       from_rest = true;
       tool.linear.setZero();
       if (coupling_.has_torque()) tool.angular.setZero();
-      correction.setZero();
-      residual_before = kInfinity;
+      residual = residual_at(tool);
       continue;
     }
-    from = tool, residual_before = residual.size, slid = residual.sliding;
-    fraction = 1, tries = 0;
-    tool = moved(from, correction);
-    const double balance = n < kPatient ? kNearBalance + kNearFraction * residual.max_force
-                                        : kFarBalance + kFarFraction * residual.max_force;
-    if (speed_of(correction) < solved || residual.size < balance) return tool;
+    const Twist tried = moved(tool, correction);
+    const Residual there = residual_at(tried);
+    if (const double of_it = cost(there, tried); of_it < lowest_cost) lowest_cost = of_it, cheapest = tried;
+    gains = there.size < (1 - kMinDescent) * residual.size;
+    if (gains) {
+      slid = residual.sliding;
+      tool = tried, residual = there, last = correction;
+      longest = std::numeric_limits<double>::infinity();
+      failed = 0;
+    } else {
+      learn(residual, correction, there);
+      longest = kShorter * speed_of(correction);
+      if (++failed < kPatient) continue;
+      // Friction may hold a slender point until it suddenly releases it.
+      if (residual.size < kStuck * residual.max_force || std::exchange(from_air, true)) continue;
+      tool = without_contact(tool, residual);
+      residual = residual_at(tool);
+      longest = std::numeric_limits<double>::infinity();
+      gains = true;
+    }
   }
-  return best_tool;
+}
+
+/// Whether the steps have not yet taken their time. A fast tick of several parts, as when the tool strikes, has more.
+bool VirtualCoupling::NewtonSearch::may_go_on() const noexcept {
+  const int steps = coupling_.gains_.newton_steps * (coupling_.result_.parts > 1 ? kFaster : 1);
+  const int in_tick = coupling_.result_.newton_steps + kLeastSteps * part_.left;  // each later part keeps its least
+  const int each = kContactExtra + std::min(voxels_, kContactVoxels);
+  return steps_ < kLeastSteps || in_tick * each < steps * (kContactExtra + kContactVoxels);
+}
+
+/// [N] The residual, and more where it acts against the motion: the tool's own energy pays for any other
+/// (VirtualCoupling::remainder_of).
+double VirtualCoupling::NewtonSearch::cost(const Residual& residual, const Twist& tool) const noexcept {
+  Vector6 motion;
+  motion << tool.linear, coupling_.has_torque() ? tool.angular : Vec3(Vec3::Zero());
+  const double speed = speed_of(motion);
+  const double against = speed > 0 ? std::max(0.0, -residual.of.dot(motion)) / speed : 0;
+  return residual.size + kAgainst * against;
+}
+
+/// Broyden's change of a slope to what a correction has shown.
+void VirtualCoupling::NewtonSearch::learn(Residual& from, const Vector6& correction,
+                                          const Residual& there) const noexcept {
+  Vector6 measure = correction;  // of lengths, also of rotations
+  measure.tail<3>() *= lever_ * lever_;
+  const Vector6 missed = from.of - there.of - from.slope * correction;
+  from.slope += missed * measure.transpose() / correction.dot(measure);
 }
 
 VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_at(const Twist& tool) noexcept {
   const CouplingGains& gains = coupling_.gains_;
-  const Twist& before = coupling_.result_.V_WH;
   const double dt = part_.dt;
-  --left_;
-  ++coupling_.result_.newton_steps;
   Pose X_WH = advance(coupling_.result_.X_WH, tool, dt);
   if (!coupling_.has_torque()) X_WH.rotation = part_.X_WD.rotation;
   const ContactProbe contact = coupling_.simulation_->probe(
       X_WH, tool, dt, coupling_.has_torque() ? ProbedMotions::all : ProbedMotions::translations);
+  voxels_ = contact.contact.voxels;
+  ++steps_;
+  ++coupling_.result_.newton_steps;
   const Pull p = coupling_.pull(X_WH, tool, part_.X_WD, hand_);
   Residual residual;
-  residual.of << contact.wrench.force + p.wrench.force + p.brake - gains.mass / dt * (tool.linear - before.linear),
-      contact.wrench.torque + p.wrench.torque - gains.inertia / dt * (tool.angular - before.angular);
+  residual.of << contact.wrench.force + p.wrench.force + p.brake - gains.mass / dt * (tool.linear - before_.linear),
+      contact.wrench.torque + p.wrench.torque - gains.inertia / dt * (tool.angular - before_.angular);
   if (!coupling_.has_torque()) residual.of.tail<3>().setZero();
   residual.size = residual.of.head<3>().norm() + residual.of.tail<3>().norm() / lever_;
   residual.max_force = std::max(contact.wrench.force.norm(), p.wrench.force.norm());
   residual.sliding = contact.sliding;
+  residual.free_slope.topLeftCorner<3, 3>() += (gains.damping + dt * gains.stiffness) * p.linear.slope + p.brake_slope;
+  residual.free_slope.bottomRightCorner<3, 3>() +=
+      (gains.angular_damping + dt * gains.angular_stiffness) * p.angular.slope;
+  residual.free_slope.diagonal().head<3>().array() += gains.mass / dt;
+  residual.free_slope.diagonal().tail<3>().array() += gains.inertia / dt;
+  residual.slope = residual.free_slope + dt * contact.stiffness;
   residual.of_contact << contact.wrench.force, contact.wrench.torque;
-  residual.slope_of_contact = dt * contact.stiffness;
-  residual.slope = residual.slope_of_contact;
-  residual.slope.topLeftCorner<3, 3>() += (gains.damping + dt * gains.stiffness) * p.linear.slope + p.brake_slope;
-  residual.slope.bottomRightCorner<3, 3>() += (gains.angular_damping + dt * gains.angular_stiffness) * p.angular.slope;
-  residual.slope.diagonal().head<3>().array() += gains.mass / dt;
-  residual.slope.diagonal().tail<3>().array() += gains.inertia / dt;
   return residual;
-}
-
-/// Measures the slope by a small motion along each axis.
-Stiffness VirtualCoupling::NewtonSearch::measure_slope(const Twist& tool, const Residual& residual) noexcept {
-  const double faster = kSmallMotion * coupling_.simulation_->workpiece().voxel_size() / part_.dt;  // [m/s]
-  Stiffness slope = residual.slope;
-  for (int axis = 0; axis < (coupling_.has_torque() ? 6 : 3); ++axis) {
-    Vector6 by = Vector6::Zero();
-    by[axis] = axis < 3 ? faster : faster / lever_;
-    slope.col(axis) = (residual.of - residual_at(moved(tool, by)).of) / by[axis];
-  }
-  return slope;
 }
 
 VirtualCoupling::NewtonSearch::Vector6 VirtualCoupling::NewtonSearch::correct(const Residual& residual) const noexcept {
@@ -143,7 +141,7 @@ VirtualCoupling::NewtonSearch::Vector6 VirtualCoupling::NewtonSearch::correct(co
 Twist VirtualCoupling::NewtonSearch::without_contact(const Twist& tool, const Residual& residual) const noexcept {
   Residual rest = residual;
   rest.of -= residual.of_contact;
-  rest.slope -= residual.slope_of_contact;
+  rest.slope = residual.free_slope;
   return moved(tool, correct(rest));
 }
 

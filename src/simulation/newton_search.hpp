@@ -8,20 +8,26 @@ namespace hapticut {
 /// Finds the twist of a coupled tool at the end of a part of a tick at which all forces are in balance, by Newton's
 /// method.
 ///
-/// A correction is shortened until the residual falls: to the point where the residual along it would change its sign,
-/// estimated from the slope at its end, or by half. The contact's stiffness, with the drag of the spin in it, is not
-/// symmetric; docs/decisions/0005-implicit-coupling.md says when there is one solution. If no part of a correction
-/// reduces the residual, the slope is measured by small motions, and the search continues with this slope. If that
-/// fails, it starts once more from where the tool would be without a contact, because friction may hold a slender point
-/// until it suddenly releases it. On a ridge of the head, where the force of a voxel turns within nanometres from one
-/// surface to the next, there is no balance. The search then ends with a residual that is smaller than the force of a
-/// voxel.
+/// A correction that does not reduce the residual teaches the slope (Broyden's method), and a shorter one is tried. If
+/// this goes on to fail, the search starts once more from where the tool would be without a contact. The contact's
+/// stiffness, with the drag of the spin in it, is not symmetric; docs/decisions/0005-implicit-coupling.md says when
+/// there is one solution. On a ridge of the head, where the force of a voxel turns within nanometres from one surface
+/// to the next, there is none. The search then ends with a residual that is smaller than the force of a voxel.
 class VirtualCoupling::NewtonSearch {
  public:
   static constexpr double kSolved = 1e-4;  // [voxels] a smaller correction ends the search
+  static constexpr int kLeastSteps = 2;    // of a part
+  static constexpr int kFaster = 4;        // [1] times the steps, in a tick of several parts
+  /// Voxels of a contact for which a tick has CouplingGains::newton_steps, and those whose evaluation takes as long as
+  /// the rest of a contact. Smaller contacts have more steps in the same time.
+  static constexpr int kContactVoxels = 250, kContactExtra = 40;
+  /// Upper bound on the steps of a tick.
+  [[nodiscard]] static int most_steps(int newton_steps, int parts) {
+    return kFaster * newton_steps * (kContactVoxels + kContactExtra) / kContactExtra + (1 + kLeastSteps) * parts;
+  }
   NewtonSearch(VirtualCoupling& coupling, const Part& part, const Twist& hand);
 
-  /// @realtime no allocation, no lock; at most the newton_steps that are left for this part
+  /// @realtime no allocation, no lock; at most `most_steps` in a tick
   [[nodiscard]] Twist find() noexcept;
 
  private:
@@ -33,22 +39,26 @@ class VirtualCoupling::NewtonSearch {
     double size = 0;               // [N] force, plus torque over lever_
     double max_force = 0;          // [N] of contact and coupling
     Vector6 of_contact = Vector6::Zero();
-    Stiffness slope_of_contact = Stiffness::Zero();
-    Stiffness slope = Stiffness::Zero();  // [N s/m] ... its decrease with the twist
-    bool sliding = false;                 // a standing head slides
+    Stiffness free_slope = Stiffness::Zero();  // of the slope, without the contact's
+    Stiffness slope = Stiffness::Zero();       // [N s/m] ... its decrease with the twist
+    bool sliding = false;                      // a standing head slides
   };
+  [[nodiscard]] bool may_go_on() const noexcept;
   [[nodiscard]] Residual residual_at(const Twist& tool) noexcept;
-  [[nodiscard]] Stiffness measure_slope(const Twist& tool, const Residual& residual) noexcept;
-  [[nodiscard]] Vector6 correct(const Residual& residual) const noexcept;
+  [[nodiscard]] double cost(const Residual& residual, const Twist& tool) const noexcept;
   [[nodiscard]] Twist without_contact(const Twist& tool, const Residual& residual) const noexcept;
+  void learn(Residual& from, const Vector6& correction, const Residual& there) const noexcept;
+  [[nodiscard]] Vector6 correct(const Residual& residual) const noexcept;
   [[nodiscard]] Twist moved(const Twist& from, const Vector6& by) const noexcept;
   [[nodiscard]] double speed_of(const Vector6& correction) const noexcept;
 
   VirtualCoupling& coupling_;
   const Part& part_;
   const Twist& hand_;
+  const Twist before_;  // from which the forces accelerate the tool
   const double lever_;  // [m] of the farthest point of the head
-  int left_;            // contacts that may still be evaluated
+  int steps_ = 0;       // of this part
+  int voxels_ = 0;      // of the last contact
 };
 
 }  // namespace hapticut

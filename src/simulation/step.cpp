@@ -14,6 +14,7 @@ constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices 
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
 constexpr double kMaxStepRotation = 1;       // [rad] of a step; a script may rotate the tool faster than a hand
 constexpr double kCancelled = 1e-4;          // [1] of the normal forces: rounding error of single precision
+constexpr double kMuchCrushed = 0.1;         // [1] of the energy that removes material
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -264,7 +265,17 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
   const double by_motor = wrench_T.torque.z() * motor.speed() * sub_step.duration;
   double entered = encounter.energies.elastic_before - energy.elastic, damped = encounter.energies.damping;
-  if (config.contact_time == ContactTime::end) {
+  const bool at_end = config.contact_time == ContactTime::end;
+  // Material that the surface reaches without pressing it is crushed without work.
+  const double unpaid = std::clamp(entered - (at_end ? damped : 0), 0.0, encounter.energies.crushed);
+  entered -= unpaid;
+  double released = encounter.energies.released;
+  if (!at_end && encounter.energies.crushed > 0) {  // beyond what entered before, it is that of the crushed material
+    const double left = std::min(0.0, entered + std::max(0.0, energy.entered));
+    released -= left;
+    entered -= left;
+  }
+  if (at_end) {
     // The forces of the end do more work than springs store: the work that no other term accounts for was damped.
     const double lost = damped - entered;
     damped = std::max(0.0, lost), entered = std::max(0.0, -lost);
@@ -275,8 +286,8 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   energy.turnover += std::abs(by_hand) + std::abs(by_motor) + std::abs(entered);
   energy.elastic = encounter.energies.elastic;
   energy.cutting += encounter.energies.cutting;
-  energy.crushed += encounter.energies.crushed;
-  energy.released += encounter.energies.released;
+  energy.crushed += encounter.energies.crushed - unpaid;
+  energy.released += released;
   energy.damping += damped;
   energy.rubbing += encounter.energies.rubbing;
   energy.credited += encounter.energies.credited;
@@ -306,7 +317,8 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (could_cut && tool.spindle().speed == 0 && motor.setting() == 0 && !held)
     result.status |= StepStatus::spindle_stands;
   if (could_cut && result.spindle.speed != 0 && other_cutter) result.status |= StepStatus::other_cutter;
-  if (encounter.energies.crushed > 0) result.status |= StepStatus::material_crushed;
+  if (const LawEnergies& e = encounter.energies; e.crushed > kMuchCrushed * (e.crushed + std::max(0.0, e.cutting)))
+    result.status |= StepStatus::material_crushed;
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;

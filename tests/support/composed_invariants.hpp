@@ -194,7 +194,7 @@ class ComposedInvariants final : public StepObserver {
   static constexpr double kVolume = 1e-12;      // [m^3] below which a relative error means nothing
   static constexpr double kVolumeShare = 1e-5;  // [1] rounding error of fills in single precision
   static constexpr double kUnbooked = 1e-5;     // [1] of the turnover
-  static constexpr double kEntered = 1e-2;      // [1] of the turnover
+  static constexpr double kEntered = 1e-3;      // [1] of the turnover
   static constexpr double kUnexplained = 1e-2;  // [1] of the coupling's turnover
   static constexpr double kLittle = 1e-4;       // [J] turnover below which a relative error means nothing
   static constexpr std::uint64_t kDepthEvery = 7, kVolumeEvery = 500, kLoopVolumeEvery = 100;  // [ticks]

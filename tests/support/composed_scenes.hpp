@@ -15,6 +15,7 @@
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/catalogue_heads.hpp"
 #include "support/composed_invariants.hpp"
 #include "support/random_pose.hpp"
 #include "support/sanitizers.hpp"
@@ -25,8 +26,11 @@ namespace hapticut::test {
 inline int below(int n, RandomPoses& random) { return std::min(n - 1, int(random.between(0, n))); }
 
 inline MaterialTable some_materials(RandomPoses& random) {
-  std::vector<Material> table = {presets::cortical_bone(), presets::dentin(), presets::trabecular_bone()};
-  table[0] = below(2, random) == 0 ? presets::cortical_bone() : presets::enamel();
+  const auto one_of = [&](std::vector<Material> some) { return some[std::size_t(below(int(some.size()), random))]; };
+  std::vector<Material> table;  // in this order
+  table.push_back(one_of({presets::cortical_bone(), presets::enamel(), presets::clay()}));
+  table.push_back(presets::dentin());
+  table.push_back(one_of({presets::trabecular_bone(), presets::pulp()}));
   for (Material& material : table) {
     material.relative_stiffness *= random.between(0.5, 2);
     material.cutting_ratio *= random.between(0.5, 1.5);
@@ -73,12 +77,23 @@ inline Spindle some_spindle(RandomPoses& random) {
   }
 }
 
+/// A head of the catalogue with its usual dimensions.
+inline const ToolHead& usual_head(RandomPoses& random) {
+  static const std::vector<ToolHead> all = [] {
+    std::vector<ToolHead> heads;
+    for (const CatalogueHead& head : catalogue_heads()) heads.push_back(head.make());
+    heads.emplace_back(FlatHead{1 * units::mm, 3 * units::mm});
+    return heads;
+  }();
+  return all[std::size_t(below(int(all.size()), random))];
+}
+
 inline Tool some_tool(RandomPoses& random) {
   const Handle handle =
       below(2, random) == 0 ? Handle(RayHandle{0}) : Handle(RayHandle{random.between(0, 25) * units::mm});
   const double diameter = random.between(1.2, 3) * units::mm;
   const auto head = [&]() -> ToolHead {
-    switch (below(6, random)) {
+    switch (below(9, random)) {
       case 0:
         return cylinder_head(diameter, 4 * units::mm);
       case 1:
@@ -89,21 +104,23 @@ inline Tool some_tool(RandomPoses& random) {
         return pear_head(diameter, 2 * diameter, 0.6 * diameter);
       case 4:
         return round_head(diameter);
-      default:
+      case 5:
         return SphereHead{diameter / 2};
+      default:
+        return usual_head(random);
     }
   };
   return Tool{head(), handle, some_spindle(random)};  // braces: every compiler keeps this order of evaluation
 }
 
 inline CouplingGains some_gains(bool turns, RandomPoses& random) {
-  const char* const kThree[] = {"touch", "premium15", "omega"};
-  CouplingGains gains = coupling_gains(capabilities(device_model(kThree[below(3, random)])));
+  const char* const kFour[] = {"touch", "premium15", "premium6dof", "omega"};
+  CouplingGains gains = coupling_gains(capabilities(device_model(kFour[below(4, random)])));
   gains.angular_stiffness = turns ? random.between(0.5, 3) : 0;
   gains.angular_damping = turns ? 2 * std::sqrt(gains.angular_stiffness * gains.inertia) : 0;
   if (turns) gains.max_torque = random.between(0.05, 0.3);
   if (below(4, random) == 0) gains.max_force = random.between(0.5, 40);
-  if (below(4, random) == 0) gains.newton_steps = 32;
+  if (below(4, random) == 0) gains.newton_steps = 8;
   return gains;
 }
 

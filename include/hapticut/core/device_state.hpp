@@ -176,7 +176,7 @@ enum class OutputChange : std::uint32_t {
   saturated = 1U << 2,     ///< above the device's peak; shortened, direction unchanged
   slew_limited = 1U << 3,  ///< growth limited to the allowed rate
   cooled = 1U << 4,        ///< shortened to let the motors cool
-  damped = 1U << 5,        ///< the passivity controller removed energy
+  damped = 1U << 5,        ///< changed by the passivity controller, by more than 7 %
   not_finite = 1U << 6,    ///< the commanded wrench was not finite
   no_actuator = 1U << 7,   ///< the device has no motors for the torque, or for any output
   by_driver = 1U << 8,     ///< the driver applied a different wrench

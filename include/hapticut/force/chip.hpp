@@ -62,14 +62,8 @@ struct ChipChord {
   /// @param speed,feed  [m/s] of the head towards the surface or away from it, and in any direction
   static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed,
                       Real feed) {
-    const Real chips = tooth_rate * chip_factor(speed, feed);
-    const Real edge = material.edge_length * chips, square = material.size_length * chips;
-    const Real b = std::sqrt(square), w0 = material.cutting_depth;
-    const auto root_of_speed = [&](Real depth) {
-      const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);
-      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kMinRoots);
-    };
-    const Real at_top = root_of_speed(top);
+    const Roots root_of_speed(material, tooth_rate, rate, speed, feed);
+    const Real b = root_of_speed.b, at_top = root_of_speed(top);
     const Real outside =
         std::min(Real(1), -2 * bottom / (top - bottom));  // [1] 1 when half of the voxel or more is below the layer
     const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
@@ -77,6 +71,28 @@ struct ChipChord {
     const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);
     return {material.cutting_energy * dearer, {std::sqrt(std::max(Real(0), top * top - excess)), excess}};
   }
+
+  /// [m/s] Speed v(q) at which a column recedes whose top is at a depth; without chips where `tooth_rate` is 0.
+  static Real recession_at(Real depth, const ContactMaterial& material, Real tooth_rate, Real rate, Real speed,
+                           Real feed) {
+    const Real root = Roots(material, tooth_rate, rate, speed, feed)(depth);
+    return root * root;
+  }
+
+ private:
+  /// sqrt(v(q)) at depths of the layer.
+  struct Roots {
+    Real rate, edge, square, b, w0;
+    Roots(const ContactMaterial& material, Real tooth_rate, Real rate_, Real speed, Real feed) : rate(rate_) {
+      const Real chips = tooth_rate * chip_factor(speed, feed);
+      edge = material.edge_length * chips, square = material.size_length * chips;
+      b = std::sqrt(square), w0 = material.cutting_depth;
+    }
+    Real operator()(Real depth) const {
+      const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);
+      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kMinRoots);
+    }
+  };
 };
 
 }  // namespace hapticut

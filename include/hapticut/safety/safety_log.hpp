@@ -40,7 +40,7 @@ enum class SafetyEvent : std::uint8_t {
   late_wake_up,            ///< a tick came more than 5 ms late
   paused,                  ///< a tick came more than 20 ms late: a debugger, a suspended machine
   force_not_finite,        ///< the model's wrench is not finite
-  passivity,               ///< the passivity controller removed energy
+  passivity,               ///< the passivity controller changed the force by more than 7 %
   saturated,               ///< the wrench exceeds the device's peak
   slew_limited,            ///< the wrench grows faster than allowed
   continuous_limited,      ///< the motors would become too warm

@@ -89,9 +89,10 @@ enum class StepStatus : std::uint32_t {
   /// the tool. A script that must continue inside the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside.
   tool_waits = 1U << 15,
-  /// The head pressed harder than a material's compressive_strength and crushed it. A standing head does so, and a
-  /// turning head where it does not cut, as at the middle of a drill's point. Cure: press less, or feed slower; start
-  /// the spindle of a standing head.
+  /// More than a tenth of the energy that removed material crushed it, because the head pressed harder than the
+  /// material's compressive_strength: a standing head does so, and one that turns too slowly for its feed. Less is
+  /// ordinary, as below the middle of a drill's point, and only EnergyLedger::crushed shows it. Cure: press less, or
+  /// feed slower; start the spindle of a standing head.
   material_crushed = 1U << 16,
   /// The head is in material, and its spindle has no speed, so nothing is cut. Cure: make the tool with a spindle,
   /// `Tool(head, handle, Spindle{40000 * units::rpm})`, or use RemovalLaw::none when nothing must be cut.
@@ -103,8 +104,8 @@ enum class StepStatus : std::uint32_t {
   other_cutter = 1U << 18,
   /// The tool of a coupling, with its spindle turning, was faster than the hand by more than 0.1 m/s, because the drag
   /// of the spindle threw it about or because it broke through. A brake held it, which the hand does not feel
-  /// (VirtualCoupling). Cure: press less. In corners: a material whose cutting_ratio was measured on lips needs a head
-  /// with lips, such as `twist_drill_head`.
+  /// (VirtualCoupling), with more than a tenth of the force between tool and material. Cure: press less. In corners: a
+  /// material whose cutting_ratio was measured on lips needs a head with lips, such as `twist_drill_head`.
   tool_braked = 1U << 19,
   /// The contact is at a point of the head, of a needle or a slender cone, that is thinner than 1.5 voxels. It hits or
   /// misses material by half a voxel, and its depth has the same error. Cure: smaller voxels.

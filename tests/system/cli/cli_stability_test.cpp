@@ -28,6 +28,14 @@ TEST_F(Stability, ReproducesTheTableAndFindsNoRuleBroken) {
   for (const nlohmann::json& row : report["faults"]) EXPECT_TRUE(row["rules_obeyed"]) << row;
 }
 
+TEST_F(Stability, ComplainsOfNoDevice) {
+  const Outcome outcome = run("stability --json " + path("s.json"));
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "s.json");
+  EXPECT_TRUE(report["complaints"].empty()) << report["complaints"];
+  EXPECT_EQ(report["contact"].size(), 4U * 3);
+}
+
 TEST_F(Stability, RefusesADeviceThatDoesNotExist) {
   const Outcome outcome = run("stability --device falcon");
   EXPECT_NE(outcome.code, 0);

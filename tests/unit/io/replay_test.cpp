@@ -63,7 +63,7 @@ TEST(Replay, OfAHeldSpindleCrushesNothing) {
     if (from_the_beginning) held.hold_spindle(true);
     const StepStatus seen = record_and_repeat(
         held, 200, [&](int tick) { held.hold_spindle(from_the_beginning || tick >= 20); }, folder / "a.h5");
-    EXPECT_EQ(has_any(seen, StepStatus::material_crushed), !from_the_beginning) << "a held head crushes nothing";
+    EXPECT_FALSE(has_any(seen, StepStatus::material_crushed)) << "a held head crushes nothing, a turning one cuts";
     const StepStatus other = record_and_repeat(
         halted, 200, [&](int) { halted.halt_spindle(); }, folder / "b.h5");
     EXPECT_TRUE(has_any(other, StepStatus::material_crushed)) << "a halted head crushes this material";

@@ -37,10 +37,11 @@ namespace hapticut {
 /// l^3 times the lost fill, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V +
 /// Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
-/// Before that, material that would be pressed harder than it can bear is removed: no part reaches deeper than the
-/// crushing depth sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. The energy that
-/// went into it and is no longer stored, together with the damping, is what crushing took: sigma times the volume,
-/// within the error of the step.
+/// Before that, material that would be pressed harder than it can bear is removed, below the crushing depth w_c =
+/// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while it
+/// sinks in: what the pressure sigma cuts within half of a sub-step, v(w_c) dt/2 and at most what the head moves in it,
+/// is left for the cut. Otherwise a head whose sub-step is not much shorter than w_c, as in a soft material, would crush
+/// what it cuts in shorter steps. Crushing takes sigma times the volume.
 ///
 /// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w is the distance, k_v is
 /// multiplied by s^2, chi by s, and every depth by 1/s. kappa is mu_d, and nothing is cut except within the material's
@@ -197,14 +198,23 @@ class FoundationLaw final : public ForceLaw {
       const float damped = damping.factor, crushing_depth = damping.crushing_depth(material.crushing_depth);
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
-      const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
+      const float power = 0.5F * kappa * k * damped * s.slip, mean_w_dot = s.mean_w_dot;
+      float speed = std::max(0.0F, s.w_dot);
       // 1. The filled part: its section, far plane and height.
       const VoxelSection<float> section(b.max_component[n], b.min_width);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
       const float full_height = b.top[n] / l - far_plane;
       // 2. Crushing.
-      const bool crushed = m.crushes && b.top[n] > crushing_depth;
-      if (crushed) b.top[n] = crushing_depth;
+      float deepest = crushing_depth;
+      if (cutting && m.crushes && b.top[n] > crushing_depth) {  // what can be cut at the strength is not crushed
+        const float recedes = ChipChord<float>::recession_at(crushing_depth, material, m.tooth_rate,
+                                                             power / material.cutting_energy, mean_w_dot, feed);
+        const float cut_speed = std::min(speed, recedes);
+        deepest += cut_speed * 0.5F * slip_time;
+        if (b.top[n] > deepest) speed = cut_speed;
+      }
+      const bool crushed = m.crushes && b.top[n] > deepest;
+      if (crushed) b.top[n] = deepest;
       const float top = b.top[n], height = crushed ? std::max(0.0F, top / l - far_plane) : full_height;
       float phi = b.fill[n];
       if (crushed) {
@@ -217,7 +227,7 @@ class FoundationLaw final : public ForceLaw {
       auto cut_depth = CutDepth<float>::of(top, material.cutting_depth);
       if (m.tooth_rate > 0) {
         const auto chord =
-            ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, s.mean_w_dot, feed);
+            ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, mean_w_dot, feed);
         u = chord.energy, cut_depth = chord.cut;
       }
       // 4. Springs of the part.
@@ -266,13 +276,16 @@ class FoundationLaw final : public ForceLaw {
       // Released energy is zero where nothing is cut, and never negative: the error of the midpoint rule is `entered`.
       // The excess force of a contact that is evaluated at the end was not stored before.
       const float stays = after - spring * advance, harder = k * part.volume * m.lead * advance * advance;
-      const float released =
-          releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays - harder) : 0.0F;
+      const float strength = 0.5F * k * material.crushing_depth * material.crushing_depth;
+      const float released = crushed ? strength * (b.fill[n] - phi)
+                             : releases
+                                 ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays - harder)
+                                 : 0.0F;
       const float before = stays + released;
       sums.of[kElasticBefore][lane] += before;
       sums.of[kElastic][lane] += after;
       sums.of[kCutting][lane] += u * cut_fill;
-      if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * cut_fill;
+      if (crushed || releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * cut_fill;
       sums.of[kDamping][lane] += (normal - spring) * advance;
       sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time + price * std::max(0.0F, refused);
       sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -refused));
