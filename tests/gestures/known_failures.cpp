@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::string_view kPoint =
     "a point or ridge thinner than a voxel is met or missed, and its springs turn within a voxel";
-constexpr std::string_view kFlick = "a flick moves the tool by some voxels in a tick, and its search ends early";
+constexpr std::string_view kFlick =
+    "a flick moves the tool by some voxels in a tick; the cause of its energy is not found";
 constexpr std::string_view kGroove = "the groove is a fifth of a voxel deep";
 
 constexpr auto kKnown = std::to_array<KnownFailure>({

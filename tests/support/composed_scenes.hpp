@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <span>
 #include <vector>
 
 #include "hapticut/device/simulated/device_models.hpp"
@@ -145,9 +146,9 @@ inline std::uint64_t many_ticks() { return number_from("HAPTICUT_COMPOSED_TICKS"
 /// Runs sequences with different seeds until a number of ticks is reached.
 /// @tparam Run    constructed from a seed; run(ticks) tells whether the invariants hold, what_is_broken() names a
 /// broken one
-/// @param broken  a seed that is known to break an invariant; 0: no seed
+/// @param broken  seeds that are known to break an invariant
 template <class Run>
-Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
+Margins compose(std::uint64_t ticks, std::span<const std::uint64_t> broken = {}) {
   constexpr std::uint64_t kTicks = 2500;  // of one sequence
   Margins margins;
   int failures = 0;
@@ -155,7 +156,7 @@ Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
   for (std::uint64_t done = 0; done < ticks && failures < 10; done += kTicks, ++seed) {
     Run run(seed);
     const bool keeps = run.run(int(std::min(kTicks, ticks - done)));
-    if (keeps == (seed == broken)) {
+    if (keeps == (std::ranges::count(broken, seed) > 0)) {
       ++failures;
       ADD_FAILURE() << "seed " << seed << ": " << (keeps ? "no longer breaks an invariant" : run.what_is_broken());
     }

@@ -45,8 +45,8 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field("inertia", &G::inertia, "kg m^2", Range::positive(),
             "of the simulated tool about its handle point, equal about all axes"),
       field("newton_steps", &G::newton_steps, "1", Range::between(8, 400),
-            "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time. A tick "
-            "needs one when the tool moves steadily, and three in a cut"),
+            "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time, and a "
+            "tick of several parts four times as many. It needs one in steady motion, and three in a cut"),
   };
 }
 
