@@ -38,10 +38,10 @@ namespace hapticut {
 /// Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
 /// Before that, material that would be pressed harder than it can bear is removed, below the crushing depth w_c =
-/// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while it
-/// sinks in: what the pressure sigma cuts within half of a sub-step, v(w_c) dt/2 and at most what the head moves in it,
-/// is left for the cut. Otherwise a head whose sub-step is not much shorter than w_c, as in a soft material, would crush
-/// what it cuts in shorter steps. Crushing takes sigma times the volume.
+/// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while
+/// it sinks in: what the pressure sigma cuts within half of a sub-step, v(w_c) dt/2 and at most what the head moves in
+/// it, is left for the cut. Otherwise a head whose sub-step is not much shorter than w_c, as in a soft material, would
+/// crush what it cuts in shorter steps. Crushing takes sigma times the volume.
 ///
 /// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w is the distance, k_v is
 /// multiplied by s^2, chi by s, and every depth by 1/s. kappa is mu_d, and nothing is cut except within the material's
