@@ -314,7 +314,9 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
   CouplingEnergy& energy = result_.energy;
   const Twist& tool = result_.V_WH;
   const Vec3 torque = has_torque() ? after.wrench.torque : Vec3(-result_.coupling.torque);
-  const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
+  // Where no torque turns the tool, it turns with the hand, at first also by what this has turned while it was parted.
+  const Vec3& turned = has_torque() ? hand_path.angular : tool.angular;
+  const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(turned)) * dt;
   const Vec3 stretching = (hand_path.linear - tool.linear) * dt;
   double damper = (after.linear.force - after.linear.spring).dot(stretching) - after.brake.dot(tool.linear) * dt;
   // Work of the spring's force at the end, less the energy that it stores; and the loss of the mass.

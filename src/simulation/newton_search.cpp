@@ -75,12 +75,14 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
   }
 }
 
-/// Whether the steps have not yet taken their time. A fast tick of several parts, as when the tool strikes, has more.
+/// Whether the steps have not yet taken their time. A fast tick of several parts, as when the tool strikes, has more. A
+/// part may take twice its equal share of what the parts before have left.
 bool VirtualCoupling::NewtonSearch::may_go_on() const noexcept {
   const int steps = coupling_.gains_.newton_steps * (coupling_.result_.parts > 1 ? kFaster : 1);
-  const int in_tick = coupling_.result_.newton_steps + kLeastSteps * part_.left;  // each later part keeps its least
   const int each = kContactExtra + std::min(voxels_, kContactVoxels);
-  return steps_ < kLeastSteps || in_tick * each < steps * (kContactExtra + kContactVoxels);
+  const int in_tick = steps * (kContactExtra + kContactVoxels) / each;
+  const int before = coupling_.result_.newton_steps - steps_;
+  return steps_ < kLeastSteps || steps_ * (part_.left + 2) < 2 * (in_tick - before);
 }
 
 /// [N] The residual, and more where it acts against the motion: the tool's own energy pays for any other

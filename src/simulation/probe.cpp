@@ -11,11 +11,11 @@ ContactProbe Simulation::probe(const Pose& X_WH, const Twist& V_WH, double dt, P
   if (check_input(s.config, X_WH, V_WH, dt) != StepStatus::ok) return {};
   const bool continues = s.has_pose && !(s.hand_released_since && s.is_placed_elsewhere(X_WH, V_WH, dt));
   const Pose from = continues ? s.last_X_WH : advance(X_WH, V_WH, -dt);
-  const int sub_steps = s.sub_steps_between(from, X_WH);
-  if (sub_steps > s.config.max_sweep) return {};
-  ContactProbe probed = s.probe_path(from, X_WH, sub_steps, V_WH, dt);
+  const Sweep sweep = s.sweep_between(from, X_WH);
+  if (sweep.sub_steps > s.config.max_sweep) return {};
+  ContactProbe probed = s.probe_path(from, X_WH, sweep, V_WH, dt);
   if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
-    probed.stiffness = s.measure_stiffness(from, X_WH, sub_steps, V_WH, dt, motions, probed.wrench);
+    probed.stiffness = s.measure_stiffness(from, X_WH, sweep, V_WH, dt, motions, probed.wrench);
   return probed;
 }
 
@@ -25,21 +25,21 @@ bool Simulation::touches(const Pose& X_WH) const noexcept {
 
 /// Whether the head would touch material with the handle at a pose.
 bool Simulation::State::touches(const Pose& X_WH) noexcept {
-  const HeadPlacement at = plan_sub_step(X_WH, 0, config.min_dt, {}, {}).head;
+  const HeadPlacement at = plan_sub_step(X_WH, config.min_dt, config.min_dt, {}, {}).head;
   return contact_stages.press(contact_stages.find_blocks(at), at).resultant.voxels > 0;
 }
 
 /// The contact on the path from one pose to another.
-ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
+ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                            double dt) noexcept {
   ContactProbe probed;
   const Twist path = twist_between(from, to, dt);
   DeepContact deep = deep_contact;
   LimitSurface friction = anchor;
-  for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, V_WH);
+  for (int i = 0; i < sweep.sub_steps; ++i) {
+    const double weight = sweep.duration(i), moves = sweep.end(i);  // [1] of the step, of the motion of the path's end
+    const SubStep sub_step = plan_sub_step(from, moves * dt, weight * dt, path, V_WH);
     const ContactProbe part = probe_sub_step(sub_step, deep, friction);
-    const double weight = 1.0 / sub_steps, moves = (i + 1) * weight;  // [1] of the motion of the path's end
     probed.wrench.force += weight * part.wrench.force;
     probed.wrench.torque += weight * part.wrench.torque;
     probed.stiffness += weight * moves * part.stiffness;
@@ -50,8 +50,8 @@ ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, int
 }
 
 /// The stiffness for a law that reports none, by a small motion along each axis; its symmetric, positive semidefinite
-/// part. The moved paths have as many sub-steps as the original path, because another number would give another force.
-Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
+/// part. The moved paths have the sub-steps of the original path.
+Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                                double dt, ProbedMotions motions, const Wrench& felt) noexcept {
   constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
   const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
@@ -68,7 +68,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to,
       moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * to.rotation;
       faster.angular += shift / reach / dt * along;
     }
-    const Wrench there = probe_path(from, moved, sub_steps, faster, dt).wrench;
+    const Wrench there = probe_path(from, moved, sweep, faster, dt).wrench;
     scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
   }
   if (axes == 3) scaled.bottomRows<3>().setZero();

@@ -26,6 +26,16 @@ struct SubStep {
   HeadPlacement head;  // of the head, for the stages that see voxels
 };
 
+/// How a step is divided. Each sub-step but the first moves the head by half a voxel, and the first by the rest. A path
+/// that is slightly longer and needs one more sub-step thus has nearly the same force, which an implicit coupling
+/// needs.
+struct Sweep {
+  int sub_steps = 1;
+  double rest = 0;  // [1] of the step's duration, each sub-step but the first
+  [[nodiscard]] double duration(int index) const noexcept { return index > 0 ? rest : 1 - (sub_steps - 1) * rest; }
+  [[nodiscard]] double end(int index) const noexcept { return 1 - (sub_steps - 1 - index) * rest; }
+};
+
 /// The load of the contact on the motor.
 struct SpindleLoad {
   double torque = 0;        // [N·m] about +z; of a stalled head, the torque that would turn it
@@ -72,9 +82,12 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] bool jumps_into_material(const Pose& X_WH) noexcept;
   [[nodiscard]] StepStatus follow_jump() noexcept;
   void place_at(const Pose& X_WH) noexcept;
-  [[nodiscard]] int plan_sweep(const Pose& from, const Pose& to) const noexcept;
-  [[nodiscard]] int sub_steps_between(const Pose& from, const Pose& to) const noexcept;
-  [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
+  [[nodiscard]] Sweep plan_sweep(const Pose& from, const Pose& to) const noexcept;
+  [[nodiscard]] Sweep sweep_between(const Pose& from, const Pose& to) const noexcept;
+  [[nodiscard]] int sub_steps_between(const Pose& from, const Pose& to) const noexcept {
+    return sweep_between(from, to).sub_steps;
+  }
+  [[nodiscard]] SubStep plan_sub_step(const Pose& from, double end, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
   [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
   void drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept;
@@ -113,9 +126,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // Stages without a change: `Simulation::probe`.
   [[nodiscard]] bool touches(const Pose& X_WH) noexcept;
-  [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
+  [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                         double dt) noexcept;
-  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& to, int sub_steps, const Twist& V_WH,
+  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                             LimitSurface& friction) noexcept;

@@ -39,10 +39,10 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
     return reject(refused);
   }
   if (const StepStatus refused = find_start(coupling != nullptr); refused != StepStatus::ok) return reject(refused);
-  const int sub_steps = plan_sweep(last_X_WH, X_WH);
+  const Sweep sweep = plan_sweep(last_X_WH, X_WH);
   const Twist path = twist_between(last_X_WH, X_WH, dt);
-  for (int i = 0; i < sub_steps; ++i) {
-    SubStep sub_step = plan_sub_step(last_X_WH, i, dt / sub_steps, path, V_WH);
+  for (int i = 0; i < sweep.sub_steps; ++i) {
+    SubStep sub_step = plan_sub_step(last_X_WH, sweep.end(i) * dt, sweep.duration(i) * dt, path, V_WH);
     const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
     drive_spindle(blocks, sub_step);
     Encounter encounter = press_and_cut(blocks, sub_step);
@@ -50,11 +50,11 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
     hold_deep_contact(sub_step, encounter);
     add_friction(sub_step, encounter);
     book_energy(sub_step, encounter);
-    transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
+    transport_to_handle(sub_step, encounter, sweep.duration(i));
     advance_spindle(sub_step, encounter);
   }
   give_output(coupling);
-  finish_step(sub_steps, path);
+  finish_step(sweep.sub_steps, path);
 }
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
@@ -159,17 +159,17 @@ void Simulation::State::place_at(const Pose& X_WH) noexcept {
   last_X_WH = X_WH;
 }
 
-int Simulation::State::plan_sweep(const Pose& from, const Pose& to) const noexcept {
+Sweep Simulation::State::plan_sweep(const Pose& from, const Pose& to) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
-  return sub_steps_between(from, to);
+  return sweep_between(from, to);
 }
 
-/// Number of equal parts in which no point of the head moves farther than half a voxel; max_sweep + 1 if it is more.
-int Simulation::State::sub_steps_between(const Pose& from, const Pose& to) const noexcept {
+/// The sub-steps in which no point of the head moves farther than half a voxel; max_sweep + 1 if they are more.
+Sweep Simulation::State::sweep_between(const Pose& from, const Pose& to) const noexcept {
   const Vec3 head_shift = to * tool.X_HT().translation - from * tool.X_HT().translation;
   const double farthest = head_shift.norm() + rotation_between(from, to) * tool.head().reach();
-  const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
-  return int(std::clamp(parts, 1.0, config.max_sweep + 1.0));
+  const double parts = farthest / (0.5 * workpiece.voxel_size());
+  return {int(std::clamp(std::ceil(parts - 1e-9), 1.0, config.max_sweep + 1.0)), 1 / std::max(1.0, parts)};
 }
 
 namespace {
@@ -183,13 +183,16 @@ Vec3 mean_of(const std::optional<Vec3>& before, const Vec3& velocity, double dt)
 
 }  // namespace
 
-SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
+/// @param end       [s] of the sub-step since the path's beginning
+/// @param duration  [s] of the sub-step
+SubStep Simulation::State::plan_sub_step(const Pose& from, double end, double duration, const Twist& path,
                                          const Twist& felt) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sub_step);
   const double lead = config.contact_time == ContactTime::end ? 0.5 : 0.0;
+  const double evaluated = end - (0.5 - lead) * duration;  // [s]
   SubStep sub_step;
   sub_step.duration = duration;
-  sub_step.X_WH = advance(from, path, (index + 0.5 + lead) * duration);
+  sub_step.X_WH = advance(from, path, evaluated);
   sub_step.X_WT = sub_step.X_WH * tool.X_HT();
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   const Twist path_W = transport(path, p_HoTo_W);
@@ -206,8 +209,8 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           .removal = config.removal,
                           .head_radius = float(tool.head().cutting_radius()),
                           .lead = float(lead),
-                          .elapsed = float((index + 0.5 + lead) * duration)};
-  const Vec3 ripple = path_W.linear - mean_of(mean_velocity, path_W.linear, (index + 1) * duration);
+                          .elapsed = float(evaluated)};
+  const Vec3 ripple = path_W.linear - mean_of(mean_velocity, path_W.linear, end);
   sub_step.head.motion.ripple = (sub_step.X_WT.rotation.transpose() * ripple).cast<float>();
   set_spin(sub_step.head.motion);
   return sub_step;

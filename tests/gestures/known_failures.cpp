@@ -9,15 +9,11 @@ namespace {
 
 constexpr std::string_view kPoint =
     "a point or ridge thinner than a voxel is met or missed, and its springs turn within a voxel";
-constexpr std::string_view kFlick =
-    "a flick moves the tool by some voxels in a tick; the cause of its energy is not found";
 constexpr std::string_view kGroove = "the groove is a fifth of a voxel deep";
 
 constexpr auto kKnown = std::to_array<KnownFailure>({
     {"G14", "indents", kPoint,
      "needle, flame at 0.2 mm 1.04, 1.29 of the bound; edges of a christmas tree 1.08 ... 1.58"},
-    {"G24", "energy to the hand", kFlick, "3.3 mJ of 2 mJ, in 9 of 1000 flicks any"},
-    {"G24", "invariant 3", kFlick, "0.224 mm"},
     {"G42", "volume", kGroove, "3.0 % of 2 %, ball 1.6 mm in enamel at 0.2 mm"},
     {"G45", "sinks", kPoint, "0.33 mm of 0.2, 0.24 mm, at 0.2 mm"},
     {"G45", "hole that is left", kPoint, "0 ... 0.08 of 0.006 ... 0.1"},

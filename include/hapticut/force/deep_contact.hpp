@@ -27,7 +27,7 @@ class DeepContact {
 
   struct Outcome {
     Vec3 force = Vec3::Zero();  ///< [N] on the ball at its centre
-    double stored_before = 0;   ///< [J]
+    double stored_before = 0;   ///< [J] at `from`
     double stored = 0;          ///< [J]
     double released = 0;        ///< [J] >= 0, lost when the spring yielded or ended
   };
@@ -50,15 +50,14 @@ class DeepContact {
       full_stiffness_ = stiffness_ = 1.05 * 16 / 9 * force / radius;
       stored_ = 0;
     }
+    const double before = (from - place_).dot(normal_), after = (to - place_).dot(normal_);
     Outcome outcome;
-    outcome.stored_before = stored_;
+    outcome.stored_before = energy_at(before);
     const double fraction = std::clamp((filled - kFree) / (kDeep - kFree), 0.0, 1.0);
     stiffness_ = std::min(stiffness_, fraction * full_stiffness_);
-    const double before = (from - place_).dot(normal_), after = (to - place_).dot(normal_);
     const double tension = stiffness_ * std::max(0.0, 0.5 * (before + after));
     outcome.force = -tension * normal_;
-    stored_ = 0.5 * stiffness_ * std::max(0.0, after) * std::max(0.0, after);
-    outcome.stored = stored_;
+    outcome.stored = stored_ = energy_at(after);
     outcome.released = std::max(0.0, outcome.stored_before + tension * (after - before) - stored_);
     if (after <= 0 || stiffness_ == 0) *this = {};
     return outcome;
@@ -79,6 +78,8 @@ class DeepContact {
 
  private:
   friend struct SimulationMemory;
+  [[nodiscard]] double energy_at(double s) const { return s > 0 ? 0.5 * stiffness_ * s * s : 0.0; }
+
   bool touched_ = false, held_ = false;
   Vec3 normal_ = Vec3::Zero();                 // [1] from the ball into the material
   Vec3 place_ = Vec3::Zero();                  // [m]

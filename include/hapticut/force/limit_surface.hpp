@@ -59,16 +59,13 @@ class LimitSurface {
     Vector6 start = offset();
     const double length = slip(shape, start);
     if (length > 0) {
-      const double kept = std::min({1.0, std::sqrt(2 * stored_ / stiffness_) / length, static_slip / length});
-      scale(start, kept);
-      start *= kept;
+      start *= std::min({1.0, std::sqrt(2 * stored_ / stiffness_) / length, static_slip / length});
     }
-    position_ += displacement.linear;
-    rotation_ = rotation_from_vector(displacement.angular) * rotation_;
-    const Vector6 end = offset(), seen = start + (0.5 + lead) * (end - start);
-    const double at_end = slip(shape, end), limit = sliding_ ? dynamic_slip : static_slip;
     Vector6 moved;
     moved << displacement.linear, displacement.angular;
+    const Vector6 end = start + moved, seen = start + (0.5 + lead) * moved;
+    scale(end, 1);
+    const double at_end = slip(shape, end), limit = sliding_ ? dynamic_slip : static_slip;
 
     Outcome outcome;
     Vector6 wrench;

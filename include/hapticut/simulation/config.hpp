@@ -94,7 +94,7 @@ struct SimulationConfig {
   double min_dt = 1e-6;
   double max_dt = 0.1;
 
-  /// A step that moves the head by more than half a voxel is split into equal sub-steps.
+  /// A step that moves the head by more than half a voxel is split into sub-steps.
   int max_sweep = 64;
 
   /// The configuration for a loop of your own that gives the force of each step to a device, without a coupling and a

@@ -3,7 +3,6 @@
 // with the commands of a loop.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -215,12 +214,9 @@ class Course {
   bool is_under_way_ = false, is_open_ = false;
 };
 
-/// Seeds of runs that break an invariant: in 7, 0.12 % enter where 0.1 % may. Remove those that are cured.
-constexpr std::array<std::uint64_t, 1> kKnownSeeds = {7};
+TEST(ComposedLoop, KeepsTheInvariants) { compose<Course>(kFewTicks); }
 
-TEST(ComposedLoop, KeepsTheInvariants) { compose<Course>(kFewTicks, kKnownSeeds); }
-
-TEST(ComposedLoop, KeepsTheInvariantsForLong) { compose<Course>(many_ticks(), kKnownSeeds); }
+TEST(ComposedLoop, KeepsTheInvariantsForLong) { compose<Course>(many_ticks()); }
 
 TEST(ComposedLoop, GivesTheSameBitsAgain) { expect_the_same_bits<Course>(1, 1500); }
 

@@ -39,7 +39,7 @@ TEST_P(EveryDevice, RendersMaterialTenTimesAsStiffThroughTheCoupling) {
     StabilitySearch search = pressed_search(direct);
     search.tolerance = 0.2;
     const double k_direct = max_stable_stiffness(config, contact_models(direct), search);
-    EXPECT_GT(k_direct, 1e12) << "the search must find a stable stiffness, else the test proves nothing";
+    EXPECT_GT(k_direct, 1e11) << "the search must find a stable stiffness, else the test proves nothing";
     EXPECT_LT(k_direct, 1e15);
     for (const double factor : {10.0, 100.0, 1000.0})
       EXPECT_TRUE(is_stable(config, contact_models(through), factor * k_direct, search)) << delay << ", " << factor;
