@@ -110,6 +110,8 @@ void bind_steady_cut(py::module_& m) {
               py::arg("layer"));
   number_form(m, "decaying_volume_under_a_flat_head", &forms::decaying_volume_under_a_flat_head, py::arg("R"),
               py::arg("layer"));
+  number_form(m, "wall_left_by_a_pass", &forms::wall_left_by_a_pass, py::arg("cut"), py::arg("k_v"), py::arg("rho"),
+              py::arg("curvature"));
 }
 
 void bind_other_laws(py::module_& m) {

@@ -115,12 +115,13 @@ const CoupledResult& VirtualCoupling::follow(const StepInput& hand) noexcept {
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), X_WD, V_WD, dt);
   if (refused != StepStatus::ok) return suspend(refused);
+  const bool jumps = given_ && is_jump(*given_, X_WD, dt) && (!held_ || is_jump(X_WD_, X_WD, dt));
   if (!velocity_fits(X_WD, V_WD, dt)) return suspend(StepStatus::velocity_rejected);
   part_after_exchange();
-  if (held_ && !waits_ && is_jump(X_WD, dt)) return suspend(StepStatus::jump_rejected);
+  if (jumps) return suspend(StepStatus::jump_rejected);
   if (held_ && !waits_ && is_rotated_away(X_WD)) rejoin_ = Rejoin::free, waits_ = true;
   if (waits_ && !may_continue_from_here(X_WD)) {
-    if (simulation_->touches(X_WD) || simulation_->touches(advance(X_WD, V_WD, -dt))) {
+    if (simulation_->is_in_material(X_WD) || simulation_->is_in_material(advance(X_WD, V_WD, -dt))) {
       if (!is_placed_) result_.X_WH = X_WD;
       return suspend(StepStatus::tool_waits);
     }

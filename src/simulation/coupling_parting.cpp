@@ -52,9 +52,9 @@ bool VirtualCoupling::velocity_fits(const Pose& X_WD, const Twist& V_WD, double 
          by_velocity_.angular <= kNoiseAngular * by_velocity_.time + kMaxRatio * by_pose_.angular;
 }
 
-/// Whether a pose is too far from the last one for a motion of a hand.
-bool VirtualCoupling::is_jump(const Pose& X_WD, double dt) const noexcept {
-  return !is_path_of_a_hand(X_WD_, X_WD, dt) || !is_rotation_of_a_hand(X_WD_, X_WD, dt);
+/// Whether two poses are too far from each other for a motion of a hand.
+bool VirtualCoupling::is_jump(const Pose& from, const Pose& to, double dt) noexcept {
+  return !is_path_of_a_hand(from, to, dt) || !is_rotation_of_a_hand(from, to, dt);
 }
 
 /// Whether the hand is rotated so far from the tool that with a little more the torque would change its sign.
@@ -80,6 +80,7 @@ double VirtualCoupling::reach() const noexcept {
 
 void VirtualCoupling::park(Rejoin rejoin) noexcept {
   begin_tick();
+  given_.reset();
   if (rejoin == Rejoin::free) rejoin_ = rejoin;
   suspend(StepStatus::ok);
 }

@@ -23,10 +23,17 @@ bool Simulation::touches(const Pose& X_WH) const noexcept {
   return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok && state_->touches(X_WH);
 }
 
-/// Whether the head would touch material with the handle at a pose.
-bool Simulation::State::touches(const Pose& X_WH) noexcept {
+bool Simulation::is_in_material(const Pose& X_WH) const noexcept {
+  constexpr double kResting = 0.5;  // [voxels]
+  return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok &&
+         state_->touches(X_WH, kResting * state_->workpiece.voxel_size());
+}
+
+/// Whether the head would touch material with the handle at a pose, deeper than a depth [m].
+bool Simulation::State::touches(const Pose& X_WH, double deeper_than) noexcept {
   const HeadPlacement at = plan_sub_step(X_WH, config.min_dt, config.min_dt, {}, {}).head;
-  return contact_stages.press(contact_stages.find_blocks(at), at).resultant.voxels > 0;
+  const Resultant met = contact_stages.press(contact_stages.find_blocks(at), at).resultant;
+  return met.voxels > 0 && met.depth >= deeper_than;
 }
 
 /// The contact on the path from one pose to another.

@@ -183,13 +183,11 @@ Vec3 mean_of(const std::optional<Vec3>& before, const Vec3& velocity, double dt)
 
 }  // namespace
 
-/// @param end       [s] of the sub-step since the path's beginning
-/// @param duration  [s] of the sub-step
+/// @param end  [s] of the sub-step since the path's beginning
 SubStep Simulation::State::plan_sub_step(const Pose& from, double end, double duration, const Twist& path,
                                          const Twist& felt) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sub_step);
-  const double lead = config.contact_time == ContactTime::end ? 0.5 : 0.0;
-  const double evaluated = end - (0.5 - lead) * duration;  // [s]
+  const double lead = config.contact_time == ContactTime::end ? 0.5 : 0.0, evaluated = end - (0.5 - lead) * duration;
   SubStep sub_step;
   sub_step.duration = duration;
   sub_step.X_WH = advance(from, path, evaluated);

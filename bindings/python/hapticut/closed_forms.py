@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The model in closed form: C1 ... C42 of docs/model.md, to plot theory beside a sweep.
+"""The model in closed form: C1 ... C43 of docs/model.md, to plot theory beside a sweep.
 
 SI units; forces and torques act on the tool. Unless a function says otherwise, the material is the half space z < 0 and
 the head is upright. Where a function takes numbers only, each may be an array."""
@@ -61,6 +61,7 @@ from ._hapticut import (
     stiffness_for_layer as stiffness_for_layer,
     engaged_volume_under_a_flat_head as engaged_volume_under_a_flat_head,
     decaying_volume_under_a_flat_head as decaying_volume_under_a_flat_head,
+    wall_left_by_a_pass as wall_left_by_a_pass,
 
     # Other laws
     flat_punch_force as flat_punch_force,

@@ -9,7 +9,7 @@
 #include "hapticut/core/units.hpp"
 
 /// @file
-/// C20 ... C38 and C42: forces and torques of a spinning head in a steady cut, and the figures of the thesis.
+/// C20 ... C38, C42 and C43: forces and torques of a spinning head in a steady cut, and the figures of the thesis.
 namespace hapticut::closed_forms {
 
 // --- steady cutting --------------------------------------------------------------------------------------------------
@@ -316,6 +316,21 @@ struct SteadyCut {
 /// delta(R)`.
 [[nodiscard]] inline double decaying_volume_under_a_flat_head(double R, double layer) {
   return 2 * std::pow(units::kPi, 1.5) / 3 * R * R * layer;
+}
+
+// --- C43: what a pass leaves -----------------------------------------------------------------------------------------
+
+/// C43: thickness of the material that a head leaves on the wall beside its path, inside the surface that it sweeps,
+/// `(a_1^2/2) (v_f^2/(R k_d^2))^(1/3)` with `k_d = kappa k_v omega rho/(2 u)` and the first zero -a_1 of Airy's Ai'.
+/// While the head passes, at the distance `v_f^2 tau^2/(2 R)`, the depth of the layer follows
+/// `t' = -v_f^2 tau/R - k_d t^2`. An edge pressure leaves about 1.5 sqrt(2 p_e/k_v) more.
+/// @param rho        [m] distance of the wall from the axis
+/// @param curvature  [m] radius R of the head along the feed
+/// @return [m]
+[[nodiscard]] inline double wall_left_by_a_pass(const SteadyCut& cut, double k_v, double rho, double curvature) {
+  constexpr double kZeroOfAiry = 1.0187929716;                                                        // a_1
+  const double decay = cut.cutting_ratio * k_v * cut.spin * rho / (2 * cut.specific_cutting_energy);  // [1/(m s)] k_d
+  return kZeroOfAiry * kZeroOfAiry / 2 * std::cbrt(cut.feed_speed * cut.feed_speed / (curvature * decay * decay));
 }
 
 }  // namespace hapticut::closed_forms

@@ -34,8 +34,8 @@ struct CouplingGains {
 constexpr auto fields_of(Of<CouplingGains>) {
   using G = CouplingGains;
   return std::tuple{
-      field("mass", &G::mass, "kg", Range::positive(), "of the simulated tool, at its handle point"),
-      field("stiffness", &G::stiffness, "N/m", Range::positive(), "k_T"),
+      field("mass", &G::mass, "kg", Range::between(1e-4, 10), "of the simulated tool, at its handle point"),
+      field("stiffness", &G::stiffness, "N/m", Range::between(5, 1e6), "k_T; 0.7 N/mm are 700 N/m"),
       field("damping", &G::damping, "N s/m", Range::between(0, 1e6), "b_T"),
       field("max_force", &G::max_force, "N", Range::limit(), "of spring and damper together"),
       field("max_torque", &G::max_torque, "N m", Range::limit(), "of spring and damper together"),
@@ -177,6 +177,7 @@ class VirtualCoupling {
   void reset() noexcept {
     waits_ = waits_ || held_;
     held_ = false;
+    given_.reset();
   }
 
   /// When a parked tool follows its hand again.
@@ -248,7 +249,7 @@ class VirtualCoupling {
   void begin_grip(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
   void part_after_exchange() noexcept;
   [[nodiscard]] bool velocity_fits(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
-  [[nodiscard]] bool is_jump(const Pose& X_WD, double dt) const noexcept;
+  [[nodiscard]] static bool is_jump(const Pose& from, const Pose& to, double dt) noexcept;
   [[nodiscard]] bool is_rotated_away(const Pose& X_WD) const noexcept;
   [[nodiscard]] bool is_near(const Pose& X_WD) const noexcept;
   [[nodiscard]] bool may_continue_from_here(const Pose& X_WD) const noexcept;

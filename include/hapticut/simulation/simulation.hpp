@@ -79,6 +79,11 @@ class Simulation {
   /// @realtime no allocation, no lock; evaluates the contact once
   [[nodiscard]] bool touches(const Pose& X_WH) const noexcept;
 
+  /// Whether the head would be in material, deeper than a tool that rests on a surface (half a voxel); false when the
+  /// pose is not a rigid transform.
+  /// @realtime no allocation, no lock; evaluates the contact once
+  [[nodiscard]] bool is_in_material(const Pose& X_WH) const noexcept;
+
   /// [m] The distance between the head, with the handle at a pose, and what is left of a material: 0 where the head is
   /// in it, infinity when nothing of it is left within `max_distance`, NaN when the pose is not a rigid transform.
   ///

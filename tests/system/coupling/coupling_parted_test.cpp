@@ -131,6 +131,32 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
   }
 }
 
+TEST(PartedTool, BeginsOnASurface) {
+  for (const double lower : {-0.1, -0.05, 0.0, 0.05, 0.1}) {  // [voxels]
+    Simulation simulation = cutting_simulation(ContactTime::end);
+    simulation.halt_spindle();
+    VirtualCoupling coupling(simulation, touch_gains());
+    const double start = kRadius - lower * simulation.workpiece().voxel_size();
+    for (int n = 0; n <= 1000; ++n) {
+      const CoupledResult& result = coupling.step(at_height(start - 2e-6 * n), {}, kTick);
+      EXPECT_FALSE(has_any(result.status, StepStatus::tool_waits)) << lower << " voxels, tick " << n;
+    }
+    EXPECT_GT(coupling.last_result().hand.force.z(), 0.5) << lower;
+  }
+}
+
+// A driver in millimetres lets a hand move a thousand times as fast.
+TEST(PartedTool, IsNotPutWhereReadingsInMillimetresAre) {
+  Simulation simulation = cutting_simulation(ContactTime::end);
+  VirtualCoupling coupling(simulation, touch_gains());
+  int accepted = 0;
+  for (int n = 1; n <= 1000; ++n) {
+    const double millimetres = 20 - 8e-3 * n;  // 8 mm/s
+    accepted += coupling.step(at_height(millimetres), {}, kTick).status == StepStatus::ok ? 1 : 0;
+  }
+  EXPECT_LE(accepted, 1) << "the first pose may be anywhere";
+}
+
 TEST(PartedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
   for (const double spin : {0.0, kSlow}) {
     Simulation simulation(half_space(), ball(spin), implicit(1e14));

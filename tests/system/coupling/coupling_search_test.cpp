@@ -99,6 +99,7 @@ TEST_P(CouplingSearch, FindsTheBalanceInTheTimeOfTenLargeContacts) {
   for (const Shape shape : {Shape::flat, Shape::slot, Shape::bowl})
     for (const double spindle : {0.0, 5000.0, 40000.0})
       for (const double voxel : {0.2 * mm, 0.15 * mm, 0.1 * mm}) seen += stroke(head, shape, voxel, spindle);
+  seen += stroke(head, Shape::bowl, 0.05 * mm, 40000);
   EXPECT_GT(seen.touched, seen.ticks / 3);
   const double bound = GetParam().name == "needle" ? 0.003 : 0.002;  // the force of its point jumps the most
   EXPECT_LE(seen.unbalanced, bound * seen.ticks) << "of " << seen.ticks;

@@ -170,6 +170,11 @@ TEST(CouplingInput, IsRefusedWithItsValueAndTheCure) {
   CouplingGains gains;
   gains.mass = -1;
   expect_refused([&] { validate(gains); }, {"CouplingGains::mass"});
+  gains.mass = 50;
+  expect_refused([&] { validate(gains); }, {"CouplingGains::mass", "50"});
+  gains = {};
+  gains.stiffness = 0.7;  // in N/mm
+  expect_refused([&] { validate(gains); }, {"CouplingGains::stiffness", "0.7"});
   gains = {};
   gains.max_force = NAN;
   expect_refused([&] { validate(gains); }, {"CouplingGains::max_force"});

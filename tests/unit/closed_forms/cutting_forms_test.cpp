@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms C20-C38 and C42 of docs/model.md against integrals of their equations, without voxels and steps. The
-// tests integrate the pressure of the cut over the head's surface, or the layer in which the material decays.
+// The closed forms C20-C38, C42 and C43 of docs/model.md against integrals of their equations, without voxels and
+// steps. The tests integrate the pressure of the cut over the head's surface, or the layer in which the material
+// decays.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -268,6 +269,15 @@ TEST(CuttingForms, C33StepsAddUpToTheHeadAndPushLikeThePressureOfTheirLayer) {
       forms::step_force_of_a_flat_head(kStiffness, kR, D) / (forms::surface_pressure(kStiffness, D) * kPi * kR * kR), 1,
       kRounding);
   EXPECT_NEAR(forms::step_volume_of_a_flat_head(kR, D) / (kPi * kR * kR * D), 1, kRounding);
+}
+
+// The layer in small steps, from before the head is nearest until nothing is pressed.
+TEST(CuttingForms, C43IsTheEndOfTheLayerBesideAPassingHead) {
+  const double k_v = 2e16, decay = kCut.cutting_ratio * k_v * kCut.spin * kR / (2 * kCut.specific_cutting_energy);
+  const double bend = kCut.feed_speed * kCut.feed_speed / kR, scale = std::cbrt(1 / (bend * decay));  // [m/s^2], [s]
+  double tau = -8 * scale, t = std::sqrt(-bend * tau / decay);
+  for (const double step = 1e-4 * scale; t > 0; tau += step) t -= step * (bend * tau + decay * t * t);
+  EXPECT_NEAR(forms::wall_left_by_a_pass(kCut, k_v, kR, kR) / (bend * tau * tau / 2), 1, 1e-3);
 }
 
 TEST(OtherForms, ADroopedSpindleTurnsAsFastAsItsLoadLetsIt) {
