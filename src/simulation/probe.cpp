@@ -24,7 +24,7 @@ bool Simulation::touches(const Pose& X_WH) const noexcept {
 }
 
 bool Simulation::is_in_material(const Pose& X_WH) const noexcept {
-  constexpr double kResting = 0.5;  // [voxels]
+  constexpr double kResting = 0.2;  // [voxels]
   return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok &&
          state_->touches(X_WH, kResting * state_->workpiece.voxel_size());
 }

@@ -79,8 +79,8 @@ class Simulation {
   /// @realtime no allocation, no lock; evaluates the contact once
   [[nodiscard]] bool touches(const Pose& X_WH) const noexcept;
 
-  /// Whether the head would be in material, deeper than a tool that rests on a surface (half a voxel); false when the
-  /// pose is not a rigid transform.
+  /// Whether the head would be in material, deeper than a tool that rests on a surface: a fifth of a voxel; false when
+  /// the pose is not a rigid transform.
   /// @realtime no allocation, no lock; evaluates the contact once
   [[nodiscard]] bool is_in_material(const Pose& X_WH) const noexcept;
 
