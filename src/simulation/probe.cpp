@@ -24,9 +24,12 @@ bool Simulation::touches(const Pose& X_WH) const noexcept {
 }
 
 bool Simulation::is_in_material(const Pose& X_WH) const noexcept {
+  return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok && state_->is_in_material(X_WH);
+}
+
+bool Simulation::State::is_in_material(const Pose& X_WH) noexcept {
   constexpr double kResting = 0.2;  // [voxels]
-  return check_input(state_->config, X_WH, {}, state_->config.min_dt) == StepStatus::ok &&
-         state_->touches(X_WH, kResting * state_->workpiece.voxel_size());
+  return touches(X_WH, kResting * workpiece.voxel_size());
 }
 
 /// Whether the head would touch material with the handle at a pose, deeper than a depth [m].

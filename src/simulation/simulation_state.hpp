@@ -126,6 +126,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // Stages without a change: `Simulation::probe`.
   [[nodiscard]] bool touches(const Pose& X_WH, double deeper_than = 0) noexcept;
+  [[nodiscard]] bool is_in_material(const Pose& X_WH) noexcept;
   [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                         double dt) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,

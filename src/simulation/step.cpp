@@ -107,7 +107,7 @@ StepStatus Simulation::State::find_start(bool coupled) noexcept {
 bool Simulation::State::start_tool(bool coupled) noexcept {
   const auto& [X_WH, V_WH, dt] = input;
   const Pose from = parted && !coupled ? X_WH : advance(X_WH, V_WH, -dt);
-  if (parted && touches(from)) return false;
+  if (parted && (coupled ? is_in_material(from) : touches(from))) return false;
   place_at(from);
   has_pose = true;
   parted = false;
