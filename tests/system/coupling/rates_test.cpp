@@ -78,7 +78,7 @@ TEST(RemovedVolume, DoesNotDependOnTheRate) {
 }
 
 // The limit: what this hand cuts in a second is a fifteenth of a voxel deep.
-TEST(RemovedVolume, DependsOnTheRateWhereTheCutIsMuchThinnerThanAVoxel) {
+TEST(RemovedVolume, DependsOnTheRateByAThirdWhereTheCutIsMuchThinnerThanAVoxel) {
   EXPECT_LT(change_with_rate(circles_with_a_side(), presets::dentin(), 0.3, 5e-3), 0.15);
   EXPECT_LT(change_with_rate(circles_with_a_side(), presets::trabecular_bone(), 0.1, 5e-3), 0.3);
 }

@@ -40,6 +40,7 @@ TEST(UncutWall, IsAsThickAsC43Says) {
                                            .feed_speed = kFeed};
       const double k_v = stiffness_for_head(cylinder_head(2 * kRadius, 4 * mm));
       const double left = closed_forms::wall_left_by_a_pass(cut, k_v, kRadius, kRadius);
+      // C43 takes the layer as thin beside the head; the volume is known to 0.3 um of the wall.
       EXPECT_NEAR(kRadius - half_width(cut.spin, material, voxel), left, 0.15 * left + 0.3e-6)
           << krpm << " krpm, voxels of " << voxel << " m";
     }
