@@ -99,7 +99,9 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
   ClosedLoop loop(config);
   GuardOptions guard_options = options;
   guard_options.period = config.period;
-  SafetyGuard guard(capabilities(config.device), guard_options);
+  DeviceCapabilities device = capabilities(config.device);
+  device.simulated = false;  // it stands for a real one
+  SafetyGuard guard(device, guard_options);
   const Watchdog watchdog(options.watchdog, config.period);
   const ForceModel model = factory(stiffness);
   const bool buried = fault == InjectedFault::buried_5mm;

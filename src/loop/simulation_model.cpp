@@ -155,7 +155,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
     return {};
   }
   const StepResult& result = simulation_->last_result();
-  touches_ = has_any(tool_.status, kRejected | StepStatus::tool_waits) || result.contact.voxels > 0;
+  touches_ = has_any(tool_.status, kRejected | StepStatus::tool_waits) || (result.contact.voxels > 0 && !rests(state));
   ++tool_.steps;
   tool_.dissipated += result.energy.losses() - before;
   if (!tool_.force_held) {
@@ -168,6 +168,13 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   tool_.spindle_speed = result.spindle.speed;
   contact_ = describe_contact(state, felt, result.energy.motor_work - motor_before);
   return map_.to_device(state.X_BS, felt);
+}
+
+/// Whether a guard may begin although the tool touches: the hand holds it on a surface.
+bool SimulationModel::rests(const DeviceState& state) const noexcept {
+  const ArmingState arming = device_->last_arming();
+  return coupling_ && (arming == ArmingState::wait_free || arming == ArmingState::ramp) &&
+         !simulation_->is_in_material(map_.to_world(state.X_BS));
 }
 
 /// What the guard must know about a step.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -103,7 +104,7 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
     case Watchdog::Verdict::alive:
       break;
     case Watchdog::Verdict::late:
-      log_.note(SafetyEvent::watchdog_late, scale);
+      if (is_often_late()) log_.note(SafetyEvent::watchdog_late, scale);
       break;
     case Watchdog::Verdict::fading:
       log_.note(SafetyEvent::watchdog_fading, scale);
@@ -113,6 +114,14 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double scale) {
       break;
   }
   note_silence(verdict);
+}
+
+// Whether the loop was late three times before within the last second.
+bool SafetyGuard::is_often_late() noexcept {
+  const std::uint64_t beat = heartbeat_.load(std::memory_order_acquire);
+  const std::uint64_t before = std::exchange(late_beats_[0], late_beats_[1]);
+  late_beats_[1] = std::exchange(late_beats_[2], beat);
+  return before > 0 && before <= beat && double(beat - before) * options_.period <= 1;
 }
 
 void SafetyGuard::note_silence(Watchdog::Verdict verdict) noexcept {
@@ -126,7 +135,7 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   // The clock of a device that is slower than the loop may stand between its readings, while ticks go on.
   const bool repeats = started_ && reading.sequence == gate_.state().sequence && reading.time <= last_time_;
   last_time_ = reading.time;
-  elapsed_ = clock_.tick(reading.time, repeats);
+  elapsed_ = clock_.tick(reading.time, repeats, std::exchange(waited_, std::numeric_limits<double>::infinity()));
   const Watchdog::Verdict silence = worst_silence_.exchange(Watchdog::Verdict::alive, std::memory_order_acq_rel);
   if (!started_) return;
   if (silence == Watchdog::Verdict::dead && options_.watchdog.latch) arming_.fail(log_);
@@ -258,7 +267,7 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& conta
                                       contact.stored, motor, !contact.touching.value_or(true)});
   if (passivity_.damping_force() > kNoticed * wrench.force.norm()) {
     output_.changes |= OutputChange::damped;
-    log_.report(SafetyEvent::passivity, passivity_.damping_force());
+    if (contact.touching.value_or(true)) log_.report(SafetyEvent::passivity, passivity_.damping_force());
   }
   return damped;
 }

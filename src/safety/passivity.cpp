@@ -2,29 +2,46 @@
 #include "hapticut/safety/passivity.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/simulation/output_limits.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr double kMaxStillTime = 0.02;  // [s] of hand motion that one step of the encoders may stand for
-constexpr double kMeanTime = 0.01;      // [s] and
-constexpr double kMeanPath = 0.5e-3;    // [m] over which the hand's velocity is averaged
-constexpr double kPayTime = 0.02;       // [s] in which a debt is paid back
-constexpr double kGentleChange = 0.01;  // [N] per tick, which a hand does not feel
-constexpr double kGentleSpeed = 0.15;   // [m/s] up to which it would feel more
+constexpr double kMaxStillTime = 0.02;   // [s] of hand motion that one step of the encoders may stand for
+constexpr double kMeanTime = 0.01;       // [s] and
+constexpr double kMeanPath = 0.5e-3;     // [m] over which the hand's velocity is averaged
+constexpr double kPayTime = 0.02;        // [s] in which a debt is paid back
+constexpr double kGentleChange = 0.018;  // [N] per tick, which a hand does not feel
+constexpr double kGentleSpeed = 0.15;    // [m/s] up to which it would feel more
 
-constexpr double kSlopeTime = 0.005;   // [s] over which the change of the force is averaged
-constexpr double kAbruptSpeed = 0.05;  // [m/s] and
-constexpr double kAbruptShare = 0.8;   // [1] of the device's stiffness from which on a wall acts on a fast hand
+constexpr double kSlopeTime = 0.005;    // [s] over which the change of the force is averaged
+constexpr double kSmoothChange = 0.05;  // [N] per tick, up to which a force is smooth
+constexpr double kAlong = 4;            // [1] times the change of a force beyond that, which hides another change
+
+constexpr double kStrikeTime = 0.1;    // [s] after a touch, in which a wall may act on a hand
+constexpr double kStrikeSpeed = 0.07;  // [m/s] at least, and by
+constexpr double kStrikeShare = 0.8;   // [1] of the device's stiffness
+constexpr double kStrikes = std::numeric_limits<double>::infinity();  // [1] roughness of its force
+
+/// [1] How far beyond that of a smooth force a change per tick is.
+double roughness(double change) { return kAlong * std::max(0.0, change / kSmoothChange - 1); }
 
 /// [N] per tick
-double max_change_at(double speed) {
+double gentle_change_at(double speed) {
   const double fast = std::max(1.0, speed / kGentleSpeed), cube = fast * fast * fast;
   return kGentleChange * cube * cube;
+}
+
+/// [1] The largest share of a change that can come on top of another within a length, which is not below the other's.
+double share_within(const Eigen::Matrix<double, 6, 1>& other, const Eigen::Matrix<double, 6, 1>& added, double length) {
+  const double a = added.squaredNorm(), b = other.dot(added), c = other.squaredNorm() - length * length;
+  if (a + 2 * b + c <= 0) return 1;
+  return std::clamp((std::sqrt(std::max(0.0, b * b - a * c)) - b) / a, 0.0, 1.0);
 }
 
 }  // namespace
@@ -42,8 +59,7 @@ PassivityController::PassivityController(const PassivityOptions& options, double
 }
 
 void PassivityController::restart() noexcept {
-  stored_ = damping_force_ = commanded_ = motor_work_ = stands_ = 0;
-  abrupt_ = false;
+  stored_ = damping_force_ = commanded_ = motor_work_ = stands_ = touched_ = rough_ = 0;
   time_ = kMeanTime;  // at rest
   path_.setZero();
   velocity_.setZero();
@@ -93,16 +109,19 @@ double PassivityController::work_of(const Vector6& acted, const Vector6& motion,
   return work;
 }
 
-// Mean velocity of the hand and mean power of the motor; the present ones where the hand is fast and its force changes
-// as at a stiff wall.
+// Mean velocity of the hand and mean power of the motor; over the less, the faster the force changes; the present
+// ones where the hand strikes a wall.
 void PassivityController::follow(const Vector6& motion, double motor, const Vector6& of_contact, double dt) noexcept {
   const double moved = motion.norm();
   stands_ = moved > 0 ? 0 : stands_ + dt;
-  slope_ += std::min(1.0, dt / kSlopeTime) * ((of_contact - last_contact_) / dt - slope_);
-  last_contact_ = of_contact;
+  const Vector6 change = of_contact - last_contact_;
+  slope_ += std::min(1.0, dt / kSlopeTime) * (change / dt - slope_);
+  touched_ = of_contact.norm() < options_.free ? 0 : touched_ + dt;
   const double speed = moved / dt;
-  abrupt_ = speed > kAbruptSpeed && slope_.norm() > kAbruptShare * options_.stiffness * speed;
-  const double kept = abrupt_ ? 0 : 1 / (1 + dt / kMeanTime + moved / kMeanPath);
+  const bool strikes =
+      touched_ < kStrikeTime && speed > kStrikeSpeed && slope_.norm() > kStrikeShare * options_.stiffness * speed;
+  rough_ = strikes ? kStrikes : roughness(std::min(change.norm(), slope_.norm() * dt));
+  const double kept = 1 / (1 + (1 + rough_) * (dt / kMeanTime + moved / kMeanPath));
   path_ = kept * path_ + motion;
   motor_work_ = kept * motor_work_ + motor;
   time_ = kept * time_ + dt;
@@ -113,8 +132,12 @@ void PassivityController::change_towards(const Vector6& reduction, const Vector6
                                          const Vector6& of_contact) noexcept {
   const double speed = velocity_.norm();
   const Vector6 less = reduction - reduction_, more = damping - damping_;
-  const double change = (less + more).norm(), max_change = max_change_at(speed);
-  const double share = !abrupt_ && change > max_change ? max_change / change : 1.0;
+  const Vector6 of_force = of_contact - last_contact_;
+  last_contact_ = of_contact;
+  const double change = (less + more).norm(), gentle = gentle_change_at(speed);
+  const double max_change = gentle + rough_ * kSmoothChange;
+  double share = change > max_change ? max_change / change : 1.0;
+  if (rough_ < kStrikes) share *= share_within(of_force, share * (less + more), of_force.norm() + gentle);
   reduction_ += share * less;
   damping_ += share * more;
 
@@ -148,7 +171,7 @@ Wrench PassivityController::control(const Tick& tick) noexcept {
   Vector6 reduction = Vector6::Zero(), damping = Vector6::Zero();
   const double speed = velocity_.norm();
   if (!free && speed >= options_.min_speed && stands_ < kMaxStillTime) {
-    const double pay_time = abrupt_ ? tick.dt : kPayTime;
+    const double pay_time = std::max(tick.dt, kPayTime / (1 + rough_));
     const double left = stored_ + options_.allowance;
     if (left < 0)
       damping = -std::min({-left / (pay_time * speed), max_force_, options_.max_damping * speed}) / speed * velocity_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/safety/pose_gate.hpp"
 
+#include <limits>
+
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -17,6 +19,7 @@ PoseGate::PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions
       high_(capabilities.workspace_high + Vec3::Constant(options.workspace_margin)),
       bounded_((capabilities.workspace_high - capabilities.workspace_low).minCoeff() > 0) {
   require_fields_within(options, "PoseGateOptions::");
+  if (capabilities.simulated) options_.frozen_rotation = std::numeric_limits<double>::infinity();
 }
 
 void PoseGate::restart() noexcept {

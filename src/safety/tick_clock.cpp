@@ -17,26 +17,27 @@ constexpr double kPaceTime = 1;  // [s]
 
 void TickClock::restart() noexcept { *this = TickClock(period_, pause_); }
 
-TickClock::Elapsed TickClock::tick(double time, bool repeats) noexcept {
+TickClock::Elapsed TickClock::tick(double time, bool repeats, double waited) noexcept {
   const bool known = std::isfinite(time), first = !started_;
   const bool starts = first || time < clock_ - kMaxAhead;  // also the clock of a device that was opened anew
-  double elapsed = period_, passed = period_;              // by the readings; by the clock
+  const double step = std::min(period_, waited);           // of a reading that tells no time
+  double elapsed = step, passed = step;                    // by the readings; by the clock
   if (known && starts) {
     clock_ = time;
     started_ = true;
   } else if (known) {
     const double before = clock_;
     if (!repeats) elapsed = time - clock_;
-    clock_ = repeats ? std::min(clock_ + period_, time + kMaxAhead) : std::max(clock_, time);
-    passed = std::max(clock_ - before, 0.0);
+    clock_ = repeats ? std::min(clock_ + step, time + kMaxAhead) : std::max(clock_, time);
+    passed = std::clamp(clock_ - before, 0.0, waited);
   }
   if (!first) {
     ++ticks_;
     watched_ += std::min(passed, period_ + pause_);
   }
   const double max_dt = period_ + kMaxLateness, for_speeds = std::clamp(elapsed, kMinStep * period_, max_dt);
-  return {for_speeds, std::min(passed, max_dt), std::clamp(elapsed, for_speeds, std::max(for_speeds, pause_ + period_)),
-          elapsed - period_};
+  const double for_poses = repeats ? elapsed : std::clamp(elapsed, for_speeds, std::max(for_speeds, pause_ + period_));
+  return {for_speeds, std::min(passed, max_dt), for_poses, elapsed - period_};
 }
 
 std::optional<TickClock::Pace> TickClock::pace() noexcept {

@@ -157,7 +157,7 @@ void VirtualCoupling::begin_tick() noexcept {
   result_.removed_volume = 0;
   result_.changed_blocks = {};
   result_.first_touched = {};
-  result_.parts = result_.newton_steps = 0;
+  result_.parts = result_.newton_steps = evaluated_ = 0;
   result_.level_of_detail = 1;
   result_.status = StepStatus::ok;
 }
@@ -175,7 +175,8 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
 
 WorstCase VirtualCoupling::worst_case() const {
   WorstCase worst = simulation_->worst_case();
-  worst.contacts = NewtonSearch::most_steps(gains_.newton_steps, kMaxParts) + kMaxParts;
+  const int for_slope = simulation_->config().law->is_foundation() ? 0 : has_torque() ? 6 : 3;
+  worst.contacts = NewtonSearch::most_evaluations(gains_.newton_steps, kMaxParts, for_slope) + kMaxParts;
   return worst;
 }
 

@@ -53,10 +53,14 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
       continue;
     }
     const Twist tried = moved(tool, correction);
-    const Residual there = residual_at(tried);
+    Residual there = residual_at(tried);
     if (const double of_it = cost(there, tried); of_it < lowest_cost) lowest_cost = of_it, cheapest = tried;
     gains = there.size < (1 - kMinDescent) * residual.size;
     if (gains) {
+      if (learned_) {
+        learn(residual, correction, there);
+        there.slope = there.free_slope + *learned_;
+      }
       slid = residual.sliding;
       tool = tried, residual = there, last = correction;
       longest = std::numeric_limits<double>::infinity();
@@ -79,10 +83,10 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
 /// part may take twice its equal share of what the parts before have left.
 bool VirtualCoupling::NewtonSearch::may_go_on() const noexcept {
   const int steps = coupling_.gains_.newton_steps * (coupling_.result_.parts > 1 ? kFaster : 1);
-  const int each = kContactExtra + std::min(voxels_, kContactVoxels);
+  const int each = kContactExtra + std::min(voxels_ + kBlockExtra * blocks_, kContactVoxels);
   const int in_tick = steps * (kContactExtra + kContactVoxels) / each;
-  const int before = coupling_.result_.newton_steps - steps_;
-  return steps_ < kLeastSteps || steps_ * (part_.left + 2) < 2 * (in_tick - before);
+  const int before = coupling_.evaluated_ - evaluated_;
+  return steps_ < kLeastSteps || evaluated_ * (part_.left + 2) < 2 * (in_tick - before);
 }
 
 /// [N] The residual, and more where it acts against the motion: the tool's own energy pays for any other
@@ -96,12 +100,12 @@ double VirtualCoupling::NewtonSearch::cost(const Residual& residual, const Twist
 }
 
 /// Broyden's change of a slope to what a correction has shown.
-void VirtualCoupling::NewtonSearch::learn(Residual& from, const Vector6& correction,
-                                          const Residual& there) const noexcept {
+void VirtualCoupling::NewtonSearch::learn(Residual& from, const Vector6& correction, const Residual& there) noexcept {
   Vector6 measure = correction;  // of lengths, also of rotations
   measure.tail<3>() *= lever_ * lever_;
   const Vector6 missed = from.of - there.of - from.slope * correction;
   from.slope += missed * measure.transpose() / correction.dot(measure);
+  if (learned_) learned_ = from.slope - from.free_slope;
 }
 
 VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_at(const Twist& tool) noexcept {
@@ -109,11 +113,17 @@ VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_
   const double dt = part_.dt;
   Pose X_WH = advance(coupling_.result_.X_WH, tool, dt);
   if (!coupling_.has_torque()) X_WH.rotation = part_.X_WD.rotation;
-  const ContactProbe contact = coupling_.simulation_->probe(
-      X_WH, tool, dt, coupling_.has_torque() ? ProbedMotions::all : ProbedMotions::translations);
+  const ProbedMotions motions = learned_                 ? ProbedMotions::none
+                                : coupling_.has_torque() ? ProbedMotions::all
+                                                         : ProbedMotions::translations;
+  const ContactProbe contact = coupling_.simulation_->probe(X_WH, tool, dt, motions);
+  if (contact.evaluations > 1) learned_ = dt * contact.stiffness;
   voxels_ = contact.contact.voxels;
+  blocks_ = contact.blocks;
   ++steps_;
   ++coupling_.result_.newton_steps;
+  evaluated_ += contact.evaluations;
+  coupling_.evaluated_ += contact.evaluations;
   const Pull p = coupling_.pull(X_WH, tool, part_.X_WD, hand_);
   Residual residual;
   residual.of << contact.wrench.force + p.wrench.force + p.brake - gains.mass / dt * (tool.linear - before_.linear),
@@ -127,7 +137,7 @@ VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_
       (gains.angular_damping + dt * gains.angular_stiffness) * p.angular.slope;
   residual.free_slope.diagonal().head<3>().array() += gains.mass / dt;
   residual.free_slope.diagonal().tail<3>().array() += gains.inertia / dt;
-  residual.slope = residual.free_slope + dt * contact.stiffness;
+  residual.slope = residual.free_slope + (learned_ && voxels_ > 0 ? *learned_ : dt * contact.stiffness);
   residual.of_contact << contact.wrench.force, contact.wrench.torque;
   return residual;
 }

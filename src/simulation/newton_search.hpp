@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "hapticut/simulation/coupling.hpp"
 
 namespace hapticut {
@@ -8,7 +10,8 @@ namespace hapticut {
 /// Finds the twist of a coupled tool at the end of a part of a tick at which all forces are in balance, by Newton's
 /// method.
 ///
-/// A correction that does not reduce the residual teaches the slope (Broyden's method), and a shorter one is tried. If
+/// The slope of a custom law costs several contacts, so it is measured once and then learned from each correction. A
+/// correction that does not reduce the residual teaches the slope (Broyden's method), and a shorter one is tried. If
 /// this goes on to fail, the search starts once more from where the tool would be without a contact. The contact's
 /// stiffness, with the drag of the spin in it, is not symmetric; docs/decisions/0005-implicit-coupling.md says when
 /// there is one solution. On a ridge of the head, where the force of a voxel turns within nanometres from one surface
@@ -21,13 +24,16 @@ class VirtualCoupling::NewtonSearch {
   /// Voxels of a contact for which a tick has CouplingGains::newton_steps, and those whose evaluation takes as long as
   /// the rest of a contact. Smaller contacts have more steps in the same time.
   static constexpr int kContactVoxels = 250, kContactExtra = 40;
-  /// Upper bound on the steps of a tick.
-  [[nodiscard]] static int most_steps(int newton_steps, int parts) {
-    return kFaster * newton_steps * (kContactVoxels + kContactExtra) / kContactExtra + (1 + kLeastSteps) * parts;
+  static constexpr int kBlockExtra = 2;  // voxels that take as long as the search in a block
+  /// Upper bound on the evaluations of the contact in a tick.
+  /// @param for_slope  how many the slope of a contact costs, beyond the one that gives the force
+  [[nodiscard]] static int most_evaluations(int newton_steps, int parts, int for_slope) {
+    return kFaster * newton_steps * (kContactVoxels + kContactExtra) / kContactExtra +
+           (1 + kLeastSteps + for_slope) * parts;
   }
   NewtonSearch(VirtualCoupling& coupling, const Part& part, const Twist& hand);
 
-  /// @realtime no allocation, no lock; at most `most_steps` in a tick
+  /// @realtime no allocation, no lock; at most `most_evaluations` in a tick
   [[nodiscard]] Twist find() noexcept;
 
  private:
@@ -47,7 +53,7 @@ class VirtualCoupling::NewtonSearch {
   [[nodiscard]] Residual residual_at(const Twist& tool) noexcept;
   [[nodiscard]] double cost(const Residual& residual, const Twist& tool) const noexcept;
   [[nodiscard]] Twist without_contact(const Twist& tool, const Residual& residual) const noexcept;
-  void learn(Residual& from, const Vector6& correction, const Residual& there) const noexcept;
+  void learn(Residual& from, const Vector6& correction, const Residual& there) noexcept;
   [[nodiscard]] Vector6 correct(const Residual& residual) const noexcept;
   [[nodiscard]] Twist moved(const Twist& from, const Vector6& by) const noexcept;
   [[nodiscard]] double speed_of(const Vector6& correction) const noexcept;
@@ -58,7 +64,11 @@ class VirtualCoupling::NewtonSearch {
   const Twist before_;  // from which the forces accelerate the tool
   const double lever_;  // [m] of the farthest point of the head
   int steps_ = 0;       // of this part
+  int evaluated_ = 0;   // contacts of this part
   int voxels_ = 0;      // of the last contact
+  int blocks_ = 0;      // searched for them
+  // [N s/m] ... of a contact whose law reports no stiffness: measured in the first contact, then learned.
+  std::optional<Stiffness> learned_;
 };
 
 }  // namespace hapticut

@@ -14,8 +14,11 @@ ContactProbe Simulation::probe(const Pose& X_WH, const Twist& V_WH, double dt, P
   const Sweep sweep = s.sweep_between(from, X_WH);
   if (sweep.sub_steps > s.config.max_sweep) return {};
   ContactProbe probed = s.probe_path(from, X_WH, sweep, V_WH, dt);
-  if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
-    probed.stiffness = s.measure_stiffness(from, X_WH, sweep, V_WH, dt, motions, probed.wrench);
+  const int axes = motions == ProbedMotions::none ? 0 : motions == ProbedMotions::translations ? 3 : 6;
+  if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0 && axes > 0) {
+    probed.stiffness = s.measure_stiffness(from, X_WH, sweep, V_WH, dt, axes, probed.wrench);
+    probed.evaluations += axes;
+  }
   return probed;
 }
 
@@ -54,6 +57,7 @@ ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, con
     probed.wrench.torque += weight * part.wrench.torque;
     probed.stiffness += weight * moves * part.stiffness;
     probed.contact = part.contact;
+    probed.blocks = part.blocks;
     probed.sliding = part.sliding;
   }
   return probed;
@@ -62,11 +66,10 @@ ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, con
 /// The stiffness for a law that reports none, by a small motion along each axis; its symmetric, positive semidefinite
 /// part. The moved paths have the sub-steps of the original path.
 Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
-                                               double dt, ProbedMotions motions, const Wrench& felt) noexcept {
+                                               double dt, int axes, const Wrench& felt) noexcept {
   constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
   const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
   Stiffness scaled = Stiffness::Zero();  // a rotation counts as the shift of the farthest point
-  const int axes = motions == ProbedMotions::all ? 6 : 3;
   for (int axis = 0; axis < axes; ++axis) {
     Pose moved = to;
     Twist faster = V_WH;
@@ -94,7 +97,8 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to,
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                                LimitSurface& friction) noexcept {
   Stiffness stiffness_T;
-  Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, &stiffness_T);
+  const std::span<const CuttableBlock> blocks = contact_stages.find_blocks(sub_step.head);
+  Encounter encounter = contact_stages.press(blocks, sub_step.head, &stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
 
@@ -117,7 +121,11 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
 
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(sub_step, encounter), friction.sliding()};
+          transport(stiffness_T, R_WT, p_HoTo_W),
+          contact_of(sub_step, encounter),
+          friction.sliding(),
+          1,
+          int(blocks.size())};
 }
 
 }  // namespace hapticut

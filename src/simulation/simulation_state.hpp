@@ -130,7 +130,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] ContactProbe probe_path(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
                                         double dt) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
-                                            double dt, ProbedMotions motions, const Wrench& felt) noexcept;
+                                            double dt, int axes, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                             LimitSurface& friction) noexcept;
 

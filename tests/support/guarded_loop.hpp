@@ -10,11 +10,18 @@ namespace hapticut::test {
 
 inline constexpr double kPeriod = 1e-3;  // [s]
 
+/// A simulated device that stands for a real one, whose hand trembles.
+inline DeviceCapabilities real_device(const char* model) {
+  DeviceCapabilities device = capabilities(device_model(model));
+  device.simulated = false;
+  return device;
+}
+
 /// A guard whose readings have regular time stamps. It limits the forces of a test.
 class GuardedLoop {
  public:
   explicit GuardedLoop(const GuardOptions& options = {}, const char* device = "touch")
-      : guard(capabilities(device_model(device)), options) {
+      : guard(real_device(device), options) {
     guard.start();
   }
   Wrench tick(const Vec3& force = Vec3::Zero(), double period = kPeriod) { return tick(force, Vec3::Zero(), period); }

@@ -41,6 +41,7 @@ struct DeviceCapabilities {
 
   double rate = 1000;
   bool hard_realtime = true;
+  bool simulated = false;
 };
 
 constexpr auto fields_of(Of<DeviceCapabilities>) {
@@ -66,6 +67,7 @@ constexpr auto fields_of(Of<DeviceCapabilities>) {
       field("workspace_high", &C::workspace_high, "m", "the opposite corner; equal to workspace_low when unknown"),
       field("rate", &C::rate, "Hz", "of its servo loop"),
       field("hard_realtime", &C::hard_realtime, "false if the transport guarantees no timing (TCP, a window toolkit)"),
+      field("simulated", &C::simulated, "its hand does not tremble, so a position may stand while the stylus rotates"),
   };
 }
 

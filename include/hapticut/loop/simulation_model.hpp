@@ -111,6 +111,7 @@ class SimulationModel final : public LoopModel {
   void update_spindle(const DeviceState& state) noexcept;
   void restore_blocks(const DeviceState& state) noexcept;
   void hold_tool() noexcept;
+  [[nodiscard]] bool rests(const DeviceState& state) const noexcept;
   [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt,
                                               double motor) const noexcept;
   void fill_in(LoopSnapshot& snapshot) const noexcept;

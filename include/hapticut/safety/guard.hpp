@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
@@ -103,15 +106,19 @@ class SafetyGuard {
   Wrench limit(const Wrench& commanded, const ModelContact& contact = {}) noexcept;
 
   /// Reports that the loop does not answer. A watchdog in another thread calls this, or a test. Logs each verdict once
-  /// per silence. After `fading` the tool must be free again before there is a force, after `dead` the long fade-in
-  /// follows as well, or the fault state if WatchdogOptions::latch is set. `alive` ends a silence. One thread at a
-  /// time.
+  /// per silence, `late` from the fourth silence within a second on. After `fading` the tool must be free again before
+  /// there is a force, after `dead` the long fade-in follows as well, or the fault state if WatchdogOptions::latch is
+  /// set. `alive` ends a silence. One thread at a time.
   /// @param scale  [1] fraction of the last force that is still allowed
   void report_silence(Watchdog::Verdict verdict, double scale);
 
-  /// Reports by a clock of the loop how long ago the last tick was: the clock of a device may stand with the loop. In
-  /// the thread of the loop, before `admit`. The same verdicts as for a silence.
-  void report_wait(double seconds) noexcept { note_silence(watchdog_.verdict(seconds)); }
+  /// Reports by a clock of the loop how long ago the last tick was: the clock of a device may stand with the loop, or
+  /// count ticks. In the thread of the loop, before `admit`. The same verdicts as for a silence; and the fade-in takes
+  /// no less time by this clock.
+  void report_wait(double seconds) noexcept {
+    waited_ = std::max(0.0, seconds);
+    note_silence(watchdog_.verdict(seconds));
+  }
 
   /// Reports that the loop answers, although it asks for no force.
   void keep_alive() noexcept { heartbeat_.fetch_add(1, std::memory_order_acq_rel); }
@@ -151,6 +158,7 @@ class SafetyGuard {
   void keep_time(const DeviceState& reading) noexcept;
   void watch_pace(bool good) noexcept;
   void note_silence(Watchdog::Verdict verdict) noexcept;
+  [[nodiscard]] bool is_often_late() noexcept;
   void apply_requests() noexcept;
   void fail_in_emergency() noexcept;
   void watch_units(const DeviceState& reading) noexcept;
@@ -175,10 +183,12 @@ class SafetyGuard {
   std::atomic<ArmingState> published_state_{ArmingState::off};
   std::atomic<std::uint64_t> heartbeat_{0};
   Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
+  std::array<std::uint64_t, 3> late_beats_{};             // of its thread: heartbeats at the last times that were late
 
   bool started_ = false;
   Reading reading_ = Reading::bad;
-  double last_time_ = 0;  // [s] of the last reading
+  double last_time_ = 0;                                     // [s] of the last reading
+  double waited_ = std::numeric_limits<double>::infinity();  // [s] since the last tick; infinite: not reported
   TickClock::Elapsed elapsed_;
   int not_finite_ = 0;
   Pose X_BS_last_;          // of the last admitted reading

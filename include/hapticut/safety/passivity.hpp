@@ -76,13 +76,14 @@ constexpr auto fields_of(Of<PassivityOptions>) {
 /// k |dx|^2/2 per tick. This keeps from the hand the work that a rotation of the tool does when no motor renders the
 /// torque. In contact F is then the mean force or the last force, whichever gives the hand more energy.
 ///
-/// What the controller takes or adds changes by at most 0.01 N per tick, or the controller would make a smooth force
+/// What the controller takes or adds changes by at most 0.02 N per tick, or the controller would make a smooth force
 /// buzz. v is therefore the mean velocity over 10 ms or half a millimetre, so that it does not step with the encoders.
 /// What is taken is kept while the reading stands still, for at most 20 ms, and it never exceeds the push itself. Until
 /// it has grown, the hand gets energy: this is the debt that the damping pays back. The limit is higher where nobody
-/// feels single ticks: it grows with the sixth power of the speed of a hand faster than 0.15 m/s. A hand that strikes a
-/// wall (faster than 0.05 m/s, while its force changes as that of 0.8 times the device's stiffness) is damped at once,
-/// without means and limit.
+/// feels single ticks: it grows with the sixth power of the speed of a hand faster than 0.15 m/s, and by four times
+/// what the force itself changes beyond 0.05 N per tick, but never makes the force change more than this limit beyond
+/// its own change. A hand that strikes a wall (in the first 0.1 s of a touch, faster than 0.07 m/s, with a force that
+/// changes as that of 0.8 times the device's stiffness) is damped at once, without means and limit.
 /// @realtime no allocation, no lock
 class PassivityController {
  public:
@@ -137,7 +138,8 @@ class PassivityController {
   Vector6 damping_;        // [N]
   Vector6 slope_;          // [N/s] mean change of the commanded force
   Vector6 last_contact_;   // [N] commanded at the last tick
-  bool abrupt_ = false;    // the hand is fast, and its force changes as at a stiff wall
+  double touched_ = 0;     // [s] since the force began
+  double rough_ = 0;       // [1] how far beyond a smooth force it changes; infinite: the hand strikes a wall
   static constexpr auto kMaxDelay = std::size_t(range_of(&PassivityOptions::delay).high);
   std::array<Vector6, kMaxDelay> delayed_;
   int next_ = 0;

@@ -29,7 +29,7 @@ enum class SafetyEvent : std::uint8_t {
   reading_stale,           ///< the device has no newer reading than in the tick before; the last one is used
   armed,                   ///< the device is ready; waiting for valid readings
   waiting_free,            ///< waiting until the tool touches nothing
-  start_inside,            ///< the tool is inside the material at the start; no force until it is pulled out
+  start_inside,            ///< the tool is inside the material where a force would begin; none until it is pulled out
   fading_in,               ///< the tool is free, and the force is being faded in
   engaged,                 ///< the full force is allowed
   fault,                   ///< latched; no force until `reset`
@@ -40,13 +40,13 @@ enum class SafetyEvent : std::uint8_t {
   late_wake_up,            ///< a tick came more than 5 ms late
   paused,                  ///< a tick came more than 20 ms late: a debugger, a suspended machine
   force_not_finite,        ///< the model's wrench is not finite
-  passivity,               ///< the passivity controller changed the force by more than 7 %
+  passivity,               ///< the passivity controller changed the force of a contact by more than 7 %
   saturated,               ///< the wrench exceeds the device's peak
   slew_limited,            ///< the wrench grows faster than allowed
   continuous_limited,      ///< the motors would become too warm
   motors_warm,             ///< the device reports warm motors
   device_fault,            ///< the device reports a fault; the value is the number of its DeviceFault
-  watchdog_late,           ///< the model has not answered for 3 ticks
+  watchdog_late,           ///< the model has not answered for 3 ticks, for the fourth time in a second
   watchdog_fading,         ///< the model has not answered for 10 ticks: its last force is faded out
   watchdog_fault,          ///< the model has not answered for 50 ticks
   exception,               ///< the user's code threw
@@ -81,8 +81,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{armed, "armed",
             "The device is ready, and the guard waits for valid readings: if this lasts, check the device."},
       Named{waiting_free, "waiting_free", "No force until the tool touches nothing: lift it off the workpiece."},
-      Named{start_inside, "start_inside",
-            "The tool is inside the material at the start, so there is no force: pull it out."},
+      Named{start_inside, "start_inside", "The tool is inside the material, so there is no force: pull it out."},
       Named{fading_in, "fading_in", "The tool touches nothing: the force is being faded in."},
       Named{engaged, "engaged", "The force is on."},
       Named{fault, "fault", "Stopped without force: reset the fault when the hand is ready."},
@@ -108,13 +107,14 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{motors_warm, "motors_warm", "The motors are warm: release the device until they have cooled."},
       Named{device_fault, "device_fault", "The device reports a fault"},
       Named{watchdog_late, "watchdog_late",
-            "The force comes late: if this lasts, use a smaller head or larger voxels."},
+            "The force often comes late: use a smaller head or larger voxels, or close other programs that use the "
+            "processor."},
       Named{watchdog_fading, "watchdog_fading",
             "No new force has come for so long that the last one is faded out: use a smaller head or larger voxels."},
       Named{
           watchdog_fault, "watchdog_fault",
-          "No new force has come for too long, so there is no force: reset the fault, and use a smaller head or larger "
-          "voxels."},
+          "No new force has come for too long, so there is no force: use a smaller head or larger voxels, and lift the "
+          "tool off the workpiece, or reset the fault if there is one."},
       Named{exception, "exception",
             "The program's code failed, so there is no force: reset the fault, or start the program again."},
       Named{emergency_stop, "emergency_stop", "The emergency stop was triggered: reset it when the hand is ready."},

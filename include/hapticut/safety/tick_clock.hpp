@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "hapticut/core/abi.hpp"
@@ -33,7 +34,9 @@ class TickClock {
 
   /// @param time     [s] of the reading
   /// @param repeats  the device has no newer reading, and its clock stands
-  Elapsed tick(double time, bool repeats) noexcept;
+  /// @param waited   [s] since the last tick by a clock of the loop; infinite: not known. A driver may count its
+  /// readings in place of their time, or repeat them
+  Elapsed tick(double time, bool repeats, double waited = std::numeric_limits<double>::infinity()) noexcept;
 
   /// Counts a reading that is used.
   void count_good() noexcept { ++good_; }

@@ -68,8 +68,8 @@ class Simulation {
   /// `VirtualCoupling` (simulation/coupling.hpp).
   ///
   /// The default law knows its stiffness. The stiffness of a custom law is measured by small motions, so a probe
-  /// evaluates the contact 7 times, or 4 times for translations. An input that `step` would reject gives no force and
-  /// no stiffness.
+  /// evaluates the contact 7 times, 4 times for translations, or once for none. An input that `step` would reject gives
+  /// no force and no stiffness.
   /// @param motions  for which the stiffness is needed; its other parts may be zero
   /// @realtime as `step`
   [[nodiscard]] ContactProbe probe(const Pose& X_WH, const Twist& V_WH, double dt,

@@ -213,13 +213,14 @@ constexpr auto fields_of(Of<Contact>) {
 
 /// Directions in which a probe reports stiffness. This only matters for custom laws, which evaluate the contact once
 /// more for every direction.
-enum class ProbedMotions { all, translations };
+enum class ProbedMotions { all, translations, none };
 
 constexpr auto names_of(Of<ProbedMotions>) {
   using enum ProbedMotions;
   return std::array{
       Named{all, "all"},
       Named{translations, "translations"},
+      Named{none, "none"},
   };
 }
 
@@ -229,6 +230,8 @@ struct ContactProbe {
   Stiffness stiffness = Stiffness::Zero();
   Contact contact;
   bool sliding = false;
+  int evaluations = 1;
+  int blocks = 0;
 };
 
 constexpr auto fields_of(Of<ContactProbe>) {
@@ -239,6 +242,8 @@ constexpr auto fields_of(Of<ContactProbe>) {
             "about Ho, in W: how the wrench falls with a small motion; symmetric when the head does not spin"),
       field("contact", &P::contact, "what the head would touch"),
       field("sliding", &P::sliding, "dry friction slides: see LimitSurface"),
+      field("evaluations", &P::evaluations, "1", "of the contact, with those that measured the stiffness"),
+      field("blocks", &P::blocks, "1", "of 8 x 8 x 8 voxels with material that the head may touch"),
   };
 }
 

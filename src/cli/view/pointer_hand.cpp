@@ -24,6 +24,7 @@ DeviceCapabilities capabilities_of_a_pointer(const Box& around) {
   c.workspace_low = around.min;
   c.workspace_high = around.max;
   c.hard_realtime = false;
+  c.simulated = true;
   return c;
 }
 

@@ -68,6 +68,7 @@ DeviceCapabilities capabilities(const DeviceModel& model) {
   c.workspace_low = Vec3::Constant(-model.workspace_half_width);
   c.workspace_high = Vec3::Constant(model.workspace_half_width);
   c.rate = kServoRate;
+  c.simulated = true;
   return c;
 }
 

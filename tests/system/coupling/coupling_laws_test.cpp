@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "support/coupling.hpp"
@@ -19,10 +20,13 @@ class Disguised final : public ForceLaw {
  public:
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                      ContactBlock& block) const noexcept override {
+    ++calls;
     return law_.evaluate(motion, materials, block);
   }
 
   [[nodiscard]] bool integrates_parts() const noexcept override { return true; }
+
+  mutable int calls = 0;  // one for each block of a contact
 
  private:
   FoundationLaw law_;
@@ -56,6 +60,40 @@ TEST(CouplingLaws, TheDefaultLawAsACustomLawMovesTheToolEqually) {
       EXPECT_LT(std::abs(b.last_result().energy.closure()), 1e-3);
       EXPECT_NEAR(measured.last_result().energy.hand_work, known.last_result().energy.hand_work,
                   0.01 * known.last_result().energy.hand_work);
+    }
+}
+
+// Each measure of the stiffness takes six contacts, and the search has nine.
+TEST(CouplingLaws, ATickWithACustomLawTakesNoMoreContactsThanWithTheDefaultLaw) {
+  constexpr int kSearch = 9, kVoxels = 250, kRest = 40;  // CouplingGains::newton_steps, and what takes as long
+  constexpr int kMore = 8;  // the step, and a search that begins its last step within the time
+  for (const bool torque : {false, true})
+    for (const double spin : {0.0, kSpin}) {
+      const auto law = std::make_shared<Disguised>();
+      Simulation simulation(half_space(), ball(spin), with_law(law, 1e15));
+      CouplingGains gains;
+      if (torque) gains.angular_stiffness = 3, gains.angular_damping = 0.01;
+      VirtualCoupling coupling(simulation, gains);
+      int ticks = 0;
+      for (int n = 0; n < 600; ++n) {
+        const double turn = 0.02 * n;
+        const Vec3 at = kAside + Vec3(0.4 * std::sin(turn), 0.4 * std::cos(turn), 0) * mm +
+                        Vec3(0, 0, kRadius + 0.3 * mm - 5e-6 * n);
+        const Vec3 speed = Vec3(8e-3 * std::cos(turn), -8e-3 * std::sin(turn), -5e-3);
+        law->calls = 0;
+        const CoupledResult& result = coupling.step(Pose::from_translation(at), {speed, Vec3::Zero()}, kTick);
+        const int in_tick = law->calls;
+        law->calls = 0;
+        const ContactProbe contact = simulation.probe(result.X_WH, {}, kTick, ProbedMotions::none);
+        EXPECT_EQ(contact.evaluations, 1);
+        if (contact.contact.voxels == 0 || result.parts > 1) continue;
+        const int each = kRest + std::min(contact.contact.voxels, kVoxels);
+        const int most = std::min(kSearch * (kRest + kVoxels) / each, 24) + kMore;
+        ASSERT_LE(in_tick, most * law->calls) << n << " " << result.newton_steps;
+        ++ticks;
+      }
+      EXPECT_GT(ticks, 100);
+      EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
     }
 }
 

@@ -134,6 +134,18 @@ TEST(SmoothGuard, AddsLittleToTheStepsOfEncoders) {
   for_each_outcome(true, [](const Outcome& seen) { EXPECT_LE(seen.applied, 1.05 * seen.commanded + kMaxAdded); });
 }
 
+// The head sticks, so the force of a fast hand changes as at a wall: by up to 0.3 N per tick.
+TEST(SmoothGuard, AddsLittleToTheForceOfAFastTurn) {
+  for (const char* device : kDevices)
+    for (const double rate : kRates) {
+      SCOPED_TRACE(std::string(device) + " at " + std::to_string(rate) + " Hz");
+      for (const bool encoder : {false, true}) {
+        const Outcome seen = wobble(device, rate, encoder, true, {10 * kPi / 180, 4, false});
+        EXPECT_LE(seen.applied, 1.05 * seen.commanded + kMaxAdded);
+      }
+    }
+}
+
 // Without motors for torque, the turn of the stylus would give energy to the hand.
 TEST(SmoothGuard, KeepsTheEnergyOfTheTurnFromTheHand) {
   const Wobble large{30 * kPi / 180, 0.7, true};

@@ -54,6 +54,38 @@ TEST(Pace, AFasterLoopDoesNotShortenTheFadeInWhereTheDeviceRepeatsItsReadings) {
   }
 }
 
+// A driver that counts its readings, in a loop that does not wait for them.
+TEST(Pace, AFadeInTakesItsTimeByTheClockOfTheLoop) {
+  for (const double waited : {20e-6, 0.2e-3}) {
+    GuardedLoop loop;
+    int ticks = 0;
+    for (; loop.guard.state() != ArmingState::on && ticks < 200000; ++ticks) {
+      loop.guard.report_wait(waited);
+      loop.tick();
+    }
+    EXPECT_NEAR(ticks * waited, 1.5, 0.03) << waited;
+    EXPECT_EQ(loop.count(SafetyEvent::other_period), 1U) << waited;
+  }
+}
+
+TEST(Pace, AFastLoopMayRepeatTheReadingsOfItsDevice) {
+  for (const int times : {1, 5, 10, 22, 50, 200}) {  // ticks for each reading of a device of 1 kHz
+    GuardedLoop loop;
+    int readings = 0;
+    for (; loop.guard.state() != ArmingState::on && readings < 3000; ++readings) {
+      loop.guard.report_wait(kPeriod / times);
+      loop.tick();
+      for (int n = 1; n < times; ++n) {
+        loop.guard.report_wait(kPeriod / times);
+        loop.guard.admit(loop.reading);
+        loop.guard.limit({}, loop.contact);
+      }
+    }
+    EXPECT_NEAR(readings * kPeriod, 1.5, 0.05) << times;
+    EXPECT_EQ(loop.count(SafetyEvent::fault), 0U) << times;
+  }
+}
+
 TEST(Pace, ALoopOfAnotherPeriodIsReportedOnceWithTheCure) {
   for (const double period : {20e-6, 400e-6, 3e-3}) {
     GuardedLoop loop;

@@ -82,5 +82,21 @@ TEST(SlowDevice, ThatNeverReadsAnewStaysArmedWithoutForce) {
   EXPECT_EQ(loop.guard.state(), ArmingState::armed);
 }
 
+// A simulated hand does not tremble, so its position stands exactly.
+TEST(SimulatedDevice, MayRotateInPlace) {
+  SafetyGuard guard(capabilities(device_model("touch")), {});
+  guard.start();
+  DeviceState reading;
+  for (int n = 0; n < 4000; ++n) {
+    reading.time += kPeriod;
+    ++reading.sequence;
+    reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 0.5 * std::sin(0.01 * n)));
+    guard.admit(reading);
+    guard.limit({});
+  }
+  EXPECT_EQ(guard.state(), ArmingState::on);
+  EXPECT_EQ(guard.log().count(SafetyEvent::pose_frozen), 0U);
+}
+
 }  // namespace
 }  // namespace hapticut::slow_device_test
