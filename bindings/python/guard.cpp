@@ -86,6 +86,7 @@ void bind_guard(py::module_& m) {
       .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
       .def("stop", &SafetyGuard::stop, doc("SafetyGuard::stop"))
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
+      .def_property_readonly("repeats", &SafetyGuard::repeats, doc("SafetyGuard::repeats"))
       .def("limit", &SafetyGuard::limit, py::arg("commanded"), py::arg("contact") = ModelContact{},
            doc("SafetyGuard::limit"))
       .def("report_wait", &SafetyGuard::report_wait, py::arg("seconds"), doc("SafetyGuard::report_wait"))

@@ -137,19 +137,22 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   if (slot.emergency.exchange(false, std::memory_order_acq_rel)) device_.emergency_stop();
 
   const DeviceState& state = guard_.admit(reading);
-  DeviceCommand command;
-  if (!exception_) try {
-      command = callback_(state);
+  if (guard_.repeats()) {
+    command_.contact.motor = command_.contact.motor ? std::optional(0.0) : std::nullopt;  // it is that of one step
+  } else if (!exception_) {
+    try {
+      command_ = callback_(state);
     } catch (...) {
       exception_ = std::current_exception();
       guard_.report_exception();
-      command = {};
+      command_ = {};
     }
-  callback_ended_ = callback_ended_ || command.stop;
+  }
+  callback_ended_ = callback_ended_ || command_.stop;
   time_is_up_ = time_is_up_ || (seconds_ > 0 && reading.time - begin_ >= seconds_);
   if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error)
     report_lost(reading.fault);
-  Wrench wrench = guard_.limit(command.wrench, command.contact);
+  Wrench wrench = guard_.limit(command_.wrench, command_.contact);
   slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
   publish(state);
   report_.compute.add(monotonic_time() - began);

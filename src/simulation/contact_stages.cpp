@@ -133,15 +133,18 @@ Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadP
   return encounter;
 }
 
-/// Whether some material may be deeper than its crushing depth. This depth falls with the closing speed of the contact,
-/// and below a smooth surface (a ball has none).
+/// Whether some material may be deeper than its crushing depth, which is less below a smooth surface (a ball has none).
 bool ContactStages::crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept {
+  const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
+  return scale * encounter.resultant.depth > crushing_depth(motion, scale);
+}
+
+double ContactStages::crushing_depth(const HeadMotion& motion, double scale) const noexcept {
   const HeadBox box = head_.bounding_box();
   const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
   const double max_speed = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
-  const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
   const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * max_speed));
-  return scale * encounter.resultant.depth > double(damping.crushing_depth(min_crushing_depth_));
+  return double(damping.crushing_depth(min_crushing_depth_));
 }
 
 /// FoundationLaw, block by block in one pass of vector instructions.

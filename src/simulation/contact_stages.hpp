@@ -151,8 +151,14 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Whether some material can be crushed, which only the default law does.
   [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
 
-  /// [m] Height along the spindle's axis, in T, up to which the point of the head is thinner than the voxels.
-  [[nodiscard]] double thin_up_to() const noexcept { return thin_up_to_; }
+  /// [m] Depth at which the first material may be crushed, for the largest closing speed of the head; a smooth surface
+  /// has a scale.
+  [[nodiscard]] double crushing_depth(const HeadMotion& motion, double scale = 1) const noexcept;
+
+  /// Whether a point of the head that is thinner than the voxels bears the normal forces.
+  [[nodiscard]] bool is_point_thin(const Resultant& resultant) const noexcept {
+    return resultant.normal_force > 0 && resultant.moment_T.z() < thin_up_to_ * resultant.normal_force;
+  }
 
   /// Whether the cutting energy of some material depends on the chip. If so, motions need a tooth_rate.
   [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }
@@ -205,7 +211,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   float min_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] minimum of the materials
   double voxel_volume_;                                        // [m^3]
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
-  double thin_up_to_ = 0;
+  double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit
   unsigned phase_ = 0;        // of the level of detail
   IndexBox bounds_;           // voxels that were ever solid

@@ -187,7 +187,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const Twist tool = NewtonSearch(*this, part, hand).find();
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
   if (!has_torque()) X_WH.rotation = part.X_WD.rotation;
-  const double work_before = simulation_->last_result().energy.hand_work, missed = result_.energy.imbalance();
+  const double missed = result_.energy.imbalance();
   CoupledOutput output(*this, part, X_WH, tool, hand);
   const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &output);
   if (has_any(stepped.status, kRejected | StepStatus::tool_waits)) return stepped.status;
@@ -200,7 +200,9 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   remainder_ =
       remainder_of({stepped.model.force + pulled.force + output.after().brake, stepped.model.torque + pulled.torque},
                    tool_before, part.dt);
-  book(before, output.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
+  // By the wrench of the end, which the search has balanced; along the path it changes, and its lever turns.
+  const double tool_work = -(stepped.model.force.dot(tool.linear) + stepped.model.torque.dot(tool.angular)) * part.dt;
+  book(before, output.after(), tool_before, hand_path, tool_work, part.dt);
   // The pose of a tool at rest is found within a small distance.
   const double distance = std::max((tool.linear.norm() + (has_torque() ? tool.angular.norm() * reach() : 0)) * part.dt,
                                    NewtonSearch::kSolved * simulation_->workpiece().voxel_size());

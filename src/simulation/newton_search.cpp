@@ -16,6 +16,7 @@ constexpr double kNearFraction = 2e-4;  // [1] part of the maximum force
 constexpr int kPatient = 6;
 constexpr double kMinDescent = 1e-4;  // [1] by which a correction must reduce the residual
 constexpr double kStuck = 0.1;        // [1] of the largest force, residual of a point that friction holds
+constexpr double kLongTick = 1.5e-3;  // [s] of which two parts have as many steps as more parts
 constexpr double kAgainst = 3;        // [1]
 constexpr double kShorter = 0.7;      // [1] times one that does not, the next one
 
@@ -82,7 +83,9 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
 /// Whether the steps have not yet taken their time. A fast tick of several parts, as when the tool strikes, has more. A
 /// part may take twice its equal share of what the parts before have left.
 bool VirtualCoupling::NewtonSearch::may_go_on() const noexcept {
-  const int steps = coupling_.gains_.newton_steps * (coupling_.result_.parts > 1 ? kFaster : 1);
+  const int parts = coupling_.result_.parts;
+  const bool short_pair = parts == 2 && parts * part_.dt < kLongTick;
+  const int steps = coupling_.gains_.newton_steps * (parts == 1 ? 1 : short_pair ? 2 : kFaster);
   const int each = kContactExtra + std::min(voxels_ + kBlockExtra * blocks_, kContactVoxels);
   const int in_tick = steps * (kContactExtra + kContactVoxels) / each;
   const int before = coupling_.evaluated_ - evaluated_;

@@ -140,6 +140,7 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   archive(s.load, s.cutting_share);
   DeepContact& deep = s.deep_contact;
   archive(deep.touched_, deep.held_, deep.normal_, deep.place_, deep.full_stiffness_, deep.stiffness_, deep.stored_);
+  archive(s.crushing_depth);
   LimitSurface& anchor = s.anchor;
   archive(anchor.position_, anchor.rotation_, anchor.stored_, anchor.stiffness_, anchor.anchored_, anchor.sliding_);
   Output& output = s.output;

@@ -28,12 +28,26 @@ struct SubStep {
 
 /// How a step is divided. Each sub-step but the first moves the head by half a voxel, and the first by the rest. A path
 /// that is slightly longer and needs one more sub-step thus has nearly the same force, which an implicit coupling
-/// needs.
+/// needs. Each may be divided once more into equal parts, which follow a crushed layer.
 struct Sweep {
   int sub_steps = 1;
   double rest = 0;  // [1] of the step's duration, each sub-step but the first
-  [[nodiscard]] double duration(int index) const noexcept { return index > 0 ? rest : 1 - (sub_steps - 1) * rest; }
-  [[nodiscard]] double end(int index) const noexcept { return 1 - (sub_steps - 1 - index) * rest; }
+  int parts = 1;    // of each sub-step
+
+  [[nodiscard]] int count() const noexcept { return sub_steps * parts; }
+  /// [1] Duration, end, and weight of the force of a part of a sub-step. At the end of sub-steps, the force of the last
+  /// part is that of the sub-step, as without parts.
+  [[nodiscard]] double duration(int index) const noexcept { return whole(index / parts) / parts; }
+  [[nodiscard]] double end(int index) const noexcept {
+    return 1 - (sub_steps - 1 - index / parts) * rest - (parts - 1 - index % parts) * duration(index);
+  }
+  [[nodiscard]] double weight(int index, ContactTime time) const noexcept {
+    if (time == ContactTime::middle) return duration(index);
+    return index % parts == parts - 1 ? whole(index / parts) : 0.0;
+  }
+
+ private:
+  [[nodiscard]] double whole(int sub_step) const noexcept { return sub_step > 0 ? rest : 1 - (sub_steps - 1) * rest; }
 };
 
 /// The load of the contact on the motor.
@@ -84,6 +98,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void place_at(const Pose& X_WH) noexcept;
   [[nodiscard]] Sweep plan_sweep(const Pose& from, const Pose& to) const noexcept;
   [[nodiscard]] Sweep sweep_between(const Pose& from, const Pose& to) const noexcept;
+  [[nodiscard]] double farthest_between(const Pose& from, const Pose& to) const noexcept;
+  [[nodiscard]] double crushing_depth_in(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   [[nodiscard]] int sub_steps_between(const Pose& from, const Pose& to) const noexcept {
     return sweep_between(from, to).sub_steps;
   }
@@ -156,9 +172,10 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   std::optional<Pose> jumped_to;      // input of the last step, if that was a jump
   SpindleMotor motor;
   SpindleLoad load;
-  double cutting_share = 1;  // [1] of the cutting ratio that acts: less than 1 for slow and stalled heads
-  DeepContact deep_contact;  // in W
-  LimitSurface anchor;       // of dry friction, in W
+  double cutting_share = 1;   // [1] of the cutting ratio that acts: less than 1 for slow and stalled heads
+  DeepContact deep_contact;   // in W
+  double crushing_depth = 0;  // [m] of the last sub-step (crushing_depth_in)
+  LimitSurface anchor;        // of dry friction, in W
   Output output;
 
   StepInput input;  // of the last step

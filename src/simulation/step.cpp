@@ -41,7 +41,7 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   if (const StepStatus refused = find_start(coupling != nullptr); refused != StepStatus::ok) return reject(refused);
   const Sweep sweep = plan_sweep(last_X_WH, X_WH);
   const Twist path = twist_between(last_X_WH, X_WH, dt);
-  for (int i = 0; i < sweep.sub_steps; ++i) {
+  for (int i = 0; i < sweep.count(); ++i) {
     SubStep sub_step = plan_sub_step(last_X_WH, sweep.end(i) * dt, sweep.duration(i) * dt, path, V_WH);
     const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
     drive_spindle(blocks, sub_step);
@@ -50,11 +50,11 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
     hold_deep_contact(sub_step, encounter);
     add_friction(sub_step, encounter);
     book_energy(sub_step, encounter);
-    transport_to_handle(sub_step, encounter, sweep.duration(i));
+    transport_to_handle(sub_step, encounter, sweep.weight(i, config.contact_time));
     advance_spindle(sub_step, encounter);
   }
   give_output(coupling);
-  finish_step(sweep.sub_steps, path);
+  finish_step(sweep.count(), path);
 }
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
@@ -155,21 +155,9 @@ void Simulation::State::place_at(const Pose& X_WH) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
   anchor.reset();
   deep_contact.reset();
+  crushing_depth = 0;
   output.restart();
   last_X_WH = X_WH;
-}
-
-Sweep Simulation::State::plan_sweep(const Pose& from, const Pose& to) const noexcept {
-  const StageTimer timer = timed(&StageTimes::plan_sweep);
-  return sweep_between(from, to);
-}
-
-/// The sub-steps in which no point of the head moves farther than half a voxel; max_sweep + 1 if they are more.
-Sweep Simulation::State::sweep_between(const Pose& from, const Pose& to) const noexcept {
-  const Vec3 head_shift = to * tool.X_HT().translation - from * tool.X_HT().translation;
-  const double farthest = head_shift.norm() + rotation_between(from, to) * tool.head().reach();
-  const double parts = farthest / (0.5 * workpiece.voxel_size());
-  return {int(std::clamp(std::ceil(parts - 1e-9), 1.0, config.max_sweep + 1.0)), 1 / std::max(1.0, parts)};
 }
 
 namespace {
@@ -193,7 +181,9 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, double end, double du
   sub_step.X_WH = advance(from, path, evaluated);
   sub_step.X_WT = sub_step.X_WH * tool.X_HT();
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
-  const Twist path_W = transport(path, p_HoTo_W);
+  // The path leads from the beginning to the end, so its lever is that of the middle.
+  const Mat3 R_WH = lead > 0 ? advance(from, path, end - 0.5 * duration).rotation : sub_step.X_WH.rotation;
+  const Twist path_W = transport(path, Vec3(R_WH * tool.X_HT().translation));
   sub_step.path_T = expressed_in(sub_step.X_WT, path_W);
   const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
   sub_step.head.X_VT = X_VW * sub_step.X_WT;
@@ -224,6 +214,7 @@ Encounter Simulation::State::press_and_cut(std::span<const CuttableBlock> blocks
   note_touches(blocks, sub_step);
   Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);
   if (motor.stalled()) book_stalled(sub_step, encounter);
+  crushing_depth = crushing_depth_in(sub_step, encounter);
   return encounter;
 }
 
@@ -326,9 +317,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (config.removal != RemovalLaw::none && config.law->is_foundation() &&
       encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
     result.status |= StepStatus::engaged_layer_thick;
-  const Resultant& met = encounter.resultant;
-  if (config.removal != RemovalLaw::none && met.normal_force > 0 &&
-      met.moment_T.z() < contact_stages.thin_up_to() * met.normal_force)
+  if (config.removal != RemovalLaw::none && contact_stages.is_point_thin(encounter.resultant))
     result.status |= StepStatus::point_thin;
 }
 

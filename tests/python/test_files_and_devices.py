@@ -279,7 +279,9 @@ def test_models_maps_and_the_guard():
     for n in range(40):
         admitted = guard.admit(h.device.DeviceState(time=1e-3 * n, sequence=n))
         applied = guard.limit(h.Wrench())
-    assert admitted.valid and not applied.force.any()
+    assert admitted.valid and not applied.force.any() and not guard.repeats
+    guard.admit(admitted), guard.limit(h.Wrench())
+    assert guard.repeats
     assert guard.state in (h.safety.ArmingState.ramp, h.safety.ArmingState.on)
     guard.report_applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
     guard.requests.interrupt(h.safety.SafetyEvent.reclutched)

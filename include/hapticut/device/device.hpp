@@ -20,10 +20,12 @@
 
 namespace hapticut {
 
-/// The user's code for one tick: maps a reading to the wrench that the device renders until the next tick.
+/// The user's code for one tick: maps a reading to the wrench that the device renders until the next reading.
 ///
-/// It runs in the thread of the loop, so it should neither allocate nor wait. When `DeviceState::valid` is false, the
-/// pose is the last good one, and the returned force is not rendered. An exception ends the run without a force, and
+/// It is called for each new reading. A device that is slower than the loop has none in some ticks; they render the
+/// same command. A model that stepped in them would take the hand's velocity for zero, and make the hand oscillate. It
+/// runs in the thread of the loop, so it should neither allocate nor wait. When `DeviceState::valid` is false, the pose
+/// is the last good one, and the returned force is not rendered. An exception ends the run without a force, and
 /// `Device::run` throws it again.
 using DeviceCallback = std::function<DeviceCommand(const DeviceState&)>;
 
@@ -220,6 +222,7 @@ class Servo {
   double seconds_;
   bool in_real_time_;
   double last_began_ = 0;  // [s] when the last tick began, by the clock of the computer
+  DeviceCommand command_;  // for the last reading
   RunReport report_;
   std::exception_ptr exception_;
   double begin_ = 0;

@@ -44,10 +44,12 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
       field("inertia", &G::inertia, "kg m^2", Range::positive(),
             "of the simulated tool about its handle point, equal about all axes"),
-      field("newton_steps", &G::newton_steps, "1", Range::between(8, 400),
-            "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time, and a "
-            "tick of several parts four times as many. It needs one in steady motion, and three in a cut. To measure "
-            "the stiffness of a custom law takes as long as six, or three without torque"),
+      field(
+          "newton_steps", &G::newton_steps, "1", Range::between(8, 400),
+          "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time, a tick of "
+          "two parts twice as many, and one of more parts, or of at least 1.5 ms, four times. It needs one in steady "
+          "motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three without "
+          "torque"),
   };
 }
 
@@ -85,7 +87,9 @@ constexpr auto fields_of(Of<CouplingEnergy>) {
   using E = CouplingEnergy;
   return std::tuple{
       field("hand_work", &E::hand_work, "J", "work done by the hand on the coupling"),
-      field("tool_work", &E::tool_work, "J", "the part of it that reached the simulation: EnergyLedger::hand_work"),
+      field("tool_work", &E::tool_work, "J",
+            "the part of it that reached the simulation, by the contact's wrench at the end of each step; "
+            "EnergyLedger::hand_work is that along the path"),
       field("spring", &E::spring, "J", "stored in the coupling"),
       field("damper", &E::damper, "J", "dissipated in the coupling and in the brake"),
       field("kinetic", &E::kinetic, "J", "of the simulated tool"),

@@ -251,7 +251,7 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | X_VW, voxel_volume, head_stiffness                   |                                                           |
 // | has_pose, last_X_WH, after_refusal, mean_velocity,   | begins                                                    |
 // | jumped_to, load, cutting_share, deep_contact,        |                                                           |
-// | anchor, removal list, result.energy                  |                                                           |
+// | crushing_depth, anchor, removal list, result.energy  |                                                           |
 // | parted, altered                                      | begins with false; ends                                   |
 // | motor                                                | halted, spindle_set, spindle_setting; then by the steps   |
 // | held                                                 | spindle_held                                              |

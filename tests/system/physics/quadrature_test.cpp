@@ -117,5 +117,36 @@ INSTANTIATE_TEST_SUITE_P(Quadrature, Resolution, testing::Values(0.1, 0.05, 0.02
   return std::to_string(int(size.param * 1000 + 0.5)) + "MicrometreVoxels";
 });
 
+/// [1] Energy that enters, of the turnover, while a standing cylinder that is pressed in tilts to and fro by 6 degrees.
+double entered_by_tilting(double tilt, double voxel) {
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  Material material = test::plain_material();
+  material.static_friction = material.dynamic_friction = 0;
+  Simulation simulation(build_block({Vec3(-2, -2, -1) * mm, Vec3(2, 2, 0) * mm}, voxel, material),
+                        Tool(cylinder_head(2 * mm, 4 * mm), RayHandle{0}, Spindle{}), config);
+  Pose last = Pose::from_translation(Vec3(0, 0, 2 * mm));
+  const auto go = [&](double angle, double height) {
+    const Pose at{rotation_from_vector(Vec3(0, tilt + angle, 0)), Vec3(0, 0, height + mm * std::sin(tilt))};
+    (void)simulation.step(at, twist_between(last, at, test::kTick), test::kTick);
+    last = at;
+  };
+  for (int n = 0; n <= 100; ++n) go(0, 0.02 * mm - 0.06 * mm * n / 100);
+  const EnergyLedger pressed = simulation.last_result().energy;
+  for (int n = 1; n <= 1500; ++n) go(6 * units::deg * std::sin(2 * units::kPi * n / 1500), -0.04 * mm);
+  const EnergyLedger& energy = simulation.last_result().energy;
+  return std::abs(energy.entered - pressed.entered) / (energy.turnover - pressed.turnover);
+}
+
+// Beside a rim the springs turn from the side to the face. Voxels of a tenth of the radius resolve that.
+TEST(Quadrature, EnergyAtARimFallsFasterThanTheVoxel) {
+  for (const double tilt : {0.0, 18 * units::deg}) {
+    SCOPED_TRACE(tilt / units::deg);
+    EXPECT_LT(entered_by_tilting(tilt, 0.2 * mm), 0.02);
+    EXPECT_LT(entered_by_tilting(tilt, 0.1 * mm), 0.001);
+    EXPECT_LT(entered_by_tilting(tilt, 0.05 * mm), 0.0001);
+  }
+}
+
 }  // namespace
 }  // namespace hapticut::quadrature_test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,40 @@ TEST(SoftMaterial, IsCutAndNotCrushedByAFastSpindle) {
     EXPECT_GT(energy.cutting, 0) << soft.name;
     EXPECT_LT(energy.crushed, 0.01 * energy.cutting) << soft.name;
   }
+}
+
+/// [m^3] What the rim of a standing cylinder crushes that slides over clay, at 0.8 of the crushing depth and 20 mm/s.
+double crushed_by_rim(double rate) {
+  const double speed = 20 * mm, dt = 1 / rate;
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  const Material clay = presets::clay();
+  Simulation simulation(build_block({Vec3(-2, -1.5, -0.5) * mm, Vec3(3, 1.5, 0) * mm}, 0.1 * mm, clay),
+                        Tool(cylinder_head(2 * mm, 3 * mm), RayHandle{0}, Spindle{}), config);
+  const double depth = 0.8 * std::sqrt(2 * clay.compressive_strength /
+                                       (clay.relative_stiffness * simulation.config().reference_stiffness));
+  double crushed = 0;
+  Pose at = Pose::from_translation(Vec3(-0.7 * mm, 0, 0.1 * mm));
+  const auto go = [&](const Vec3& by) {
+    const int steps = int(std::lround(by.norm() / (speed * dt)));
+    for (int n = 0; n < steps; ++n) {
+      at.translation += by / steps;
+      crushed += simulation.step(at, {by / (steps * dt), Vec3::Zero()}, dt).removed_volume;
+    }
+  };
+  go(Vec3(0, 0, -0.1 * mm - depth));
+  go(Vec3(2 * mm, 0, 0));
+  return crushed;
+}
+
+// At 1 kHz the rim moves by the depth at which it crushes. Without sub-steps it crushed 0.42, 0.70 and 0.90 of it.
+TEST(SoftMaterial, IsCrushedByARimAsInShortSteps) {
+  const double fine = crushed_by_rim(4000);
+  EXPECT_GT(fine, 0.05 * mm * mm * mm);
+  EXPECT_NEAR(crushed_by_rim(500), fine, 0.12 * fine);
+  EXPECT_NEAR(crushed_by_rim(1000), fine, 0.03 * fine);
+  EXPECT_NEAR(crushed_by_rim(2000), fine, 0.03 * fine);
+  EXPECT_NEAR(crushed_by_rim(32000), fine, 0.12 * fine);
 }
 
 }  // namespace

@@ -3,6 +3,13 @@
 // division into steps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::sweep_test {
@@ -72,6 +79,40 @@ TEST(Sweep, AStepLongerThanTheLongestSweepIsAJump) {
   EXPECT_EQ(within.sub_steps, simulation.config().max_sweep);
   const StepResult& beyond = simulation.step(Pose::from_translation(kStart + Vec3(2.1 * longest, 0, 0)), {}, 1e-3);
   EXPECT_TRUE(has_any(beyond.status, StepStatus::jump_rejected));
+}
+
+// The head moves on an arc, and its force works along the arc's chord in each step.
+TEST(Sweep, ATiltOnALongHandleEntersNoEnergy) {
+  constexpr double kLever = 60 * mm, kSpeed = 9, kTilt = 10 * units::deg;  // kSpeed [rad/s]
+  const auto pose_at = [&](double time, double pressed) {
+    const double tilt = kTilt * std::clamp(2 * time - 1, 0.0, 1.0);
+    const Mat3 R = rotation_from_vector(Vec3(tilt * std::sin(kSpeed * time), tilt * std::cos(kSpeed * time), 0));
+    const double depth = pressed * std::clamp(time / 0.4, 0.0, 1.0) - 0.005 * mm;
+    return Pose{R, Vec3(0, 0, kRadius - depth) + R * Vec3(0, 0, kLever)};
+  };
+  for (const double rate : {500.0, 1000.0, 4000.0})
+    for (const bool coupled : {false, true}) {
+      SCOPED_TRACE(std::to_string(rate) + " Hz" + (coupled ? ", coupled" : ""));
+      SimulationConfig config;
+      config.contact_time = ContactTime::end;
+      Simulation simulation(build_block({Vec3(-3, -3, -2) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, presets::enamel()),
+                            Tool(SphereHead{kRadius}, RayHandle{kLever}, Spindle{}), config);
+      VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("premium6dof"))));
+      Pose last = pose_at(0, 0);
+      for (int n = 1; n <= int(3 * rate); ++n) {
+        const Pose at = pose_at(n / rate, coupled ? 1 * mm : 0.02 * mm);
+        const Twist velocity = twist_between(last, at, 1 / rate);
+        last = at;
+        if (coupled)
+          (void)coupling.step(at, velocity, 1 / rate);
+        else
+          (void)simulation.step(at, velocity, 1 / rate);
+      }
+      const EnergyLedger& energy = simulation.last_result().energy;
+      EXPECT_GT(energy.hand_work, 0);
+      EXPECT_LT(std::abs(energy.entered), 2e-3 * energy.turnover);
+      EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+    }
 }
 
 }  // namespace

@@ -139,6 +139,52 @@ TEST(MockDevice, EndsWhenItsScriptEnds) {
   EXPECT_EQ(report.end, "the device has no more readings");
 }
 
+/// A mock whose driver has a new reading only in every third tick.
+class SlowDevice : public MockDevice {
+ public:
+  using MockDevice::MockDevice;
+  std::vector<double> written;  // [N]
+
+ protected:
+  bool read(DeviceState& state) noexcept override {
+    DeviceState now;
+    const bool more = MockDevice::read(now);
+    if (tick_++ % 3 == 0) latest_ = now;
+    state = latest_;
+    return more;
+  }
+  Wrench write(const Wrench& wrench) noexcept override {
+    written.push_back(wrench.force.z());
+    return MockDevice::write(wrench);
+  }
+
+ private:
+  int tick_ = 0;
+  DeviceState latest_;
+};
+
+TEST(Device, CallsBackOnceForEachReadingAndRendersTheCommandUntilTheNext) {
+  MockOptions options;
+  options.path = scripted_path("line");
+  SlowDevice device(options);
+  std::uint64_t calls = 0;
+  const RunReport report = device.run(
+      [&](const DeviceState&) {
+        DeviceCommand command;
+        command.wrench.force.z() = ++calls % 2 == 0 ? 1e-3 : 2e-3;
+        return command;
+      },
+      simulated(3));
+  EXPECT_NEAR(double(calls), double(report.ticks) / 3, 2);
+  ASSERT_EQ(report.arming, ArmingState::on);
+  ASSERT_GT(device.written.size(), 2900U);
+  for (std::size_t n = 2700; n + 2 < 2850; n += 3) {  // groups of three, which begin at a reading
+    EXPECT_NEAR(device.written[n], (n / 3 + 1) % 2 == 0 ? 1e-3 : 2e-3, 1e-9) << n;
+    EXPECT_EQ(device.written[n], device.written[n + 1]) << n;
+    EXPECT_EQ(device.written[n], device.written[n + 2]) << n;
+  }
+}
+
 TEST(Device, AnEmergencyStopWhileTheForceFadesOutEndsItAtOnce) {
   WrittenDevice device;
   RunOptions options = simulated(0.3);
