@@ -83,7 +83,7 @@ struct ChipChord {
   /// sqrt(v(q)) at depths of the layer.
   struct Roots {
     Real rate, edge, square, b, w0;
-    Roots(const ContactMaterial& material, Real tooth_rate, Real rate_, Real speed, Real feed) : rate(rate_) {
+    Roots(const ContactMaterial& material, Real tooth_rate, Real cut_rate, Real speed, Real feed) : rate(cut_rate) {
       const Real chips = tooth_rate * chip_factor(speed, feed);
       edge = material.edge_length * chips, square = material.size_length * chips;
       b = std::sqrt(square), w0 = material.cutting_depth;
