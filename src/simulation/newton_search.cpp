@@ -16,7 +16,7 @@ constexpr double kNearFraction = 2e-4;  // [1] part of the maximum force
 constexpr int kPatient = 6;
 constexpr double kMinDescent = 1e-4;  // [1] by which a correction must reduce the residual
 constexpr double kStuck = 0.1;        // [1] of the largest force, residual of a point that friction holds
-constexpr double kLongTick = 1.5e-3;  // [s] of which two parts have as many steps as more parts
+constexpr double kLongTick = 1.5e-3;  // [s] from which on two parts have the time for as many steps as more parts
 constexpr double kAgainst = 3;        // [1]
 constexpr double kShorter = 0.7;      // [1] times one that does not, the next one
 

@@ -17,9 +17,9 @@ class LoopModel {
  public:
   virtual ~LoopModel() = default;
 
-  /// Computes one tick.
+  /// Computes the wrench for a new reading.
   /// @param state     the admitted reading; if `valid` is false, the pose is the last good one and no force is rendered
-  /// @param dt        [s] since the last tick
+  /// @param dt        [s] since the last reading
   /// @param snapshot  its `X_WT` and `tool` must be filled in
   /// @return [N], [N·m] on the stylus about its point, in B
   virtual Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept = 0;

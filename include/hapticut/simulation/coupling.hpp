@@ -47,9 +47,9 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field(
           "newton_steps", &G::newton_steps, "1", Range::between(8, 400),
           "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time, a tick of "
-          "two parts twice as many, and one of more parts, or of at least 1.5 ms, four times. It needs one in steady "
-          "motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three without "
-          "torque"),
+          "two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. It needs one in "
+          "steady motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three "
+          "without torque"),
   };
 }
 
