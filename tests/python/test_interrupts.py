@@ -164,10 +164,21 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.parametrize("whole_group", [False, True])
-def test_ctrl_c_ends_a_sweep_with_its_workers_and_keeps_the_finished_runs(tmp_path, whole_group):
+BUSY_MACHINE = """
+from concurrent.futures import ProcessPoolExecutor
+shutdown = ProcessPoolExecutor.shutdown
+def shutdown_later(*arguments, **keywords):  # when the pool has seen that its processes died
+    time.sleep(0.5)
+    shutdown(*arguments, **keywords)
+ProcessPoolExecutor.shutdown = shutdown_later
+"""
+
+
+@pytest.mark.parametrize(("whole_group", "machine"), [(False, ""), (True, ""), (False, BUSY_MACHINE)],
+                         ids=["program", "group", "busy"])
+def test_ctrl_c_ends_a_sweep_with_its_workers_and_keeps_the_finished_runs(tmp_path, whole_group, machine):
     pytest.importorskip("pandas", reason="pandas is not installed")
-    (tmp_path / "program.py").write_text(BEGIN + SWEEP, encoding="utf-8")
+    (tmp_path / "program.py").write_text(BEGIN + machine + SWEEP, encoding="utf-8")
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
     with subprocess.Popen([sys.executable, "program.py"], cwd=tmp_path, env=environment, stderr=subprocess.PIPE,
                           text=True, start_new_session=True) as program:

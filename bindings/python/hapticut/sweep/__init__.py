@@ -140,11 +140,11 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
     futures: set[Future[Outcome]] = set()
     failure: Optional[Exception] = None  # of the executor; outcome_of does not raise
     try:
-        for index in missing:
-            futures.add(executor.submit(outcome_of, run, seed, index, study.space[index]))
-    except Exception as error:
-        failure = error
-    try:
+        try:
+            for index in missing:
+                futures.add(executor.submit(outcome_of, run, seed, index, study.space[index]))
+        except Exception as error:
+            failure = error
         for future in _with_bar(as_completed(futures), len(study.space), len(missing), progress):
             try:
                 outcome = future.result()
@@ -155,12 +155,11 @@ def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: E
             futures.discard(future)  # frees its traces
     except BaseException:  # KeyboardInterrupt
         for future in futures:
-            if not future.cancel() and future.done() and future.exception() is None:
+            # The own pool ends its processes next, and fails at a cancelled run whose process dies.
+            cancelled = processes == 0 and future.cancel()
+            if not cancelled and future.done() and future.exception() is None:
                 study.keep(future.result())  # finished, but not stored yet
         raise
-    finally:
-        for future in futures:
-            future.cancel()
     if failure is not None:
         killer = ""
         if isinstance(failure, BrokenExecutor) and processes:
