@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "simulation/hand_motion.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
