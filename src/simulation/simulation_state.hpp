@@ -39,7 +39,8 @@ struct Sweep {
   /// part is that of the sub-step, as without parts.
   [[nodiscard]] double duration(int index) const noexcept { return whole(index / parts) / parts; }
   [[nodiscard]] double end(int index) const noexcept {
-    return 1 - (sub_steps - 1 - index / parts) * rest - (parts - 1 - index % parts) * duration(index);
+    const int later_sub_steps = sub_steps - 1 - index / parts, later_parts = parts - 1 - index % parts;
+    return 1 - later_sub_steps * rest - later_parts * duration(index);
   }
   [[nodiscard]] double weight(int index, ContactTime time) const noexcept {
     if (time == ContactTime::middle) return duration(index);
