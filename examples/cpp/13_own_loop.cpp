@@ -51,6 +51,9 @@ int main() {
   driver.begin_run({});
   guard.start();
   DeviceState reading;
+  Wrench wrench;         // on the stylus, in B
+  ModelContact contact;  // that causes it
+  int waited = 0;        // ticks without a new reading
   bool undoing = false;
   double removed = 0, max_force = 0, force_at_exchange = 0;  // [m^3], [N], [N]
   for (int tick = 0; tick < 6000 && driver.read(reading); ++tick) {
@@ -62,20 +65,26 @@ int main() {
       guard.requests().interrupt(SafetyEvent::model_swapped);
     }
     const DeviceState& hand = guard.admit(reading);
-    Wrench wrench;  // on the stylus, in B
-    ModelContact contact;
-    contact.touching = true;  // until a step says otherwise
+    const bool holds = guard.repeats() && hand.valid && !undoing;
+    const double dt = (1 + waited) * guard.period();  // [s] since the last reading
+    waited = holds ? waited + 1 : 0;
+    if (holds) {
+      contact.motor = 0;
+    } else {
+      wrench = {};
+      contact = {};
+      contact.touching = true;  // until a step says otherwise
+    }
     if (undoing) {
       undoing = !simulation.undo(64);  // 64 blocks in each tick
     } else if (!hand.valid) {
       coupling.park(VirtualCoupling::Rejoin::near);
       interlock.interrupt();
       simulation.hold_spindle(true);
-    } else {
+    } else if (!holds) {
       interlock.update(simulation, guard.state());
       const double motor_work = simulation.last_result().energy.motor_work;
-      const CoupledResult& felt =
-          coupling.step(map.to_world(hand.X_BS), map.to_world(hand.X_BS, hand.velocity), guard.period());
+      const CoupledResult& felt = coupling.step(map.to_world(hand.X_BS), map.to_world(hand.X_BS, hand.velocity), dt);
       wrench = map.to_device(hand.X_BS, felt.hand);
       contact = contact_behind(felt, simulation.last_result(), motor_work);
       removed += felt.removed_volume;
