@@ -131,7 +131,7 @@ build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 # format_is_clean: finds code that clang-format would change, and the marks of a failed merge.
 format_is_clean() {
   ! git grep -nE '^(<<<<<<<|>>>>>>>) ' &&
-    git ls-files -z --cached --others --exclude-standard -- '*.hpp' '*.cpp' '*.h' '*.c' | xargs -0 clang-format --dry-run --Werror
+    git ls-files -z --cached --others --exclude-standard -- '*.hpp' '*.inl' '*.cpp' '*.h' '*.c' | xargs -0 clang-format --dry-run --Werror
 }
 
 build_release() { check "configure" configure release -DHAPTICUT_WITH_PYTHON=OFF "$@" && check "build" build release; }

@@ -11,7 +11,6 @@
 /// The heads of tool/catalogue.hpp, meshes of profiles, the calibration of drilling tests and the presets of materials
 /// are compiled too, so they are not included here.
 
-#include "hapticut/core/decay.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"

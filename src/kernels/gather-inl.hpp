@@ -7,8 +7,8 @@
 #define HAPTICUT_KERNELS_GATHER_INL_HPP
 #endif
 
+#include "kernels/columns-inl.hpp"
 #include "kernels/springs-inl.hpp"
-#include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
@@ -17,38 +17,20 @@ namespace strips {
 
 /// [voxels] From the middle of a strip to its farthest voxel: 3.5 along k and 0.5 along j, rounded up.
 constexpr float kHalfStrip = 3.6F;
-/// [voxels] From the middle of a block to its farthest point in the zone about the axis: half the diagonal of the 7 x 7
-/// x 7 edges between its voxels, plus the zone, rounded up.
-constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
-
-/// Voxels of a few blocks, in the order of the blocks. The entries after the last voxel repeat the first, so that every
-/// lane of a vector can be computed.
+/// Voxels of a few blocks that may be inside the head, in the order of the blocks.
 struct VoxelList {
-  static constexpr int kEnough = 256;  // voxels for a call of the law: fewer would not fill the vectors
+  static constexpr int kEnough = 2 * Columns::kChunk;
   static constexpr int kCapacity = kEnough + kBlockVoxels + kStripLanes;
   alignas(64) float x[kCapacity], y[kCapacity], z[kCapacity];  // [m] their centres in T
   alignas(64) float fill[kCapacity];                           // before the sub-step
-  alignas(64) float fill_after[kCapacity];                     // after the sub-step
   alignas(64) std::int32_t index[kCapacity];  // 512 times the number of the block, plus the offset in the block
-  std::int32_t run_first[kCapacity];          // origin of the voxels: for each vector its first index
-  std::uint16_t run_lanes[kCapacity];         // and its lanes
-  int runs = 0;
   int count = 0;
   MaterialId material = kEmpty;  // of all voxels; kEmpty: their materials may differ
 
-  [[nodiscard]] HWY_INLINE Vectors place(int first) const {
-    return {hn::Load(Floats(), x + first), hn::Load(Floats(), y + first), hn::Load(Floats(), z + first)};
+  [[nodiscard]] HWY_INLINE Place place(int first) const {
+    return {Wide::load(x + first), Wide::load(y + first), Wide::load(z + first)};
   }
-
-  HWY_INLINE void repeat_first() {
-    const Floats d;
-    const hn::RebindToSigned<Floats> ints;
-    hn::StoreU(broadcast(x[0]), d, x + count);
-    hn::StoreU(broadcast(y[0]), d, y + count);
-    hn::StoreU(broadcast(z[0]), d, z + count);
-    hn::StoreU(hn::Set(ints, index[0]), ints, index + count);
-  }
-  HWY_INLINE void clear() { runs = count = 0; }
+  HWY_INLINE void clear() { count = 0; }
 };
 
 /// Copies the fills of strips that are written for the first time, so that voxels that are not listed keep theirs.
@@ -66,10 +48,13 @@ HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
 template <class Springs>
 class Gather {
  public:
+  using Bound = decltype(std::declval<const Springs&>().grown(0.0F));
+
   HWY_INLINE Gather(const Springs& springs, const ContactJob& job)
-      : springs_(springs),
-        job_(job),
-        beyond_(kVoxelReach * job.motion.voxel_size),
+      : job_(job),
+        near_(springs.grown(kVoxelReach * job.motion.voxel_size)),
+        strips_near_(springs.grown((kHalfStrip + kVoxelReach) * job.motion.voxel_size)),
+        strips_inside_(springs.grown(-(kHalfStrip + kVoxelReach) * job.motion.voxel_size)),
         steps_(job.grid.voxel_steps.template cast<float>()),
         firsts_(steps_, Eigen::Vector3f::Zero()),
         middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)) {
@@ -100,11 +85,10 @@ class Gather {
     const hn::CappedTag<MaterialId, kWidth> ids;
     auto others = hn::Zero(ids);
     MaterialId material = block.uniform_material;
-    int count = list.count, runs = list.runs;
+    int count = list.count;
     std::uint32_t strips = 0;
     for_each(
-        block,
-        done, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+        block, done, [&](int voxel, const Place& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
           const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
           if constexpr (!std::is_null_pointer_v<Skim>) {
             hit = skim(voxel, r, fill, hit);
@@ -117,8 +101,6 @@ class Gather {
             if (strips == 0) material = block.material[voxel + std::countr_zero(lanes)];
             others = hn::Or(others, hn::Xor(hn::LoadU(ids, block.material + voxel), hn::Set(ids, material)));
           }
-          list.run_first[runs] = first;
-          list.run_lanes[runs++] = std::uint16_t(lanes);
           count += std::popcount(lanes);
           strips |= 1U << (voxel / kStripLanes);
         });
@@ -127,7 +109,6 @@ class Gather {
         hn::AllTrue(ids, hn::Eq(others, hn::Zero(ids))) && (list.count == 0 || list.material == material);
     list.material = alike ? material : kEmpty;
     list.count = count;
-    list.runs = runs;
     return strips;
   }
 
@@ -135,43 +116,37 @@ class Gather {
   [[nodiscard]] HWY_INLINE int count(const BlockView& block) const {
     int count = 0;
     for_each(
-        block, 0, [&](int, const Vectors&, Mask, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+        block, 0, [&](int, const Place&, Mask, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
           count += std::popcount(lanes);
         });
     return count;
   }
 
-  /// Calls `found(r)` for each vector of voxels of those strips whose voxels are all solid and deeper than a margin [m]
-  /// inside a ball.
+  /// Calls `found(r)` for each vector of voxels of those strips whose voxels are all solid and within a bound, in a
+  /// ball.
   /// @return bit n: strip n is such a strip
   template <class Found>
-  HWY_INLINE std::uint32_t for_each_within(const BlockView& block, float margin, const Found& found) const {
-    static_assert(Springs::kCentral);  // because its `hits` is exact, also for a negative margin
+  HWY_INLINE std::uint32_t for_each_within(const BlockView& block, const Bound& deep, const Found& found) const {
+    static_assert(Springs::kCentral);  // because its bound is exact, also for a negative margin
     const Eigen::Vector3f base = first_voxel(block);
     std::uint32_t done = 0;
-    Vectors lanes[kParts];
+    Place lanes[kParts];
     first_strip(base, lanes);
-    for (std::uint32_t rest = strips_within(base, -margin) & strips_of_phase(block); rest != 0; rest &= rest - 1) {
+    for (std::uint32_t rest = strips_within(base, deep) & strips_of_phase(block); rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       if (block.solid != nullptr && (block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff) != 0xffff) continue;
-      Vectors r[kParts];
+      Place r[kParts];
       Mask within = hn::FirstN(Floats(), kWidth);
       for (std::size_t part = 0; part < kParts; ++part) {
         r[part] = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
                    lanes[part].z + broadcast(firsts_.z[strip])};
-        within = hn::And(within, springs_.hits(r[part].x, r[part].y, r[part].z, -margin));
+        within = hn::And(within, deep.hits(r[part].x, r[part].y, r[part].z).m);
       }
       if (!hn::AllTrue(Floats(), within)) continue;
       done |= 1U << strip;
-      for (const Vectors& place : r) found(place);
+      for (const Place& place : r) found(place);
     }
     return done;
-  }
-
-  /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
-  [[nodiscard]] HWY_INLINE bool near_axis(const BlockView& block) const {
-    const Eigen::Vector3f middle = first_voxel(block) + steps_ * Eigen::Vector3f::Constant(3.5F);
-    return middle.head<2>().squaredNorm() < kNearAxis * kNearAxis * job_.motion.voxel_size * job_.motion.voxel_size;
   }
 
  private:
@@ -182,11 +157,10 @@ class Gather {
   template <class Found>
   HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
-    const float half = kHalfStrip * job_.motion.voxel_size + beyond_;
-    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_of_phase(block) & ~done;
-    const std::uint32_t inner = strips_within(base, -half);
+    const std::uint32_t near = strips_within(base, strips_near_) & solid_strips(block) & strips_of_phase(block) & ~done;
+    const std::uint32_t inner = strips_within(base, strips_inside_);
     const Mask all = hn::FirstN(Floats(), kWidth);
-    Vectors lanes[kParts];
+    Place lanes[kParts];
     first_strip(base, lanes);
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
@@ -195,12 +169,12 @@ class Gather {
       for (std::size_t part = 0; part < kParts; ++part) {
         const unsigned bits = solid >> (part * kWidth) & kAllLanes;
         const int voxel = strip * kStripLanes + int(part * kWidth);
-        const Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
-                           lanes[part].z + broadcast(firsts_.z[strip])};
+        const Place r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
+                         lanes[part].z + broadcast(firsts_.z[strip])};
         Mask hit = all;
         unsigned hit_bits = kAllLanes;
         if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
-          hit = hn::And(springs_.hits(r.x, r.y, r.z, beyond_), mask_of(bits));
+          hit = hn::And(near_.hits(r.x, r.y, r.z).m, mask_of(bits));
           hit_bits = bits_of(hit);
           if (hit_bits == 0) continue;
         }
@@ -210,7 +184,7 @@ class Gather {
   }
 
   /// Positions of the voxels of a strip that begins at the block's first voxel.
-  HWY_INLINE void first_strip(const Eigen::Vector3f& base, Vectors (&lanes)[kParts]) const {
+  HWY_INLINE void first_strip(const Eigen::Vector3f& base, Place (&lanes)[kParts]) const {
     for (std::size_t part = 0; part < kParts; ++part)
       lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
                      lane_offsets_[part].z + broadcast(base.z())};
@@ -220,15 +194,14 @@ class Gather {
     return job_.grid.position(block.origin).template cast<float>();
   }
 
-  /// Bit n: the middle of strip n is inside the head grown by `margin` [m], as far as `hits` can tell.
-  [[nodiscard]] HWY_INLINE std::uint32_t strips_within(const Eigen::Vector3f& base, float margin) const {
-    const Floats d;
+  /// Bit n: the middle of strip n is within a bound.
+  [[nodiscard]] HWY_INLINE std::uint32_t strips_within(const Eigen::Vector3f& base, const Bound& bound) const {
     std::uint32_t strips = 0;
     for (int n = 0; n < kStrips; n += int(kWidth)) {
-      const Mask hit = springs_.hits(hn::LoadU(d, middles_.x + n) + broadcast(base.x()),
-                                     hn::LoadU(d, middles_.y + n) + broadcast(base.y()),
-                                     hn::LoadU(d, middles_.z + n) + broadcast(base.z()), margin);
-      strips |= bits_of(hit) << n;
+      const auto at = [&](const float* of, float from)
+                          HWY_ATTR -> Wide { return hn::LoadU(Floats(), of + n) + broadcast(from); };
+      const Where hit = bound.hits(at(middles_.x, base.x()), at(middles_.y, base.y()), at(middles_.z, base.z()));
+      strips |= bits_of(hit.m) << n;
     }
     return strips;
   }
@@ -258,24 +231,23 @@ class Gather {
     return strips;
   }
 
-  HWY_INLINE void keep(int first, const Vectors& r, Vec fill, unsigned hit, VoxelList& list, int at) const {
+  HWY_INLINE void keep(int first, const Place& r, Vec fill, unsigned hit, VoxelList& list, int at) const {
     const Floats d;
     const auto lanes = numbers_of(hit);
     const auto order = hn::IndicesFromVec(d, lanes);
-    hn::StoreU(hn::TableLookupLanes(r.x, order), d, list.x + at);
-    hn::StoreU(hn::TableLookupLanes(r.y, order), d, list.y + at);
-    hn::StoreU(hn::TableLookupLanes(r.z, order), d, list.z + at);
+    hn::StoreU(hn::TableLookupLanes(r.x.v, order), d, list.x + at);
+    hn::StoreU(hn::TableLookupLanes(r.y.v, order), d, list.y + at);
+    hn::StoreU(hn::TableLookupLanes(r.z.v, order), d, list.z + at);
     hn::StoreU(hn::TableLookupLanes(fill, order), d, list.fill + at);
     hn::StoreU(lanes + hn::Set(kInts, first), kInts, list.index + at);
   }
 
-  const Springs springs_;
   const ContactJob& job_;
-  const float
-      beyond_;  // [m] distance outside the head at which a voxel's centre can be while the voxel reaches into it
+  const Bound near_;                         // of the centres of voxels that may reach into the head
+  const Bound strips_near_, strips_inside_;  // of the middles of strips that have such voxels, and that have no others
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
-  Vectors lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel
+  Place lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel
 };
 
 }  // namespace strips

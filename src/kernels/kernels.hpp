@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <span>
 
+#include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/force/spread_friction.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/removal.hpp"
-#include "kernels/stiffness_sums.hpp"
 
 /// The stages that work on one block, in the widest vector instructions of the machine, which are chosen when the
 /// program starts. They compute the same as the scalar functions of the same names in the public headers, within
@@ -33,60 +33,47 @@
 ///
 /// Three properties make it fast:
 ///
-/// 1. One pass. Storing every sample between sampling, law and sum took half of the time.
-/// 2. Gathering. Only 39 ... 56 % of the lanes of the strips near a cutting head are inside it. So the voxels inside
-///    are first listed without gaps, about 256 over several blocks.
-/// 3. Two loops over the list: first all samples, then the law. With one loop, the processor would wait for chains of
-///    roots and divisions.
+/// 1. Gathering. Only half of the lanes of the strips near a cutting head are inside it. So the voxels inside are first
+///    listed without gaps, over several blocks; those in contact are then collected without gaps once more.
+/// 2. Columns. The law runs in chunks of 128 voxels, whose numbers stay in the first cache.
+/// 3. Stages. Each step of the law is a short loop of its own over the columns, so that the processor never waits for a
+///    long chain of roots and divisions. A stage does not know the head, so it is compiled once.
 ///
 /// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
-/// NEON. A row is the unit of the staged kernels, whose vectors have at most eight lanes.
+/// NEON. A row is the unit of the kernels for laws at points, whose vectors have at most eight lanes.
 ///
-///     press = sample + law + sum, in one pass over the voxels of a few blocks:
+///     blocks -> Gather -> VoxelList -> Press::collect -> Columns -> Stages::run                             -> sums
+///               strips near the head,  in contact:       numbers    material, motion, 2. crushing,             new
+///               voxels in it           springs, section  by column  4. springs, 3. chips and 5. recession,     fills
+///                                                                   6. decay, 7. energies, forces
+///                 '-> Whole: those wholly inside a standing head, in registers ------------------------------> sums
 ///
-///     block -> strips near the head -> voxels in it    ->  sample           ->  law                  ->  sum
-///              Gather::for_each        Gather::append      Press::sample        Press::press_parts       PressSums
-///              from their middles      into a list         w, n, slip           f, fill, energies        F, T, ledger
-///
-/// Reading order. First the scalar forms, which contain the formulas and their reasons: workpiece/contact.hpp,
-/// force/laws/foundation.hpp, force/resultant.hpp. Then the main path:
+/// Reading order. First the law, which contains the formulas and their reasons: force/laws/foundation.hpp, and the
+/// texts in hapticut/formulas that it includes; the kernels include the same. Then the main path:
 ///
 ///     kernels.hpp               input and output of the kernels
-///     press_blocks-inl.hpp      the Press for each shape of head
-///     press-inl.hpp             the default law on blocks: Press::press_deep for whole voxels of a standing head, and
-///                               for all others Press::sample, then Press::press_parts
+///     press-inl.hpp             the main path: from blocks to the columns
 ///     gather-inl.hpp            which voxels of a block may be inside the head
-///     springs-inl.hpp           depth and direction of a vector of points, for each shape of head
-///     motion-inl.hpp            velocity of the head's surface at voxels
-///     cut_voxels-inl.hpp        the default law on parts of voxels
-///     press_sums-inl.hpp        sums in vectors over a few blocks
+///     stages-inl.hpp            the default law on the columns, step by step
+///     columns-inl.hpp           the columns, and the sums in vectors
+///     whole-inl.hpp             whole voxels inside a standing head
 ///
 /// The other files, when you meet their names:
 ///
-///     spring_vectors-inl.hpp    a depth and a direction in vectors;
+///     wide-inl.hpp              a number for each lane, and with it the formulas
+///     springs-inl.hpp           depth and direction of a vector of points, for each shape of head;
 ///     profile_springs-inl.hpp   those of profiles
-///     strips-inl.hpp            lanes, masks, materials and velocities of a strip
-///     contact_sums.hpp          sums of a sub-step in double precision, lane by lane
-///     stiffness_sums.hpp        stiffness, for a coupling,
-///     stiffness_sums-inl.hpp    and its vectors;
-///     friction_sums.hpp         sums for dry friction,
-///     friction-inl.hpp          and its vectors
-///     materials-inl.hpp         constants of the current voxels, and removed volume of each material
-///     places-inl.hpp            where voxels come from, and where their new fills go
-///     smooth-inl.hpp            smooth surfaces
-///     chip-inl.hpp              cutting energy that depends on the chip
-///     rows-inl.hpp              rows; with them the staged kernels for all other laws,
-///     sampling-inl.hpp          sample_contact
-///     resultant-inl.hpp         and sum_resultant
+///     strips-inl.hpp            lanes and masks of a strip
+///     sums.hpp                  sums of a sub-step in double precision, lane by lane
+///     points-inl.hpp            sample_contact and sum_resultant for all other laws
 ///     simd_kernels.cpp          the choice of an instruction set; targets/ has a file for each
 ///     scalar_kernels.cpp        kernels without Highway
 ///
 /// A file `-inl.hpp` is compiled once for each instruction set. Vectors are added, multiplied and compared with
-/// operators, which Highway has on all the sets in use (targets/which.hpp). `MulAdd(a, b, c)` is a b + c, rounded once
-/// where the machine can; `NegMulAdd` is c - a b, `MulSub` is a b - c. Sums are written x = x + y, because g++ 12 makes
-/// 1 % more instructions from x += y, which takes an address. Intrinsics of one machine occur only in `mask_of` and
-/// `spread` of strips-inl.hpp, each beside its general form. docs/decisions/0004-one-pass.md says why there is one
-/// pass, and what was measured.
+/// operators, which Highway has on all the sets in use (targets/which.hpp). Sums are written x = x + y, because g++ 12
+/// makes 1 % more instructions from x += y, which takes an address. Intrinsics of one machine occur only in `mask_of`
+/// of strips-inl.hpp, beside its general form. docs/decisions/0027-one-text.md says why there are columns and stages,
+/// and what was measured.
 namespace hapticut::kernels {
 
 /// Stage `sample_contact` for any head.
@@ -133,6 +120,10 @@ namespace hapticut::kernels {
 struct ContactSums : ContactOutcome {  // the scalar reference sums the results
   ByMaterial<double> removed = {};     ///< [voxels] filled volume that was removed, by MaterialId
 };
+struct StiffnessSums {  // likewise
+  Stiffness sum = Stiffness::Zero();
+  [[nodiscard]] Stiffness total(double /*voxel_volume*/, double weight) const { return weight * sum; }
+};
 struct FrictionSums {  // likewise
   SpreadFriction sum;
   [[nodiscard]] SpreadFriction total(double /*voxel_volume*/, double weight) const {
@@ -142,8 +133,7 @@ struct FrictionSums {  // likewise
 };
 }  // namespace hapticut::kernels
 #else
-#include "kernels/contact_sums.hpp"
-#include "kernels/friction_sums.hpp"
+#include "kernels/sums.hpp"
 #endif
 
 namespace hapticut::kernels {
@@ -165,8 +155,7 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
                   StiffnessSums* stiffness = nullptr, FrictionSums* friction = nullptr) noexcept;
 
 /// Converts the sums of a sub-step to its result. With a level of detail, the evaluated voxels stand for all; the
-/// removed volume is exact. LawEnergies::cutting is only the part beyond u times the removed volume: callers, who know
-/// the materials of `removed`, add the rest.
+/// removed volume is exact.
 /// @param voxel_volume  [m^3]
 [[nodiscard]] ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 

@@ -39,11 +39,11 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;
   if (!task.may_cut) motion.removal = RemovalLaw::none, motion.crushes = false;
-  const LawTotals totals = FoundationLaw().evaluate(motion, job.materials, contact);
+  const LawTotals totals =
+      FoundationLaw().evaluate(motion, job.materials, contact, stiffness != nullptr ? &stiffness->sum : nullptr);
   hapticut::sum_resultant(contact, sums.resultant);
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
   sums.energies += totals.energies;
-  if (stiffness != nullptr) add_stiffness(contact, motion, job.materials, *stiffness);
   if (friction != nullptr) friction->sum.add(contact, motion, job.materials);
   if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
 }
@@ -69,7 +69,7 @@ int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
   return scratch().samples;
 }
 
-ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {
   const double weight = job.level_of_detail;
   ContactOutcome all = sums;
   all.resultant.wrench_T.force *= weight;
@@ -84,8 +84,6 @@ ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double
   // Voxels that were not evaluated store the work, and lose nothing.
   all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed);
   all.energies.damping *= weight;
-  for (std::size_t id = 1; id < sums.removed.size(); ++id)
-    all.energies.cutting -= double(job.materials[id].cutting_energy) * sums.removed[id] * voxel_volume;
   return all;
 }
 

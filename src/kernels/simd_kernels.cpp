@@ -75,13 +75,13 @@ ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double
   resultant.moment_T = Vec3(total(Term::kMomentX), total(Term::kMomentY), total(Term::kMomentZ));
   resultant.area = weight * sums.total(Term::kArea);
   LawEnergies& energies = all.energies;
-  const double lost = total(Term::kReleased) / weight;
+  const double lost = total(Term::kLost) / weight;
   energies.elastic_before = total(Term::kBefore);
   energies.elastic = energies.elastic_before +
                      (total(Term::kChange) + (weight - 1) * lost);  // voxels that were not evaluated lost nothing
   energies.crushed = total(Term::kCrushed) / weight;
   energies.released = lost - total(Term::kHelped) / weight - energies.crushed;
-  energies.cutting = total(Term::kChips) / weight;  // beyond u
+  energies.cutting = total(Term::kCutting) / weight;
   energies.damping = total(Term::kDamping);
   energies.rubbing = total(Term::kRubbing) / weight;  // over the time since the last evaluation
   energies.credited = total(Term::kCredited) / weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strips of voxels in vectors: their lanes, places, materials and motion; included once per instruction set.
+// Strips of voxels in vectors: their lanes and places; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_STRIPS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_STRIPS_INL_HPP
 #undef HAPTICUT_KERNELS_STRIPS_INL_HPP
@@ -54,115 +54,17 @@ HWY_INLINE unsigned bits_of(Mask mask) {
   return bits;
 }
 
-/// c0 - c1 x + c2 x^2 - ... - c7 x^7 in pairs: the shortest chain of dependent operations.
-HWY_INLINE Vec alternating_series(Vec x, const float (&c)[8]) {
-  const auto pair = [&](int n) HWY_ATTR { return hn::NegMulAdd(broadcast(c[n + 1]), x, broadcast(c[n])); };
-  const Vec x2 = x * x, x4 = x2 * x2;
-  const Vec low = hn::MulAdd(pair(2), x2, pair(0)), high = hn::MulAdd(pair(6), x2, pair(4));
-  return hn::MulAdd(high, x4, low);
+/// Adds the lanes of a vector to sums in double precision.
+HWY_INLINE void add_lanes(Vec sum, double* totals) {
+  alignas(64) float lanes[kWidth];
+  hn::Store(sum, Floats(), lanes);
+  for (std::size_t lane = 0; lane < kWidth; ++lane) totals[lane] += double(lanes[lane]);
 }
-
-/// (1 - e^-x)/x for x >= 0, as in core/decay.hpp.
-HWY_INLINE Vec mean_of_decay(Vec x) {
-  const Floats d;
-  const hn::RebindToSigned<Floats> ints;
-  constexpr float kMean[8] = {1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040, 1.0F / 40320};
-  constexpr float kExponential[8] = {1, 1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040};
-  const Vec series = alternating_series(x, kMean);
-  const Mask small = x < broadcast(0.5F);
-  if (hn::AllTrue(d, small)) return series;
-
-  const Vec safe = hn::Max(x, broadcast(0.5F));
-  const Vec bounded = hn::Min(safe, broadcast(80.0F));
-  const auto n = hn::NearestInt(bounded * broadcast(1.44269504F));
-  const Vec whole = hn::ConvertTo(d, n);
-  const Vec g =
-      hn::NegMulAdd(whole, broadcast(-2.12194440e-4F), hn::NegMulAdd(whole, broadcast(0.693359375F), bounded));
-  const auto exponent = hn::ShiftLeft<23>(hn::Set(ints, 127) - n);
-  const Vec exp_of_minus = alternating_series(g, kExponential) * hn::BitCast(d, exponent);
-  return hn::IfThenElse(small, series, (broadcast(1.0F) - exp_of_minus) / safe);
-}
-
-/// FoundationLaw::damping_factor.
-HWY_INLINE Vec damping_factor(Vec x) {
-  const Vec zero = hn::Zero(Floats()), one = broadcast(1.0F);
-  return (one + hn::Max(x, zero)) / (one - hn::Min(x, zero));
-}
-
-/// FoundationLaw::Damping of vectors.
-struct DampingVectors {
-  Vec factor, slope;
-
-  HWY_INLINE DampingVectors() : factor(broadcast(1.0F)), slope(hn::Zero(Floats())) {}
-  HWY_INLINE explicit DampingVectors(Vec x) : factor(damping_factor(x)) {
-    const Vec opening = hn::Min(factor, broadcast(1.0F));
-    slope = opening * opening;
-  }
-  [[nodiscard]] HWY_INLINE Vec crushing_depth(Vec at_rest) const {
-    return at_rest / hn::Sqrt(hn::Max(factor, broadcast(1.0F)));
-  }
-};
-
-/// Material constants of the lanes of one vector.
-struct MaterialVectors {
-  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length,
-      crushing_depth, sliding_ratio, land;
-
-  HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
-      : stiffness(broadcast(m.stiffness)),
-        damping(broadcast(m.damping)),
-        cutting_ratio(broadcast(m.cutting_ratio)),
-        energy(broadcast(m.cutting_energy)),
-        inverse_energy(broadcast(1.0F / m.cutting_energy)),
-        cutting_depth(broadcast(m.cutting_depth)),
-        edge_length(broadcast(m.edge_length)),
-        size_length(broadcast(m.size_length)),
-        crushing_depth(broadcast(m.crushing_depth)),
-        sliding_ratio(broadcast(m.sliding_ratio)),
-        land(broadcast(m.land)) {}
-
-  HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
-    alignas(64) float lanes[11][kWidth];
-    for (std::size_t i = 0; i < kWidth; ++i) {
-      const ContactMaterial& m = table[ids[i]];
-      lanes[0][i] = m.stiffness;
-      lanes[1][i] = m.damping;
-      lanes[2][i] = m.cutting_ratio;
-      lanes[3][i] = m.cutting_energy;
-      lanes[4][i] = 1.0F / m.cutting_energy;
-      lanes[5][i] = m.cutting_depth;
-      lanes[6][i] = m.edge_length;
-      lanes[7][i] = m.size_length;
-      lanes[8][i] = m.crushing_depth;
-      lanes[9][i] = m.sliding_ratio;
-      lanes[10][i] = m.land;
-    }
-    const Floats d;
-    stiffness = hn::Load(d, lanes[0]);
-    damping = hn::Load(d, lanes[1]);
-    cutting_ratio = hn::Load(d, lanes[2]);
-    energy = hn::Load(d, lanes[3]);
-    inverse_energy = hn::Load(d, lanes[4]);
-    cutting_depth = hn::Load(d, lanes[5]);
-    edge_length = hn::Load(d, lanes[6]);
-    size_length = hn::Load(d, lanes[7]);
-    crushing_depth = hn::Load(d, lanes[8]);
-    sliding_ratio = hn::Load(d, lanes[9]);
-    land = hn::Load(d, lanes[10]);
-  }
-};
-
-/// A vector of points, of velocities ...
-struct Vectors {
-  Vec x, y, z;
-};
-HWY_INLINE Vec dot(const Vectors& a, const Vectors& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, a.z * b.z)); }
-/// v + omega x r
-HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const Eigen::Vector3f& omega) {
-  const Vec ox = broadcast(omega.x()), oy = broadcast(omega.y()), oz = broadcast(omega.z());
-  return {hn::NegMulAdd(oz, r.y, hn::MulAdd(oy, r.z, broadcast(v.x()))),
-          hn::NegMulAdd(ox, r.z, hn::MulAdd(oz, r.x, broadcast(v.y()))),
-          hn::NegMulAdd(oy, r.x, hn::MulAdd(ox, r.y, broadcast(v.z())))};
+HWY_INLINE double sum_of_lanes(Vec values) {
+  double lanes[kWidth] = {}, sum = 0;
+  add_lanes(values, lanes);
+  for (const double lane : lanes) sum += lane;
+  return sum;
 }
 
 /// Positions of the strips of a block, or of a point of each, from the block's first voxel.
@@ -204,16 +106,6 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
     return numbers;
   }();
   return hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(ints)>(), kNumbers[lanes].data()));
-}
-
-/// Writes consecutive values to the lanes of a vector whose bits are set; the other lanes do not change.
-HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
-#if HWY_TARGET <= HWY_AVX3
-  const auto mask = __mmask16(lanes);
-  _mm512_mask_storeu_ps(to, mask, _mm512_maskz_expand_ps(mask, _mm512_loadu_ps(values)));
-#else
-  for (; lanes != 0; lanes &= lanes - 1) to[std::countr_zero(lanes)] = *values++;
-#endif
 }
 
 }  // namespace strips

@@ -11,8 +11,19 @@
 #include "hapticut/force/laws/lumped.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "simulation/reach.hpp"
+#include "workpiece/reserved_nodes.hpp"
 
 namespace hapticut {
+namespace {
+
+/// Number of blocks without fills that can get some, wherever they are.
+std::size_t free_blocks(const Workpiece& workpiece) noexcept {
+  const ReservedNodes nodes = reserved_nodes(workpiece);
+  return std::min({nodes.material_leaves, nodes.fill_leaves, nodes.fill_branches});
+}
+
+}  // namespace
+
 ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
     : workpiece_(workpiece),
       head_(head),
@@ -147,7 +158,7 @@ double ContactStages::crushing_depth(const HeadMotion& motion, double scale) con
   return double(damping.crushing_depth(min_crushing_depth_));
 }
 
-/// FoundationLaw, block by block in one pass of vector instructions.
+/// FoundationLaw, a few blocks at once.
 Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                      RemovalRecord* removal, Stiffness* stiffness_T) noexcept {
   const kernels::ContactJob job = job_at(blocks, at);
@@ -159,14 +170,15 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
   kernels::FrictionSums friction;
   bool exhausted = false;
   for (std::size_t first = 0; first < blocks.size();) {
-    std::size_t count = 0;
+    std::size_t count = 0, fresh = 0;
+    const std::size_t room = keeps ? free_blocks(workpiece_) : 0;
     while (first + count < blocks.size() && count < kBlocksAtOnce) {
       const CuttableBlock& block = blocks[first + count];
       const bool writable = removes && can_cut(block);
       exhausted |= removes && !writable;
       float* after = keeps && writable ? fill_target(block, count) : new_fills_[count].data();
       tasks_[count++] = {block.view, after, writable, {}};
-      if (keeps && block.fill == nullptr) break;
+      if (keeps && block.fill == nullptr && ++fresh >= room) break;  // each may take a block of the reserve
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
                           rubs ? &friction : nullptr);
@@ -174,7 +186,7 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
       for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change, tasks_[n].fill_after);
     first += count;
   }
-  if (stiffness_T != nullptr) *stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
+  if (stiffness_T != nullptr) *stiffness_T = stiffness.total(voxel_volume_, double(job.level_of_detail));
   Encounter encounter = encounter_of(job, sums);
   encounter.blocks_exhausted = exhausted;
   if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
@@ -203,12 +215,6 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
   encounter.resultant = outcome.resultant;
   encounter.energies = outcome.energies;
   encounter.level_of_detail = int(job.level_of_detail);
-  const auto materials = std::size_t(workpiece_.materials().size());
-  double& cutting = encounter.energies.cutting;
-  for (std::size_t id = 1; id <= materials; ++id)
-    cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
-  // If only crushing removed material, a rounding difference of two sums is left.
-  cutting = job.motion.cuts() ? std::max(0.0, cutting) : 0.0;
   return encounter;
 }
 

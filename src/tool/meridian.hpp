@@ -48,7 +48,9 @@ struct MeridianCurve {
   [[nodiscard]] MeridianSpring<double> spring(const Vec2& x) const;
   [[nodiscard]] bool smooth() const { return edge.kind == EdgeKind::smooth; }
   [[nodiscard]] double scale() const { return smooth() ? kSmoothScale : 1; }
-  [[nodiscard]] double depth(const Vec2& x) const { return depth_below(spring(x).depth, scale()); }  ///< [m] w
+  [[nodiscard]] double depth(const Vec2& x) const {
+    return formulas::depth_below(spring(x).depth, scale());
+  }  ///< [m] w
 };
 
 class Meridian {

@@ -25,8 +25,8 @@ MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   if (curve == detail::Meridian::kNone) return outside;
   const detail::MeridianCurve& nearest = meridian_->curves()[curve];
   MeridianSpring<double> spring = nearest.spring(x);
-  spring.depth = depth_below(spring.depth, nearest.scale());
-  if (nearest.smooth()) spring.smooth = ProfileSprings<double>(*table_).square_from_corner(rho, z);
+  spring.depth = formulas::depth_below(spring.depth, nearest.scale());
+  if (nearest.smooth()) spring.smooth = formulas::square_from_corners(table_->exact_corners, rho, z);
   return spring;
 }
 

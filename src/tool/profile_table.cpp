@@ -180,7 +180,7 @@ class TableBuilder {
       for (int n = 0; n <= kEdgeSamples; ++n) {
         const double part = double(n) / kEdgeSamples;
         const Vec2 x = e.straight() ? Vec2(e.from + part * (e.to - e.from)) : e.at_angle(part * std::abs(e.sweep));
-        if (is_bounded(x) && springs.decide(rule, x.x(), x.y()).depth > kExact * meridian_.size()) return false;
+        if (is_bounded(x) && springs.decide(rule, x.x(), x.y()).spring.depth > kExact * meridian_.size()) return false;
       }
     for (int row = 0; row < t_.rows; ++row)
       for (int column = 0; column < t_.columns; ++column) {
@@ -369,10 +369,10 @@ class TableBuilder {
                                        std::uint32_t cell) {
     double error = 0;
     for (const Sample& s : samples) {
-      const double got = std::max(0.0, springs.decide(cell, s.at.x(), s.at.y()).depth), want = std::max(0.0, s.depth);
+      const double depth = springs.decide(cell, s.at.x(), s.at.y()).spring.depth;
+      const double got = std::max(0.0, depth), want = std::max(0.0, s.depth);
       const double difference = std::abs(got - want);
-      const bool on_wrong_side = (got > 0) != (want > 0);
-      error = std::max(error, on_wrong_side ? std::min(difference, std::abs(s.margin)) : difference);
+      error = std::max(error, (got > 0) != (want > 0) ? std::min(difference, std::abs(s.margin)) : difference);
     }
     return error;
   }

@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 FOLDERS = ("include", "src", "tests", "docs", "bindings", "examples", "benchmarks")
-ENDINGS = {".hpp", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
+ENDINGS = {".hpp", ".inl", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
 
 ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)
 # Either a word or a part of the name of a test: `C20`, `BallDepth.C1ForceIsThatOfTheCap`.
@@ -25,7 +25,7 @@ WHOLE_RANGE = re.compile(r"C1[`]? \.\.\. [`]?(C\d+)")
 FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?:inline )?(?:constexpr )?[\w:]+ (\w+)\b")
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
 PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
-                  r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
+                  r"\.(?:md|cpp|hpp|inl|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
 LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.M)
 ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "hapticut/force/law.hpp"
 #include "hapticut/workpiece/cut_voxel.hpp"
 
 /// @file
@@ -38,61 +34,10 @@
 /// compares this with the alternatives.
 namespace hapticut {
 
-/// The energy and the threshold depth of the cut of a voxel, in place of u and w0.
-template <class Real>
-struct ChipChord {
-  Real energy;         ///< [J/m^3] u/sigma_c
-  CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
+namespace formulas {
+#include "hapticut/formulas/chip.inl"
+}  // namespace formulas
 
-  static constexpr Real kMinRoots = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
-  static constexpr Real kGrazing =
-      Real(0.01);  ///< [1] part of the feed towards a surface from which on lips take a chip
-  static constexpr Real kMinFeed = Real(1e-6);  ///< [m/s] of a head that only presses
-
-  /// [1] Factor of h_e and h_s.
-  /// @param speed  [m/s] of the head towards the surface or away from it
-  /// @param feed   [m/s] speed of the head in any direction
-  static Real chip_factor(Real speed, Real feed) {
-    return std::min(Real(1), (std::abs(speed) / kGrazing + kMinFeed) / std::max(feed, kMinFeed));
-  }
-
-  /// @param tooth_rate  [1/s] f_z
-  /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
-  /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
-  /// @param speed,feed  [m/s] of the head towards the surface or away from it, and in any direction
-  static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed,
-                      Real feed) {
-    const Roots root_of_speed(material, tooth_rate, rate, speed, feed);
-    const Real b = root_of_speed.b, at_top = root_of_speed(top);
-    const Real outside =
-        std::min(Real(1), -2 * bottom / (top - bottom));  // [1] 1 when half of the voxel or more is below the layer
-    const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
-    const Real dearer = 1 + b / std::max(at_top + other, kMinRoots);  // 1/sigma_c
-    const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);
-    return {material.cutting_energy * dearer, {std::sqrt(std::max(Real(0), top * top - excess)), excess}};
-  }
-
-  /// [m/s] Speed v(q) at which a column recedes whose top is at a depth; without chips where `tooth_rate` is 0.
-  static Real recession_at(Real depth, const ContactMaterial& material, Real tooth_rate, Real rate, Real speed,
-                           Real feed) {
-    const Real root = Roots(material, tooth_rate, rate, speed, feed)(depth);
-    return root * root;
-  }
-
- private:
-  /// sqrt(v(q)) at depths of the layer.
-  struct Roots {
-    Real rate, edge, square, b, w0;
-    Roots(const ContactMaterial& material, Real tooth_rate, Real cut_rate, Real speed, Real feed) : rate(cut_rate) {
-      const Real chips = tooth_rate * chip_factor(speed, feed);
-      edge = material.edge_length * chips, square = material.size_length * chips;
-      b = std::sqrt(square), w0 = material.cutting_depth;
-    }
-    Real operator()(Real depth) const {
-      const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);
-      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kMinRoots);
-    }
-  };
-};
+using formulas::ChipChord;
 
 }  // namespace hapticut

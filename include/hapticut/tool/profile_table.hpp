@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "hapticut/tool/shapes.hpp"
@@ -53,8 +54,8 @@ struct ProfileCell {
 ///
 ///     g = k q - m      depth w = s (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
 ///
-/// This equals s (R - |x - c|) for a circle, without its cancellation, and s m.q for a line. s is kSmoothScale inside a
-/// smooth curve and 1 otherwise (`depth_below`). Curve 0 is all zeros: no depth anywhere.
+/// (formulas/curves.inl). This equals s (R - |x - c|) for a circle, without its cancellation, and s m.q for a line. s
+/// is kSmoothScale inside a smooth curve and 1 otherwise (`depth_below`). Curve 0 is all zeros: no depth anywhere.
 template <class Real>
 struct ProfileCurves {
   std::vector<Real> rho, z;                ///< [m] starting point p, in the direction from tip to shank
@@ -119,14 +120,18 @@ struct ProfileTable {
   std::array<float, kSlabs> slab_radius_squared = {};
 };
 
+namespace formulas {
+#include "hapticut/formulas/curves.inl"
+}  // namespace formulas
+
 /// The data of a profile that the hot loop needs. Holds pointers into the table of the head; the table must outlive it.
 template <class Real>
 struct ProfileSprings {
   const Real *rho, *z, *normal_rho, *normal_z, *curvature, *scale;
   const std::uint32_t *cells, *cells_near;
-  const ProfilePiece<Real>* pieces;
-  const ProfileCorner<Real>* corners;
-  std::size_t piece_count, curve_count, corner_count;
+  std::span<const ProfilePiece<Real>> pieces;
+  std::span<const ProfileCorner<Real>> corners;
+  std::size_t curve_count;
   int columns, rows;
   std::uint32_t everywhere, lid;
   Real cells_per_length;  ///< [1/m]
@@ -136,75 +141,31 @@ struct ProfileSprings {
       : ProfileSprings(t, pick(t.curves, t.exact_curves), pick(t.pieces, t.exact_pieces),
                        pick(t.corners, t.exact_corners)) {}
 
-  /// Signed depth below one curve and the direction there; MeridianSpring::smooth is not set.
-  [[nodiscard]] MeridianSpring<Real> below(std::uint32_t curve, Real at_rho, Real at_z) const {
-    const Real q_rho = at_rho - rho[curve], q_z = at_z - z[curve];
-    const Real m_rho = normal_rho[curve], m_z = normal_z[curve], k = curvature[curve];
-    const Real twice = Real(2) * (m_rho * q_rho + m_z * q_z) - k * (q_rho * q_rho + q_z * q_z);
-    const Real g_rho = k * q_rho - m_rho, g_z = k * q_z - m_z;
-    const Real root = std::sqrt(g_rho * g_rho + g_z * g_z);
-    const Real inverse = Real(1) / std::max(root, Real(1e-12));
-    return {depth_below(twice / (Real(1) + root), scale[curve]), g_rho * inverse, g_z * inverse};
-  }
-
   [[nodiscard]] MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
     const int column = std::min(int(std::min(at_rho, radius) * cells_per_length), columns - 1);
     const int row = std::clamp(int((std::max(at_z, bottom) - bottom) * cells_per_length), 0, rows - 1);
     const std::size_t index = std::size_t(row) * std::size_t(columns) + std::size_t(column);
     const std::uint32_t cell = everywhere != 0 ? everywhere : cells_near[index];
-    MeridianSpring<Real> found = decide(ProfileCell::of_head(cell), at_rho, at_z);
-    const Real beyond = std::max({at_rho - radius, bottom - at_z, at_z - top});  // the bounds
-    if ((beyond >= 0 || ProfileCell::is_outside(cell)) && found.depth > 0)
-      found.depth = Real(-1);  // the curve ends earlier
-    if (beyond > 0) found.depth = std::min(found.depth, -beyond);
-    return found;
+    return decide(ProfileCell::of_head(cell), at_rho, at_z).bounded(*this, ProfileCell::is_outside(cell), at_rho, at_z);
   }
 
-  /// The spring at a point by the rule of a cell.
-  [[nodiscard]] MeridianSpring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
-    std::uint32_t curve = ProfileCell::first(cell);
-    MeridianSpring<Real> found = below(curve, at_rho, at_z);
-    const auto choose_if = [&](bool better, std::uint32_t other, const MeridianSpring<Real>& spring) {
-      if (!better) return;
-      curve = other;
-      found = spring;
-    };
-    const auto choose_nearer = [&](std::uint32_t other, const MeridianSpring<Real>& spring) {
-      const bool is_edge_of_both = scale[curve] != scale[other];
-      const Real depth = depth_below_both(found.depth, spring.depth);
-      choose_if(spring.depth < found.depth, other, spring);
-      if (is_edge_of_both) found.depth = depth;
-    };
+  /// The curve that decides at a point by the rule of a cell.
+  [[nodiscard]] formulas::DecidingCurve<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
+    formulas::DecidingCurve<Real> found(curve(ProfileCell::first(cell)), at_rho, at_z);
     const CellRule rule = ProfileCell::rule(cell);
-    if (rule != CellRule::first) {
-      const std::uint32_t other = ProfileCell::second(cell);
-      const MeridianSpring<Real> second = below(other, at_rho, at_z);
-      // The tangent at p, towards the shank, is m rotated by -90 degrees.
-      const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
-      if (rule == CellRule::nearer)
-        choose_nearer(other, second);
-      else
-        choose_if(rule == CellRule::farther ? second.depth > found.depth : along >= 0, other, second);
-    }
-    if (lid != 0 && cell == everywhere) choose_nearer(lid, below(lid, at_rho, at_z));
-    if (scale[curve] > 1) found.smooth = square_from_corner(at_rho, at_z);
+    if (rule != CellRule::first) found.decide(rule, curve(ProfileCell::second(cell)), at_rho, at_z);
+    if (lid != 0 && cell == everywhere) found.decide(CellRule::nearer, curve(lid), at_rho, at_z);
     return found;
   }
-
-  /// [m^2] MeridianSpring::smooth of a point on a smooth surface.
-  [[nodiscard]] Real square_from_corner(Real at_rho, Real at_z) const {
-    Real nearest = std::numeric_limits<Real>::max();
-    for (std::size_t n = 0; n < corner_count; ++n)
-      nearest = std::min(nearest, hapticut::square_from_corner(at_rho - corners[n].rho, at_z - corners[n].z));
-    return nearest;
+  [[nodiscard]] formulas::CurveSprings<Real> curve(std::uint32_t n) const {
+    return {rho[n], z[n], normal_rho[n], normal_z[n], curvature[n], scale[n]};
   }
 
   /// [m] Distance to the surface, positive inside. O(edges).
   [[nodiscard]] Real margin(Real at_rho, Real at_z) const {
     Real nearest = std::numeric_limits<Real>::max();
     bool inside = false;
-    for (std::size_t n = 0; n < piece_count; ++n) {
-      const ProfilePiece<Real>& p = pieces[n];
+    for (const ProfilePiece<Real>& p : pieces) {
       nearest = std::min(nearest, distance(p, at_rho, at_z));
       if ((p.z_0 <= at_z) != (p.z_1 <= at_z)) inside ^= crossing(p, at_z) > at_rho;
     }
@@ -235,11 +196,9 @@ struct ProfileSprings {
         scale(c.scale.data()),
         cells(t.cells.data()),
         cells_near(t.cells_near.data()),
-        pieces(p.data()),
-        corners(ends.data()),
-        piece_count(p.size()),
+        pieces(p),
+        corners(ends),
         curve_count(t.curve_count),
-        corner_count(ends.size()),
         columns(t.columns),
         rows(t.rows),
         everywhere(t.everywhere),

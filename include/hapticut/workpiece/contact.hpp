@@ -132,6 +132,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
   constexpr float kStep = 1.0F / CentroidOffset::kSteps;
   const bool sub_voxel = quadrature == Quadrature::sub_voxel;
   const float size = steps.col(0).norm();
+  const Eigen::Matrix3f axes = steps / size;
 
   out.sub_voxel = sub_voxel;
   out.rows = out.samples = 0;
@@ -157,12 +158,12 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       const MeridianSpring<float> spring = springs.spring(rho, z);
       const float radial = spring.n_radial / std::max(rho, 1e-12F);
       const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
-      const float depth = sub_voxel ? distance_below(spring.depth, spring.scale()) : spring.depth;
+      const float depth = sub_voxel ? formulas::distance_below(spring.depth, spring.scale()) : spring.depth;
       bool is_inside = depth > 0 && (solid >> lane & 1U) != 0;
       out.exposed[n] = spring.depth < size ? 1.0F : 0.0F;
       if (sub_voxel) {
-        const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
-        out.max_component[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kMinMaxNorm, 1.0F);
+        const formulas::Triple<float> normal = {radial * x, radial * y, spring.n_axial};
+        out.max_component[n] = formulas::largest_component(axes, normal);
         const VoxelSection<float> section(out.max_component[n], out.min_width);
         const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;

@@ -187,7 +187,7 @@ struct Reference {
   ByMaterial<double> removed = {};
   BlockChange change;
   std::array<float, kBlockVoxels> fill_after = {};
-  kernels::StiffnessSums stiffness;
+  Stiffness stiffness = Stiffness::Zero();
   SpreadFriction friction;
   ContactBlock contact;
 
@@ -203,9 +203,8 @@ struct Reference {
     evaluated.solid = with_phase.data(), contact.min_width = job.motion.min_width;
     job.head.visit_springs<float>(
         [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
-    totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
+    totals = FoundationLaw().evaluate(job.motion, job.materials, contact, &stiffness);
     sum_resultant(contact, resultant);
-    kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
     friction.add(contact, job.motion, job.materials);
     if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), removed);
   }
@@ -259,7 +258,9 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       kernels::ContactSums sums;
       kernels::StiffnessSums stiffness;
       kernels::FrictionSums friction;
-      kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness, motion.spin == 0 ? &friction : nullptr);
+      const bool asks = trial % 4 == 3;
+      kernels::press_blocks(job, std::span(&task, 1), sums, asks ? &stiffness : nullptr,
+                            asks && motion.spin == 0 ? &friction : nullptr);
       ++blocks;
       // Skip the rare block with a voxel that touches in only one result, or that takes another surface at a crease.
       const double volume = kVoxel * kVoxel * kVoxel, weight = job.level_of_detail;
@@ -292,23 +293,23 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
-      double whole = 0;  // [J] without crushing
-      for (std::size_t id = 1; id <= 3; ++id) whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
       // Cutting, rubbing and credited contain the rounding of fills, up or down; the work of the drag does not.
-      const double cut = whole + found.cutting, rounded = 10 * kRounding * (energy + whole);
+      const double rounded = 10 * kRounding * energy;
       const double drag = energies.cutting + energies.rubbing - energies.credited;
-      EXPECT_NEAR(cut + found.rubbing - found.credited, drag, 0.2 * rounded);
+      // Law G pays u less what is stored, a difference that magnifies rounding.
+      const double magnified = motion.removal == RemovalLaw::elastic_release ? 2 : 0.2;
+      EXPECT_NEAR(found.cutting + found.rubbing - found.credited, drag, magnified * rounded);
       EXPECT_NEAR(found.rubbing, energies.rubbing, rounded);
       EXPECT_NEAR(found.credited, energies.credited, rounded);
       EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
       crushed += found.crushed > 0 ? 1 : 0;
-      const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
+      const Stiffness k = stiffness.total(volume, 1), &k_expected = expected.stiffness;
       // Unlike the force, the stiffness jumps where a cut or crushed part of a voxel begins; rounding decides the side.
       const double off = (k - k_expected).norm(), size = k_expected.norm() + 1e-9;
-      EXPECT_LT(off, 0.01 * size);
-      at_a_jump += off < 40 * kRounding * size ? 0 : 1;
+      EXPECT_LT(asks ? off : 0, 0.01 * size);
+      at_a_jump += !asks || off < 40 * kRounding * size ? 0 : 1;
       stiff += k.norm() > 0 ? 1 : 0;
-      if (motion.spin == 0) {
+      if (asks && motion.spin == 0) {
         const SpreadFriction all = friction.total(volume, 1), &exact = expected.friction;
         EXPECT_LE((all.directions - exact.directions).norm(), 20 * kRounding * exact.static_limit);
         EXPECT_NEAR(all.static_limit, exact.static_limit, kRounding * scale);
@@ -317,7 +318,6 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         rubbed += all.static_limit > 0 ? 1 : 0;
       }
       for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.removed[id], expected.removed[id], kRounding * 512);
-
       // A voxel may be removed in one result and keep its last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
       for (int n = 0; n < kBlockVoxels; ++n) {

@@ -87,7 +87,7 @@ RC_GTEST_PROP(Shapes, NearestIsTheShallowestOfBottomSideAndTop, ()) {
 // At a corner of 90 degrees between a cutting and a smooth surface, the two distances are independent.
 TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   const auto below = [](double cutting, double smooth) {
-    return depth_below_both(depth_below(cutting, 1.0), depth_below(smooth, kSmoothScale));
+    return formulas::depth_below_both(formulas::depth_below(cutting, 1.0), formulas::depth_below(smooth, kSmoothScale));
   };
   EXPECT_DOUBLE_EQ(below(-3, -4), -5);
   EXPECT_DOUBLE_EQ(below(-3, 4), -3);
@@ -96,7 +96,7 @@ TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   EXPECT_DOUBLE_EQ(below(1, 3), 1);
   EXPECT_NEAR(below(-1e-9, -4), below(1e-9, -4), 1e-8) << "continuous";
   for (const double distance : {-2.0, 0.0, 0.7})
-    EXPECT_DOUBLE_EQ(distance_below(depth_below(distance, kSmoothScale), kSmoothScale), distance);
+    EXPECT_DOUBLE_EQ(formulas::distance_below(formulas::depth_below(distance, kSmoothScale), kSmoothScale), distance);
   // A cone, past the rim of its base.
   const ConeHead cone = {30 * kPi / 180, 1 * mm};
   const double rho = cone.height * std::tan(cone.half_angle) + 0.2 * mm, z = cone.height + 0.1 * mm;

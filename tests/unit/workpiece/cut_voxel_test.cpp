@@ -96,6 +96,31 @@ RC_GTEST_PROP(VoxelSection, SinglePrecisionIsEnoughForThinLayers, ()) {
   RC_ASSERT(std::abs(double(b.energy) / a.energy - 1) < 4e-3);
 }
 
+/// 0, and numbers with sizes from 1e-30 to 1e6.
+std::vector<double> sizes() {
+  std::vector<double> all = {0};
+  for (int n = 0; n <= 20000; ++n) all.push_back(std::pow(10.0, -30 + 36.0 * n / 20000));
+  for (int n = 0; n <= 8000; ++n) all.push_back(n * 0.01);
+  return all;
+}
+
+TEST(TanhQuotient, IsAsExactAsPromised) {
+  for (const double y : sizes()) {
+    const auto t = formulas::TanhQuotient<double>::of(y * y);
+    const double exact = y < 1e-4 ? 1 - y * y / 3 : std::tanh(y) / y;
+    EXPECT_LE(std::abs(t.p / t.q / exact - 1), 2.4e-7) << y;
+    const double deficit = y < 1e-2 ? 1.0 / 3 - 2.0 / 15 * y * y : (1 - exact) / (y * y);
+    EXPECT_LE(std::abs(t.r / t.q / deficit - 1), 3e-6) << y;
+  }
+}
+
+TEST(MeanOfDecay, IsAsExactAsPromised) {
+  for (const double x : sizes()) {
+    const double exact = x == 0 ? 1.0 : -std::expm1(-x) / x;
+    EXPECT_LE(std::abs(double(formulas::mean_of_decay(float(x))) / exact - 1), 4e-7) << x;
+  }
+}
+
 RC_GTEST_PROP(LayerRecession, IsThatOfItsEquation, ()) {
   const double rate = std::pow(10, *number_between(0, 4)), speed = *number_between(0, 5);
   const double threshold = *number_between(0, 1), top = threshold + *number_between(0.01, 1),

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hapticut/core/decay.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 
@@ -79,7 +78,7 @@ class LumpedLaw : public ForceLaw {
       const double per_fill = energy * double(b.depth[n]) * double(material.cutting_ratio) * speed;  // [J/m^3]
       const double phi = double(b.fill[n]), u = double(material.cutting_energy);
       const double x = removes ? per_fill / u : 0.0;
-      const double mean = double(mean_of_decay(float(std::min(x, 1e30))));
+      const double mean = formulas::mean_of_decay(std::min(x, 1e18));
       const double loss = phi * std::min(x * mean, 1.0), left = phi - loss;
       const bool finished = left < double(kMinFill) && x > 0;
       b.fill_after[n] = finished ? 0.0F : float(left);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text of hapticut/force/chip.hpp and of the kernels: cutting energy that depends on the chip.
+
+/// The energy and the threshold depth of the cut of a voxel, in place of u and w0. In any units of length and time;
+/// `material` has the lengths `threshold` (w0), `edge_length` and `size_length`, and the density `energy` (u).
+template <class Real>
+struct ChipChord {
+  Real energy;         ///< [J/m^3] u/sigma_c
+  CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
+
+  static constexpr float kMinRoots = 1e-9F;  ///< [sqrt(m/s)] of y_1 + y_2
+  static constexpr float kGrazing = 0.01F;   ///< [1] part of the feed towards a surface from which on lips take a chip
+  static constexpr float kMinFeed = 1e-6F;   ///< [m/s] of a head that only presses
+
+  /// [1] Factor of h_e and h_s.
+  /// @param speed  [m/s] of the head towards the surface or away from it
+  /// @param feed   [m/s] speed of the head in any direction
+  HAPTICUT_FORMULA static Real chip_factor(Real speed, Real feed) {
+    return min(Real(1), (abs(speed) * Real(1 / kGrazing) + Real(kMinFeed)) / max(feed, Real(kMinFeed)));
+  }
+
+  /// @param tooth_rate  [1/s] f_z, times the chip factor
+  /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
+  /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
+  /// @param speed       [m/s] of the head towards the surface
+  template <class Material>
+  HAPTICUT_FORMULA static ChipChord of(const Material& material, Real tooth_rate, Real rate, Real top, Real bottom,
+                                       Real speed) {
+    const Roots root_of_speed(material, tooth_rate, rate);
+    const Real at_top = root_of_speed.at(top);
+    // [1] 1 when half of the voxel or more is below the layer
+    const Real outside = min(Real(1), -2 * bottom / (top - bottom));
+    const Real other = select(bottom > 0, root_of_speed.at(bottom), outside * sqrt(max(Real(0), speed)));
+    const Real dearer = 1 + root_of_speed.b / max(at_top + other, Real(kMinRoots));  // 1/sigma_c
+    const Real excess = select(rate > 0, at_top * at_top * dearer / rate, Real(0));
+    return {material.energy * dearer, {sqrt(max(Real(0), top * top - excess)), excess}};
+  }
+
+  /// [m/s] Speed v(q) at which a column recedes whose top is at a depth; without chips where `tooth_rate` is 0.
+  template <class Material>
+  HAPTICUT_FORMULA static Real recession_at(Real depth, const Material& material, Real tooth_rate, Real rate) {
+    const Real root = Roots(material, tooth_rate, rate).at(depth);
+    return root * root;
+  }
+
+ private:
+  /// sqrt(v(q)) at depths of the layer.
+  struct Roots {
+    Real rate, edge, square, b, w0_squared;
+    template <class Material>
+    HAPTICUT_FORMULA Roots(const Material& material, Real tooth_rate, Real cut_rate)
+        : rate(cut_rate),
+          edge(material.edge_length * tooth_rate),
+          square(material.size_length * tooth_rate),
+          b(sqrt(square)),
+          w0_squared(material.threshold * material.threshold) {}
+    [[nodiscard]] HAPTICUT_FORMULA Real at(Real depth) const {
+      const Real q = max(Real(0), rate * (depth * depth - w0_squared) - edge);
+      return 2 * q / max(b + sqrt(square + 4 * q), Real(kMinRoots));
+    }
+  };
+};

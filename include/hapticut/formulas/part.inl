@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text of hapticut/force/laws/foundation.hpp and of the kernels: the default law on the filled part of one voxel, step
+// by step. Lengths are in voxel edges, times in the time since the part was evaluated before: the sub-step, or several
+// with a level of detail.
+
+constexpr float kMinPart = 1e-6F;         ///< [1] fill below which a cut voxel is empty
+constexpr float kMaxExponent = 1e18F;     ///< keeps the arithmetic finite
+constexpr float kMinEnergyShare = 1e-6F;  ///< [1] fraction of u that law G always pays
+constexpr float kMinLoss = 1e-5F;         ///< [1] relative loss below which the energy of removed material is neglected
+
+/// 1. The filled part of a voxel.
+template <class Real>
+struct FilledPart {
+  VoxelSection<Real> section;
+  Real far;     ///< [1] depth of the far corner
+  Real top;     ///< [1] depth of the plane that ends the part
+  Real height;  ///< [1] from the far corner to that plane
+  Real fill;    ///< [1] phi
+};
+
+/// 2. Crushing: material deeper than it can bear is removed before the force is computed.
+template <class Real>
+struct PartCrushing {
+  Real top, height, fill;  ///< [1] of what is left
+  Real approach;           ///< [1] >= 0, speed of the top that is left
+  Real yielding;           ///< [1] part of the volume that is at the limit, where a force does not grow with depth
+
+  /// @param approach  [1] >= 0, speed of the head into the material
+  /// @param limit     [1] Damping::crushing_depth
+  /// @param recedes   [1] v(w_c): recession at the pressure of the limit, which is cut; 0 where nothing is cut
+  HAPTICUT_FORMULA static PartCrushing of(const FilledPart<Real>& part, Real approach, Real limit, Real recedes) {
+    const Real cut = min(approach, recedes), deepest = limit + Real(0.5) * cut;
+    const auto crushed = part.top > deepest;
+    const Real height = max(Real(0), deepest - part.far);
+    const Real below = min(part.fill, part.section.fill_below(height));  // rounding
+    return {select(crushed, deepest, part.top), select(crushed, height, part.height),
+            select(crushed, select(below >= Real(kMinPart), below, Real(0)), part.fill), select(crushed, cut, approach),
+            select(crushed, deepest * part.section.area_at(height), Real(0))};
+  }
+};
+
+/// 4. Springs of the part, relative to k_v l and the voxel's volume.
+template <class Real>
+struct PartSprings {
+  Real depth;   ///< [1] phi <w>
+  Real volume;  ///< [1] of the part in contact
+  Real area;    ///< [1] section at the head's surface
+
+  HAPTICUT_FORMULA static PartSprings of(const FilledPart<Real>& part) {
+    const auto& section = part.section;
+    return {section.depth(part.height, part.top), section.volume(part.height, part.top),
+            select(part.top > 0, section.area_at(-part.far), Real(0))};
+  }
+};
+
+/// 5. Recession of the layer.
+template <class Real>
+struct PartRecession {
+  Real cutting;  ///< [1] phi <w>_0
+  Real receded;  ///< [1] r phi <w>_0
+  Real rate;     ///< [1] k_d
+  Real price;    ///< [J/m^3] what cutting costs: `energy`, with law G less the stored energy that helps
+
+  /// @param energy    [J/m^3] u, with its chips
+  /// @param work      [J/m^3] kappa k_v g_d s/2, in the time: k_d times the price
+  /// @param approach  [1] >= 0, speed of the head into the material
+  /// @param stored    [J/m^3] k_v l^2
+  HAPTICUT_FORMULA static PartRecession of(const FilledPart<Real>& part, const CutDepth<Real>& cut, Real energy,
+                                           Real work, Real approach, Real stored, bool release, bool at_end) {
+    const auto is_cut = cut.excess > 0 && part.fill > 0;  // elsewhere the recession may be infinite
+    PartRecession p;
+    p.price = energy;
+    p.rate = work * reciprocal(energy);
+    Real recession = LayerRecession<Real>::of(part.top, cut, p.rate, approach, Real(1), at_end).relative;
+    recession = select(is_cut, recession, Real(0));
+    if (release) {  // helped by what is stored where the layer's top is on average
+      const Real squared = cut.threshold * cut.threshold + recession * cut.excess;
+      p.price = max(energy - Real(0.5) * stored * squared, Real(kMinEnergyShare) * energy);
+      p.rate = work * reciprocal(p.price);
+      recession = LayerRecession<Real>::of(part.top, cut, p.rate, approach, Real(1), at_end).relative;
+      recession = select(is_cut, recession, Real(0));
+    }
+    const Real cutting = part.section.cutting(part.height, cut.threshold, cut.beyond(part.top));
+    p.cutting = select(is_cut, cutting, Real(0));
+    p.receded = p.cutting * recession;
+    return p;
+  }
+};
+
+/// 6. Decay of the fill.
+template <class Real>
+struct PartDecay {
+  Real cut;     ///< [1] spring of the material that is cut, as its mean over the time
+  Real left;    ///< [1] fill after it
+  Real credit;  ///< [1] fill that was removed without work; negative: work that rounding let remove nothing
+
+  HAPTICUT_FORMULA static PartDecay of(Real fill, const PartRecession<Real>& layer) {
+    const Real per_fill = reciprocal(max(fill, Real(kMinPart)));
+    const Real exponent = min(2 * layer.rate * layer.receded * per_fill, Real(kMaxExponent));
+    const Real mean = mean_of_decay(exponent), loss = fill * exponent * mean, left = fill - loss;
+    const auto finished = left < Real(kMinPart) && exponent > 0;
+    return {layer.receded * mean, select(finished, Real(0), left),
+            (fill - left) - loss + select(finished, max(Real(0), left), Real(0))};
+  }
+};
+
+/// 7. Energies stored before and after, relative to k_v l^2 and the voxel's volume.
+template <class Real>
+struct PartEnergies {
+  Real before, after;
+  Real lost;  ///< with removed material; never negative
+
+  /// @param part    before the sub-step
+  /// @param kept    the part that crushing left
+  /// @param left    [1] fill after the sub-step
+  /// @param spring  [1] as its mean over the sub-step
+  /// @param volume  [1] in contact
+  /// @param moved   [1] advance of the head in the sub-step
+  /// @param lead    [1] HeadMotion::lead
+  /// @param bears   [1] crushing depth at rest
+  HAPTICUT_FORMULA static PartEnergies of(const FilledPart<Real>& part, const FilledPart<Real>& kept, Real left,
+                                          Real spring, Real volume, Real moved, float lead, Real bears) {
+    const auto& section = part.section;
+    PartEnergies e;
+    const Real height = any(left < kept.fill) ? section.height_of(left) : kept.height;
+    e.after = section.energy(height, height + part.far + moved * Real(0.5F - lead));
+    e.after = select(left > 0, e.after, Real(0));
+    e.before = e.after - spring * moved;
+    e.lost = Real(0);
+    const auto loses = part.fill - left > Real(kMinLoss) * part.fill;
+    if (any(loses)) {
+      // The excess force of a contact that is evaluated at the end was not stored before.
+      const Real harder = volume * moved * moved * Real(lead);
+      const Real earlier = section.energy(part.height, part.height + part.far - moved * Real(0.5F + lead));
+      e.lost = select(loses, max(Real(0), earlier - e.before - harder), Real(0));
+      const auto crushed = part.top > kept.top;
+      e.lost = select(crushed, Real(0.5) * bears * bears * (part.fill - kept.fill), e.lost);
+      e.before = e.before + e.lost;
+    }
+    return e;
+  }
+};

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text of hapticut/force/laws/foundation.hpp and of the kernels: the material and the motion where the head's surface
+// meets a voxel.
+
+/// Hunt and Crossley's damping of the motion w_dot into the material: smooth and never negative.
+template <class Real>
+struct Damping {
+  Real factor;  ///< [1] g_d
+  Real slope;   ///< [1] its change with chi w_dot
+
+  /// @param x  [1] chi w_dot
+  HAPTICUT_FORMULA static Damping of(Real x) {
+    const Real factor = (1 + max(x, Real(0))) / (1 - min(x, Real(0))), opening = min(factor, Real(1));
+    return {factor, opening * opening};
+  }
+  /// [m] Depth at which a column's pressure k_v g_d w^2/2 is the strength; deeper material is crushed.
+  /// @param at_rest  [m] ContactMaterial::crushing_depth
+  [[nodiscard]] HAPTICUT_FORMULA Real crushing_depth(Real at_rest) const {
+    return at_rest * inverse_root(max(factor, Real(1)));
+  }
+};
+
+/// The constants of a material at the head's surface. Lengths are in voxel edges.
+template <class Real>
+struct SurfaceMaterial {
+  Real stiffness;       ///< [N/m^3] k_v l: pressure gradient at a depth of one edge
+  Real damping;         ///< [s/m] chi
+  Real cutting_ratio;   ///< [1] kappa
+  Real energy;          ///< [J/m^3] u
+  Real threshold;       ///< [1] w0/l
+  Real edge_length;     ///< [1] h_e/l
+  Real size_length;     ///< [1] h_s/l
+  Real crushing_depth;  ///< [1] w_c/l
+
+  static constexpr float kNeverCut = 1e6F;  ///< [1] w0/l of a surface that does not cut
+
+  HAPTICUT_FORMULA static SurfaceMaterial of(const ContactMaterial& m, float voxel_size) {
+    const float per_edge = 1 / voxel_size;
+    return {Real(m.stiffness * voxel_size),
+            Real(m.damping),
+            Real(m.cutting_ratio),
+            Real(m.cutting_energy),
+            Real(m.cutting_depth * per_edge),
+            Real(m.edge_length * per_edge),
+            Real(m.size_length * per_edge),
+            Real(m.crushing_depth * per_edge)};
+  }
+
+  /// The constants at a surface that may be smooth, for depths that are distances.
+  /// @param smooth          [m^2] MeridianSpring::smooth
+  /// @param square_of_land  [m^2] ContactMaterial::square_of_land
+  [[nodiscard]] HAPTICUT_FORMULA SurfaceMaterial at(Real smooth, Real sliding_ratio, Real square_of_land) const {
+    const auto is_smooth = smooth > 0;
+    if (!any(is_smooth)) return *this;
+    const auto slides = is_smooth && smooth > square_of_land;
+    const Real scale = select(is_smooth, Real(kSmoothScale), Real(1)),
+               inverse = select(is_smooth, Real(1 / kSmoothScale), Real(1));
+    SurfaceMaterial there = *this;
+    there.stiffness = stiffness * (scale * scale);
+    there.damping = damping * scale;
+    there.cutting_ratio = select(slides, sliding_ratio, cutting_ratio);
+    there.threshold = select(slides, Real(kNeverCut), threshold * inverse);
+    there.crushing_depth = crushing_depth * inverse;
+    return there;
+  }
+};
+
+/// The slip with which voxels near the axis are cut. The slip omega rho varies over such a voxel, and its centre does
+/// not represent the whole. Thrust is proportional to 1/slip, so the harmonic mean over the section, 1/mean(1/rho),
+/// counts. Its square is that of the centre plus an excess E(q), q = rho^2 in voxel edges squared: kOnAxis^2 on the
+/// axis, negative from 0.46 edges on, -1/12 far away. The fit to the mean over the directions of a unit square gives
+/// 1/rho within 1.2 %.
+template <class Real>
+struct AxisSlip {
+  static constexpr float kZone = 2;          ///< [voxel edges] about the spindle's axis
+  static constexpr float kOnAxis = 0.2837F;  ///< 1/mean(1/rho) over a unit square about the axis = 1/(4 asinh 1)
+  static constexpr float kFar = -1.0F / 12, kPeak = kOnAxis * kOnAxis - kFar;
+  static constexpr float kZero = 4.75F, kFlat = 1.3F, kSteep = 46.0F;
+
+  float per_edge;     ///< [1/m^2] 1/l^2
+  float per_slip;     ///< [m^2/s^2] (l omega)^2
+  float min_squared;  ///< [m^2/s^2] square of the slip of a voxel centred on the axis: the minimum
+
+  HAPTICUT_FORMULA explicit AxisSlip(const HeadMotion& m)
+      : per_edge(1 / (m.voxel_size * m.voxel_size)),
+        per_slip(m.voxel_size * m.voxel_size * m.turning() * m.turning()),
+        min_squared(kOnAxis * kOnAxis * per_slip) {}
+
+  /// [m^2/s^2] Square of the slip with which a voxel is cut, less that of its centre at r.
+  [[nodiscard]] HAPTICUT_FORMULA Real beyond(Real of_center, const Triple<Real>& r) const {
+    const Real q = (r.x * r.x + r.y * r.y) * Real(per_edge);
+    const auto near = q < Real(kZone * kZone);
+    if (!any(near)) return Real(0);
+    const Real peak = Real(kPeak) * (1 - Real(kZero) * q), below = 1 + q * q * (Real(kFlat) + Real(kSteep) * q);
+    const Real excess = Real(per_slip) * (peak / below + Real(kFar));
+    return select(near, max(excess, Real(min_squared) - of_center), Real(0));
+  }
+};
+
+/// How the head's surface moves at a voxel.
+template <class Real>
+struct SurfaceMotion {
+  static constexpr float kRegular = 1e-3F;  ///< [m/s] v_eps
+
+  Triple<Real> velocity;  ///< [m/s] v of the turning surface
+  Real rate;              ///< [m/s] w_dot: of the handpiece along n, which changes the depth
+  Real inverse_slip;      ///< [s/m] 1/sqrt(s^2 + v_eps^2)
+  Real slip;              ///< [m/s] s^2/sqrt(s^2 + v_eps^2)
+  Real beyond;            ///< [m^2/s^2] square of the slip less that of the voxel's centre (AxisSlip)
+
+  /// @param r  [m] the voxel's centre, from To
+  /// @param n  [1] the normal there
+  HAPTICUT_FORMULA static SurfaceMotion of(const HeadMotion& m, const AxisSlip<Real>& axis, const Triple<Real>& r,
+                                           const Triple<Real>& n) {
+    SurfaceMotion s;
+    s.velocity = velocity_at(r, m.velocity, m.angular_velocity);
+    s.rate = dot(n, s.velocity);
+    s.velocity.x = s.velocity.x - Real(m.spin) * r.y;
+    s.velocity.y = s.velocity.y + Real(m.spin) * r.x;  // across n on a body of revolution
+    const Real of_center = max(Real(0), dot(s.velocity, s.velocity) - s.rate * s.rate);
+    s.beyond = axis.beyond(of_center, r);
+    const Real squared = of_center + s.beyond;
+    s.inverse_slip = inverse_root(squared + Real(kRegular * kRegular));
+    s.slip = squared * s.inverse_slip;
+    return s;
+  }
+};

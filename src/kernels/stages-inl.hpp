@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+// The default law on the columns, stage by stage; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_STAGES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_STAGES_INL_HPP
+#undef HAPTICUT_KERNELS_STAGES_INL_HPP
+#else
+#define HAPTICUT_KERNELS_STAGES_INL_HPP
+#endif
+
+#include "kernels/columns-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// FoundationLaw::evaluate and sum_resultant, in the same order. Each stage is a short loop over the columns, without
+/// long chains of dependent operations, and a function of its own: a compiler that inlines everything into one function
+/// makes it slower. The stages do not know the head.
+class Stages {
+  using C = Columns;
+  using Chord = formulas::ChipChord<Wide>;
+  using Surface = formulas::SurfaceMotion<Wide>;
+  using Term = ContactSums::Term;
+  static constexpr int kStep = int(kWidth);
+
+ public:
+  HWY_INLINE Stages(const ContactJob& job, Columns& columns, ContactSums& totals, StiffnessVectors* stiffness,
+                    FrictionVectors* friction)
+      : c_(columns),
+        job_(job),
+        m_(job.motion),
+        axis_(job.motion),
+        totals_(totals),
+        stiffness_(stiffness),
+        friction_(friction),
+        spins_(m_.spin != 0) {}
+
+  /// What the blocks of the next columns allow.
+  HWY_INLINE void allow(bool may_write) {
+    cuts_ = may_write && m_.cuts();
+    crushes_ = may_write && m_.crushes;
+  }
+  [[nodiscard]] HWY_INLINE bool writes() const { return cuts_ || crushes_; }
+
+  /// Evaluates the collected voxels, and clears the columns.
+  HWY_NOINLINE void run(std::span<PressTask> tasks) {
+    c_.pad();
+    sums_.voxels += c_.count;
+    set_material(tasks, c_.one_material, c_.smooth);
+    move();
+    kept_ = {C::kTop, C::kHeight, C::kFill};
+    crushed_ = crushes_ && some_are_deep();
+    if (crushed_) crush();
+    press_springs();
+    if (cuts_) {
+      recede();
+      decay();
+    }
+    book_energies();
+    add_forces();
+    if (stiffness_ != nullptr) add_stiffness();
+    if (friction_ != nullptr) add_friction(tasks, c_.one_material);
+    if (writes()) write_fills(tasks, c_.one_material);
+    c_.clear();
+  }
+
+  [[nodiscard]] HWY_INLINE StiffnessVectors* stiffness() const { return stiffness_; }
+  [[nodiscard]] HWY_INLINE FrictionVectors* friction() const { return friction_; }
+  [[nodiscard]] HWY_INLINE PressSums& sums() { return sums_; }
+  HWY_INLINE void flush() const { sums_.flush(totals_); }
+
+ private:
+  /// Constants of the material at the surface.
+  HWY_NOINLINE void set_material(std::span<PressTask> tasks, MaterialId one_material, bool smooth) {
+    if (one_material == kEmpty || one_material != material_) {
+      for (int n = 0; n < c_.count + kStep && one_material == kEmpty; ++n) {
+        const Constants& constants = constants_of(n < c_.count ? material_of(tasks, kEmpty, n) : kEmpty);
+        for (std::size_t name = 0; name < constants.size(); ++name) c_.of[C::kStiffness + name][n] = constants[name];
+      }
+      for (int n = 0; n < C::kCapacity && one_material != kEmpty; n += kStep)
+        for (std::size_t name = 0; name < Constants().size(); ++name)
+          c_.put(C::Name(C::kStiffness + name), n, constants_of(one_material)[name]);
+      material_ = one_material;
+    }
+    if (!smooth) return;
+    material_ = kEmpty;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Material there =
+          c_.material(n).at(c_.get(C::kSmooth, n), c_.get(C::kSliding, n), c_.get(C::kSquareOfLand, n));
+      c_.put(C::kStiffness, n, there.stiffness), c_.put(C::kDamping, n, there.damping);
+      c_.put(C::kRatio, n, there.cutting_ratio), c_.put(C::kThreshold, n, there.threshold);
+      c_.put(C::kCrushing, n, there.crushing_depth);
+    }
+  }
+  using Constants = std::array<float, C::kMoved - C::kStiffness>;
+  [[nodiscard]] const Constants& constants_of(MaterialId id) {
+    Constants& constants = constants_[id];
+    if (std::exchange(known_[id], true)) return constants;
+    const ContactMaterial& material = job_.materials[id];
+    const auto m = hapticut::formulas::SurfaceMaterial<float>::of(material, m_.voxel_size);
+    return constants = {m.stiffness,
+                        m.damping,
+                        m.cutting_ratio,
+                        m.energy,
+                        m.threshold,
+                        m.edge_length,
+                        m.size_length,
+                        m.crushing_depth,
+                        material.sliding_ratio,
+                        material.square_of_land(m_.voxel_size)};
+  }
+  [[nodiscard]] HWY_INLINE MaterialId material_of(std::span<PressTask> tasks, MaterialId one_material, int n) const {
+    if (one_material != kEmpty) return one_material;
+    const auto at = unsigned(c_.index[n]);
+    const BlockView& block = tasks[at / kBlockVoxels].block;
+    return block.material == nullptr ? block.uniform_material : block.material[at % kBlockVoxels];
+  }
+
+  /// Motion of the surface, damping, and the work of the slip.
+  HWY_NOINLINE void move() {
+    const Wide per_edge = m_.duration / m_.voxel_size, time = m_.duration * m_.level_of_detail;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Place r = c_.place(n), normal = c_.normal(n);
+      Wide factor = 1;
+      if (job_.damped) {
+        const Wide felt = dot(normal, velocity_at(r, m_.felt_velocity, m_.felt_angular_velocity));
+        factor = formulas::Damping<Wide>::of(c_.get(C::kDamping, n) * felt).factor;
+      }
+      c_.put(C::kFactor, n, factor);
+      Wide rate;
+      if (spins_) {
+        const Surface surface = Surface::of(m_, axis_, r, normal);
+        rate = surface.rate;
+        c_.put(C::kInverseSlip, n, surface.inverse_slip);
+        c_.put(C::kWork, n,
+               Wide(0.5F) * c_.get(C::kRatio, n) * c_.get(C::kStiffness, n) * factor * surface.slip * time);
+      } else {
+        rate = dot(normal, velocity_at(r, m_.velocity, m_.angular_velocity));
+      }
+      c_.put(C::kMoved, n, rate * per_edge);
+      c_.put(C::kApproach, n, max(0, rate * per_edge * m_.level_of_detail));
+    }
+  }
+
+  // 1. The filled part.
+  [[nodiscard]] HWY_INLINE Part part(int n) const {
+    return {c_.section(n), c_.get(C::kFar, n), c_.get(C::kTop, n), c_.get(C::kHeight, n), c_.get(C::kFill, n)};
+  }
+  [[nodiscard]] HWY_INLINE Part kept(int n) const {
+    return {c_.section(n), c_.get(C::kFar, n), c_.get(kept_.top, n), c_.get(kept_.height, n), c_.get(kept_.fill, n)};
+  }
+
+  // 2. Crushing.
+  [[nodiscard]] HWY_INLINE Wide crushing_limit(int n) const {
+    return formulas::Damping<Wide>{c_.get(C::kFactor, n), 0}.crushing_depth(c_.get(C::kCrushing, n));
+  }
+  [[nodiscard]] HWY_NOINLINE bool some_are_deep() const {
+    Where deep = Wide(0) > 0;
+    for (int n = 0; n < c_.count; n += kStep) deep = deep || c_.get(C::kTop, n) > crushing_limit(n);
+    return any(deep);
+  }
+  HWY_NOINLINE void crush() {
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Material material = c_.material(n);
+      const Wide limit = crushing_limit(n), rate = c_.get(C::kWork, n) / material.energy;
+      const Wide recedes = cuts_ ? Chord::recession_at(limit, material, lips(n), rate) : Wide(0);
+      const auto p = formulas::PartCrushing<Wide>::of(part(n), c_.get(C::kApproach, n), limit, recedes);
+      c_.put(C::kKeptTop, n, p.top), c_.put(C::kKeptHeight, n, p.height), c_.put(C::kKeptFill, n, p.fill);
+      c_.put(C::kApproach, n, p.approach), c_.put(C::kYielding, n, p.yielding);
+    }
+    kept_ = {C::kKeptTop, C::kKeptHeight, C::kKeptFill};
+  }
+
+  // 3. Chips.
+  /// [1] Lips that pass in the time.
+  [[nodiscard]] HWY_INLINE Wide lips(int n) const {
+    const Wide time = m_.duration * m_.level_of_detail;
+    return Wide(m_.tooth_rate) * time * Chord::chip_factor(mean_rate(n), (m_.velocity - m_.ripple).norm());
+  }
+  /// [m/s] Speed along the normal without its ripple.
+  [[nodiscard]] HWY_INLINE Wide mean_rate(int n) const {
+    const Place ripple = {m_.ripple.x(), m_.ripple.y(), m_.ripple.z()};
+    return c_.get(C::kMoved, n) * (m_.voxel_size / m_.duration) - dot(c_.normal(n), ripple);
+  }
+
+  // 4. Springs of the part.
+  HWY_NOINLINE void press_springs() {
+    Wide fill = 0, area = 0, deepest = 0;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Part kept = this->kept(n);
+      const auto springs = formulas::PartSprings<Wide>::of(kept);
+      c_.put(C::kDepth, n, springs.depth), c_.put(C::kVolume, n, springs.volume);
+      fill = fill + springs.volume, area = area + springs.area, deepest = max(deepest, kept.top);
+      if (!cuts_) {
+        c_.put(C::kRubbing, n, springs.depth), c_.put(C::kSpring, n, springs.depth), c_.put(C::kLeft, n, kept.fill);
+      }
+    }
+    sums_.add(Term::kFill, fill), sums_.add(Term::kArea, area);
+    sums_.note_depth(deepest * m_.voxel_size);
+  }
+
+  // 5. Recession of the layer.
+  HWY_NOINLINE void recede() {
+    const bool release = m_.removal == RemovalLaw::elastic_release;
+    const Wide per_edge = m_.duration * m_.level_of_detail / m_.voxel_size;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Material material = c_.material(n);
+      const Part kept = this->kept(n);
+      const Wide work = c_.get(C::kWork, n);
+      Wide energy = material.energy;
+      auto cut = formulas::CutDepth<Wide>::of(kept.top, material.threshold);
+      if (m_.tooth_rate > 0) {
+        const auto chord = Chord::of(material, lips(n), work / energy, kept.top, kept.far, mean_rate(n) * per_edge);
+        energy = chord.energy, cut = chord.cut;
+      }
+      const auto p = formulas::PartRecession<Wide>::of(kept, cut, energy, work, c_.get(C::kApproach, n),
+                                                       material.stiffness * m_.voxel_size, release, m_.at_end());
+      c_.put(C::kReceded, n, p.receded), c_.put(C::kRate, n, p.rate), c_.put(C::kPrice, n, p.price);
+      c_.put(C::kCutEnergy, n, energy), c_.put(C::kRubbing, n, max(0, c_.get(C::kDepth, n) - p.cutting));
+    }
+  }
+
+  // 6. Decay of the fill.
+  HWY_NOINLINE void decay() {
+    Wide cutting = 0, credited = 0, refused = 0, helped = 0;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Wide fill = c_.get(kept_.fill, n), price = c_.get(C::kPrice, n), energy = c_.get(C::kCutEnergy, n);
+      const auto p = formulas::PartDecay<Wide>::of(fill, {0, c_.get(C::kReceded, n), c_.get(C::kRate, n), price});
+      c_.put(C::kLeft, n, p.left), c_.put(C::kSpring, n, c_.get(C::kRubbing, n) + p.cut);
+      credited = credited + price * max(0, p.credit), refused = refused - price * min(0, p.credit);
+      cutting = cutting + energy * (fill - p.left), helped = helped + (energy - price) * (fill - p.left);
+    }
+    sums_.add(Term::kCutting, cutting), sums_.add(Term::kCredited, credited);
+    sums_.add(Term::kRubbing, refused), sums_.add(Term::kHelped, helped);
+  }
+
+  // 7. Energies before and after.
+  HWY_NOINLINE void book_energies() {
+    Wide before = 0, change = 0, lost = 0, crushed = 0;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Part part = this->part(n), kept = this->kept(n);
+      const Wide left = c_.get(C::kLeft, n), stored = c_.get(C::kStiffness, n) * m_.voxel_size;
+      const auto e = formulas::PartEnergies<Wide>::of(part, kept, left, c_.get(C::kSpring, n), c_.get(C::kVolume, n),
+                                                      c_.get(C::kMoved, n), m_.lead, c_.get(C::kCrushing, n));
+      before = before + stored * e.before, change = change + stored * (e.after - e.before);
+      lost = lost + stored * e.lost;
+      if (!crushed_) continue;
+      const Wide paid = cuts_ ? (c_.get(C::kCutEnergy, n) - c_.get(C::kPrice, n)) * (kept.fill - left) : Wide(0);
+      crushed = crushed + select(part.top > kept.top, stored * e.lost - paid, 0);
+    }
+    sums_.add(Term::kBefore, before), sums_.add(Term::kChange, change);
+    sums_.add(Term::kLost, lost), sums_.add(Term::kCrushed, crushed);
+  }
+
+  HWY_NOINLINE void add_forces() {
+    Place force = {0, 0, 0}, torque = {0, 0, 0}, pushed = {0, 0, 0}, moment = {0, 0, 0};
+    Wide normals = 0, damping = 0, rubbing = 0, couple = 0;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Place r = c_.place(n), normal = c_.normal(n);
+      const Wide elastic = c_.get(C::kStiffness, n) * c_.get(C::kSpring, n), push = elastic * c_.get(C::kFactor, n);
+      const Place along = {push * normal.x, push * normal.y, push * normal.z};
+      Place reaction = along;
+      if (spins_) {
+        const Wide drag = c_.get(C::kRatio, n) * push * c_.get(C::kInverseSlip, n);
+        const Surface surface = Surface::of(m_, axis_, r, normal);
+        const Wide into = drag * surface.rate;
+        reaction = {along.x + (drag * surface.velocity.x - into * normal.x),
+                    along.y + (drag * surface.velocity.y - into * normal.y),
+                    along.z + (drag * surface.velocity.z - into * normal.z)};
+        rubbing = rubbing + 2 * c_.get(C::kWork, n) * c_.get(C::kRubbing, n);
+        couple = couple + drag * surface.beyond;
+        pushed = {pushed.x + along.x, pushed.y + along.y, pushed.z + along.z};
+      }
+      force = {force.x + reaction.x, force.y + reaction.y, force.z + reaction.z};
+      const Place arm = cross(r, reaction);
+      torque = {torque.x + arm.x, torque.y + arm.y, torque.z + arm.z};
+      moment = {moment.x + push * r.x, moment.y + push * r.y, moment.z + push * r.z};
+      normals = normals + push, damping = damping + (push - elastic) * c_.get(C::kMoved, n) * m_.voxel_size;
+    }
+    sums_.add(Term::kForceX, force), sums_.add(Term::kTorqueX, torque);
+    sums_.add(Term::kPushX, pushed), sums_.add(Term::kMomentX, moment);
+    sums_.add(Term::kNormal, normals), sums_.add(Term::kDamping, damping);
+    sums_.add(Term::kRubbing, rubbing), sums_.add(Term::kCouple, couple);
+  }
+
+  HWY_NOINLINE void add_stiffness() {
+    using Stiffness = formulas::PartStiffness<Wide>;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Place r = c_.place(n), normal = c_.normal(n);
+      const Material material = c_.material(n);
+      const Wide factor = c_.get(C::kFactor, n), opening = min(factor, 1);
+      const formulas::Damping<Wide> damping = {factor, job_.damped ? opening * opening : Wide(0)};
+      const formulas::PartSprings<Wide> springs = {c_.get(C::kDepth, n), c_.get(C::kVolume, n), 0};
+      const Wide slope = Stiffness::slope_of(m_, material, damping, springs, c_.get(C::kSpring, n),
+                                             crushed_ ? c_.get(C::kYielding, n) : Wide(0), c_.get(kept_.top, n));
+      const Wide push = material.stiffness * c_.get(C::kSpring, n) * factor;
+      const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, push,
+                                   spins_ ? material.cutting_ratio : Wide(0));
+      stiffness_->add(k.spring, r);
+      if (!spins_) continue;
+      stiffness_->add(k.turned, r);
+      if (any(k.slowed.strength > 0)) stiffness_->add(k.slowed, r);
+    }
+  }
+  /// Sums for the dry friction of a standing head.
+  HWY_NOINLINE void add_friction(std::span<PressTask> tasks, MaterialId one_material) {
+    for (int n = 0; n < c_.count; n += kStep) {
+      MaterialId ids[kWidth];
+      for (int lane = 0; lane < kStep; ++lane)
+        ids[lane] = n + lane < c_.count ? material_of(tasks, one_material, n + lane) : kEmpty;
+      const Wide stiffness = c_.get(C::kStiffness, n);
+      friction_->add(job_.materials, ids, stiffness * c_.get(C::kSpring, n) * c_.get(C::kFactor, n),
+                     stiffness * (1 / m_.voxel_size) * c_.get(C::kVolume, n), c_.place(n), c_.normal(n));
+    }
+  }
+
+  /// Writes the new fills to the blocks, with the changes that follow.
+  HWY_NOINLINE void write_fills(std::span<PressTask> tasks, MaterialId one_material) {
+    const float *before = c_.of[C::kFill], *after = c_.of[C::kLeft];
+    for (int n = 0; n < c_.count;) {
+      const unsigned block = unsigned(c_.index[n]) / kBlockVoxels;
+      PressTask& task = tasks[block];
+      bool changed = false;
+      for (; n < c_.count && unsigned(c_.index[n]) / kBlockVoxels == block; ++n) {
+        const unsigned voxel = unsigned(c_.index[n]) % kBlockVoxels;
+        task.fill_after[voxel] = after[n];
+        changed = changed || after[n] != before[n];
+        if (after[n] == 0) [[unlikely]]
+          task.change.any_emptied = true, task.change.emptied.add(int(voxel));
+      }
+      task.change.any_changed |= changed;
+    }
+    book_removed(tasks, one_material);
+  }
+  HWY_INLINE void book_removed(std::span<PressTask> tasks, MaterialId one_material) {
+    if (one_material == kEmpty) {
+      for (int n = 0; n < c_.count; ++n)
+        totals_.removed[material_of(tasks, kEmpty, n)] += double(c_.of[C::kFill][n]) - double(c_.of[C::kLeft][n]);
+      return;
+    }
+    Wide removed = 0;
+    for (int n = 0; n < c_.count; n += kStep) removed = removed + (c_.get(C::kFill, n) - c_.get(C::kLeft, n));
+    totals_.removed[one_material] += sum_of_lanes(removed.v);
+  }
+
+  struct KeptColumns {
+    C::Name top, height, fill;
+  };
+
+  Columns& c_;
+  const ContactJob& job_;
+  const HeadMotion& m_;
+  const formulas::AxisSlip<Wide> axis_;
+  ContactSums& totals_;
+  StiffnessVectors* const stiffness_;  // null: not needed
+  FrictionVectors* const friction_;    // likewise
+  const bool spins_;
+  PressSums sums_;
+  KeptColumns kept_ = {C::kTop, C::kHeight, C::kFill};  // of the part that crushing left
+  MaterialId material_ = kEmpty;                        // of the columns; kEmpty: of each voxel its own
+  ByMaterial<Constants> constants_;
+  ByMaterial<bool> known_ = {};  // which of them are computed
+  bool cuts_ = false, crushes_ = false;
+  bool crushed_ = false;  // some voxel of these columns was
+};
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

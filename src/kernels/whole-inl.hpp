@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole voxels that stay wholly inside a standing head; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_WHOLE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_WHOLE_INL_HPP
+#undef HAPTICUT_KERNELS_WHOLE_INL_HPP
+#else
+#define HAPTICUT_KERNELS_WHOLE_INL_HPP
+#endif
+
+#include "kernels/gather-inl.hpp"
+#include "kernels/stages-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// For a head that stands and removes nothing, whole voxels that stay wholly inside it need no section: the mean depth
+/// of a cube is that of its centre, and the mean of its square is larger by l^2/12. They are evaluated where they are
+/// found, in registers; a block of them costs a quarter of the stages.
+template <class Springs>
+class Whole {
+ public:
+  HWY_INLINE Whole(const Springs& springs, const ContactJob& job, Stages& stages, const Eigen::Matrix3f& axes)
+      : springs_(springs),
+        job_(job),
+        m_(job.motion),
+        stages_(stages),
+        axes_(axes),
+        deep_enough_(kVoxelReach * m_.voxel_size + (Springs::kCentral ? m_.velocity.norm() * m_.duration : 0.0F)),
+        deep_(springs.grown(-deep_enough_)) {}
+
+  /// Evaluates the voxels of a block that are so, and appends the others that may be inside the head to the list.
+  /// @return bit n: strip n has listed voxels
+  HWY_INLINE std::uint32_t press(const Gather<Springs>& gather, const BlockView& block, int number, VoxelList& list) {
+    Sums sums;
+    const std::uint32_t done = press_strips(gather, block, sums);
+    const std::uint32_t strips = gather.append_skimmed(
+        block, number, list,
+        done, [&](int voxel, const Place& r, Wide fill, Mask hit) HWY_ATTR __attribute__((always_inline)) {
+          return press_lanes(block, voxel, r, fill, hit, sums);
+        });
+    if (sums.voxels > 0) sums.add_to(stages_.sums());
+    return strips;
+  }
+
+ private:
+  /// ContactSums of whole voxels, without a torque about the axis.
+  struct Sums {
+    Place force = {0, 0, 0}, moment = {0, 0, 0};
+    Wide torque_x = 0, torque_y = 0, normals = 0, twice_after = 0, change = 0, damping = 0, depth = 0;
+    int voxels = 0;
+
+    HWY_INLINE Sums() {}  // not the implicit one, which is not compiled for the instruction set
+
+    /// @param k        [N/m^4] zero in lanes that do not count
+    /// @param w        [m] depth of the centres, which advances by `advance` in the sub-step
+    /// @param to_end   [1] part of the advance from there to the end
+    /// @return [N/m^3] normal force
+    HWY_INLINE Wide add_spring(Wide k, Wide w, Wide advance, float to_end, float voxel_size) {
+      const Wide pushed = k * w, at_end = advance * to_end + w;
+      change = change + pushed * advance;
+      twice_after = twice_after + k * (at_end * at_end + voxel_size * voxel_size / 12);
+      return pushed;
+    }
+    /// @param radial, axial  of the normals, as in SpringVectors
+    HWY_INLINE void add_push(const Place& r, Wide radial, Wide axial, Wide push) {
+      const Wide across = push * radial;
+      force = {force.x + across * r.x, force.y + across * r.y, force.z + push * axial};
+      normals = normals + push;
+      moment = {moment.x + push * r.x, moment.y + push * r.y, moment.z + push * r.z};
+      if constexpr (Springs::kCentral) return;
+      const Wide lever = push * (axial - r.z * radial);
+      torque_x = torque_x + lever * r.y, torque_y = torque_y - lever * r.x;
+    }
+    HWY_INLINE void add_to(PressSums& sums) const {
+      using Term = ContactSums::Term;
+      sums.add(Term::kForceX, force), sums.add(Term::kMomentX, moment);
+      sums.add(Term::kTorqueX, torque_x), sums.add(Term::kTorqueY, torque_y);
+      sums.add(Term::kNormal, normals), sums.add(Term::kDamping, damping);
+      sums.add(Term::kChange, change), sums.add(Term::kBefore, Wide(0.5F) * twice_after - change);
+      sums.note_depth(depth);
+      sums.voxels += voxels, sums.whole += voxels;
+    }
+  };
+
+  /// Evaluates the strips of a block of one material that are so inside a ball.
+  /// @return bit n: strip n was evaluated
+  HWY_INLINE std::uint32_t press_strips(const Gather<Springs>& gather, const BlockView& block, Sums& sums) {
+    if constexpr (Springs::kCentral) {
+      if (job_.damped || m_.lead > 0 || stages_.stiffness() != nullptr || stages_.friction() != nullptr) return 0;
+      if (block.material != nullptr || block.fill != nullptr) return 0;
+      const Wide k = job_.materials[block.uniform_material].stiffness;
+      const Eigen::Vector3f path = m_.velocity * m_.duration;
+      const Where all = Wide(1) > 0;
+      const std::uint32_t done = gather.for_each_within(
+          block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
+            const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
+            const Wide advance = radial * (r.x * path.x() + r.y * path.y()) + axial * path.z();
+            sums.add_push(r, radial, axial, sums.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
+            note_depth(depth, r, radial, axial, all, sums);
+          });
+      sums.voxels += kStripLanes * std::popcount(done);
+      return done;
+    }
+    return 0;
+  }
+
+  /// Evaluates the voxels of a vector that are so.
+  /// @return the lanes that are left
+  HWY_INLINE Mask press_lanes(const BlockView& block, int voxel, const Place& r, Wide fill, Mask hit, Sums& sums) {
+    const Floats d;
+    Mask deep = hn::And(hit, (fill >= 1).m);
+    if constexpr (Springs::kCentral) deep = hn::And(deep, deep_.hits(r.x, r.y, r.z).m);
+    if (hn::AllFalse(d, deep)) return hit;
+    const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
+    const Place n = {r.x * radial, r.y * radial, axial};
+    const Wide advance = rate_of(r, n, m_.velocity, m_.angular_velocity) * m_.duration;
+    if constexpr (!Springs::kCentral) deep = hn::And(deep, (depth > abs(advance) + deep_enough_).m);
+    if constexpr (Springs::kSmooth) deep = hn::AndNot((smooth > 0).m, deep);
+    const unsigned lanes = bits_of(deep);
+    const MaterialId* ids = block.material == nullptr ? &block.uniform_material : block.material + voxel;
+    const ContactMaterial& material = job_.materials[ids[0]];
+    if (job_.damped && material.crushing_depth < ContactMaterial::kNeverCrushed) return hit;
+    if (lanes == 0 || (block.material != nullptr && !all_are(ids, ids[0]))) return hit;
+
+    const Wide k = select(Where{deep}, Wide(material.stiffness), 0);
+    const Wide pushed = sums.add_spring(k, depth, advance, 0.5F - m_.lead, m_.voxel_size);
+    formulas::Damping<Wide> damping = {1, 0};
+    Wide push = pushed;
+    if (job_.damped) {
+      damping =
+          formulas::Damping<Wide>::of(material.damping * rate_of(r, n, m_.felt_velocity, m_.felt_angular_velocity));
+      push = pushed * damping.factor;
+      sums.damping = sums.damping + (push - pushed) * advance;
+    }
+    sums.add_push(r, radial, axial, push);
+    sums.voxels += std::popcount(lanes);
+    note_depth(depth, r, radial, axial, Where{deep}, sums);
+    if (stages_.stiffness() != nullptr) [[unlikely]] {
+      const Wide damper = damping.slope * material.damping * depth * (1 / m_.time_to_move());
+      stages_.stiffness()->add({k * (damping.factor + damper), n, n}, r);
+    }
+    if (stages_.friction() != nullptr) [[unlikely]] {
+      MaterialId all[kWidth];
+      std::fill_n(all, kWidth, ids[0]);
+      stages_.friction()->add(job_.materials, all, push, k, r, n);
+    }
+    return hn::AndNot(deep, hit);
+  }
+
+  /// [m/s] Speed along the normal. The normals of a ball have no moment.
+  HWY_INLINE static Wide rate_of(const Place& r, const Place& n, const Eigen::Vector3f& v,
+                                 const Eigen::Vector3f& omega) {
+    if constexpr (Springs::kCentral) return n.x * v.x() + (n.y * v.y() + n.z * v.z());
+    return dot(n, velocity_at(r, v, omega));
+  }
+
+  /// Updates the maximum depth by the tops of voxels.
+  HWY_INLINE void note_depth(Wide depth, const Place& r, Wide radial, Wide axial, Where deep, Sums& sums) {
+    if (!any(deep && depth + kVoxelReach * m_.voxel_size > deepest_)) [[likely]]
+      return;
+    const Place n = {r.x * radial, r.y * radial, axial};
+    const Section section(formulas::largest_component(axes_, n), m_.min_width);
+    sums.depth = max(sums.depth, select(deep, depth + section.span() * (0.5F * m_.voxel_size), 0));
+    deepest_ = hn::GetLane(hn::MaxOfLanes(Floats(), sums.depth.v));
+  }
+
+  const Springs& springs_;
+  const ContactJob& job_;
+  const HeadMotion& m_;
+  Stages& stages_;
+  const Eigen::Matrix3f& axes_;  // of the grid, in T
+  const float deep_enough_;      // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
+  const typename Gather<Springs>::Bound deep_;  // of the centres of such voxels; exact for a ball
+  float deepest_ = 0;                           // [m] of all voxels so far
+};
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
