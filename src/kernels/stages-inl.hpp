@@ -321,15 +321,17 @@ class Stages {
     for (int n = 0; n < c_.count;) {
       const unsigned block = unsigned(c_.index[n]) / kBlockVoxels;
       PressTask& task = tasks[block];
-      bool changed = false;
+      const int first = n;
+      bool changed = false, emptied = false;
       for (; n < c_.count && unsigned(c_.index[n]) / kBlockVoxels == block; ++n) {
-        const unsigned voxel = unsigned(c_.index[n]) % kBlockVoxels;
-        task.fill_after[voxel] = after[n];
-        changed = changed || after[n] != before[n];
-        if (after[n] == 0) [[unlikely]]
-          task.change.any_emptied = true, task.change.emptied.add(int(voxel));
+        task.fill_after[unsigned(c_.index[n]) % kBlockVoxels] = after[n];
+        changed |= after[n] != before[n];
+        emptied |= after[n] == 0;
       }
       task.change.any_changed |= changed;
+      task.change.any_emptied |= emptied;
+      for (int at = first; emptied && at < n; ++at)
+        if (after[at] == 0) task.change.emptied.add(int(unsigned(c_.index[at]) % kBlockVoxels));
     }
     book_removed(tasks, one_material);
   }
