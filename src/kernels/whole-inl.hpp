@@ -96,7 +96,7 @@ class Whole {
       const std::uint32_t done = gather.for_each_within(
           block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
             const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
-            const Wide advance = radial * (r.x * path.x() + r.y * path.y()) + axial * path.z();
+            const Wide advance = rate_of(r, radial, axial, path, path);
             sums.add_push(r, radial, axial, sums.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
             note_depth(depth, r, radial, axial, all, sums);
           });
@@ -114,8 +114,7 @@ class Whole {
     if constexpr (Springs::kCentral) deep = hn::And(deep, deep_.hits(r.x, r.y, r.z).m);
     if (hn::AllFalse(d, deep)) return hit;
     const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
-    const Place n = {r.x * radial, r.y * radial, axial};
-    const Wide advance = rate_of(r, n, m_.velocity, m_.angular_velocity) * m_.duration;
+    const Wide advance = rate_of(r, radial, axial, m_.velocity, m_.angular_velocity) * m_.duration;
     if constexpr (!Springs::kCentral) deep = hn::And(deep, (depth > abs(advance) + deep_enough_).m);
     if constexpr (Springs::kSmooth) deep = hn::AndNot((smooth > 0).m, deep);
     const unsigned lanes = bits_of(deep);
@@ -129,14 +128,15 @@ class Whole {
     formulas::Damping<Wide> damping = {1, 0};
     Wide push = pushed;
     if (job_.damped) {
-      damping =
-          formulas::Damping<Wide>::of(material.damping * rate_of(r, n, m_.felt_velocity, m_.felt_angular_velocity));
+      damping = formulas::Damping<Wide>::of(material.damping *
+                                            rate_of(r, radial, axial, m_.felt_velocity, m_.felt_angular_velocity));
       push = pushed * damping.factor;
       sums.damping = sums.damping + (push - pushed) * advance;
     }
     sums.add_push(r, radial, axial, push);
     sums.voxels += std::popcount(lanes);
     note_depth(depth, r, radial, axial, Where{deep}, sums);
+    const Place n = {r.x * radial, r.y * radial, axial};
     if (stages_.stiffness() != nullptr) [[unlikely]] {
       const Wide damper = damping.slope * material.damping * depth * (1 / m_.time_to_move());
       stages_.stiffness()->add({k * (damping.factor + damper), n, n}, r);
@@ -149,11 +149,13 @@ class Whole {
     return hn::AndNot(deep, hit);
   }
 
-  /// [m/s] Speed along the normal. The normals of a ball have no moment.
-  HWY_INLINE static Wide rate_of(const Place& r, const Place& n, const Eigen::Vector3f& v,
+  /// [m/s] Speed along the normal, n (v + omega x r) = v n + omega (r x n). The normals of a ball have no moment; those
+  /// of a body of revolution have r x n = (y lever, -x lever, 0).
+  HWY_INLINE static Wide rate_of(const Place& r, Wide radial, Wide axial, const Eigen::Vector3f& v,
                                  const Eigen::Vector3f& omega) {
-    if constexpr (Springs::kCentral) return n.x * v.x() + (n.y * v.y() + n.z * v.z());
-    return dot(n, velocity_at(r, v, omega));
+    const Wide along = radial * (r.x * v.x() + r.y * v.y()) + axial * v.z();
+    if constexpr (Springs::kCentral) return along;
+    return along + (axial - r.z * radial) * (r.y * omega.x() - r.x * omega.y());
   }
 
   /// Updates the maximum depth by the tops of voxels.
