@@ -27,21 +27,23 @@ using Material = formulas::SurfaceMaterial<Wide>;
 /// vector can be computed and adds nothing to the sums.
 struct Columns {
   enum Name {
-    kX,
+    // Collected (FilledPart):
+    kX,  // [m] the centre
     kY,
     kZ,
     kNormalX,
     kNormalY,
-    kNormalZ,  // collected: the centre, the normal,
-    kSmooth,
-    kP,
+    kNormalZ,
+    kSmooth,  // [m^2] MeridianSpring::smooth, of heads that are kSmooth
+    kP,       // VoxelSection
     kQ,
-    kPerArea,  // MeridianSpring::smooth, the section,
+    kPerArea,
     kFar,
     kTop,
     kHeight,
-    kFill,  // and the filled part
+    kFill,
     kCollected,
+    // Of the material (SurfaceMaterial):
     kStiffness = kCollected,
     kDamping,
     kRatio,
@@ -49,27 +51,31 @@ struct Columns {
     kThreshold,
     kEdge,
     kSize,
-    kCrushing,  // SurfaceMaterial,
-    kSliding,
-    kSquareOfLand,  // and of a smooth surface: ContactMaterial
-    kMoved,
-    kApproach,
-    kInverseSlip,
-    kWork,
-    kFactor,  // motion; kFactor: g_d
+    kCrushing,
+    kSliding,       // ContactMaterial::sliding_ratio
+    kSquareOfLand,  // [m^2]
+    // Motion:
+    kMoved,        // [1] in the sub-step
+    kApproach,     // [1] in the time, not negative
+    kInverseSlip,  // [s/m] SurfaceMotion
+    kWork,         // [J/m^3] see PartRecession
+    kFactor,       // [1] g_d
+    // PartCrushing, only where something was crushed:
     kKeptTop,
     kKeptHeight,
     kKeptFill,
-    kYielding,  // after crushing
+    kYielding,
+    // PartSprings; the spring is what rubs and what is cut:
     kDepth,
     kVolume,
     kRubbing,
-    kSpring,  // springs; kRubbing: the part of kSpring that is not cut
+    kSpring,
+    // PartRecession and PartDecay:
     kReceded,
     kRate,
     kPrice,
     kCutEnergy,
-    kLeft,  // cutting
+    kLeft,
     kColumns
   };
   static constexpr int kChunk = 112, kCapacity = kChunk + 2 * kStripLanes;

@@ -51,7 +51,7 @@ namespace formulas {
 ///
 /// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w is the distance, k_v is
 /// multiplied by s^2, chi by s, and every depth by 1/s. kappa is mu_d, and nothing is cut except within the material's
-/// land of a cutting edge (`at_surface`).
+/// land of a cutting edge (`SurfaceMaterial::at`).
 ///
 /// From the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
 /// removed; see docs/decisions/0003-removal-and-ledger.md and 0009-cut-voxels.md.
