@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every header of include/ and src/ compiles alone, except those that kernels include repeatedly (-inl.hpp).
+"""Checks that every header of include/ and src/ compiles alone, except those that are included repeatedly (-inl.hpp, .inl).
 
     headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
 
@@ -40,11 +40,11 @@ class Headers:
     def __init__(self):
         self.path = {}
         for folder in ("include", "src"):
-            for path in sorted((ROOT / folder).rglob("*.hpp")):
+            for path in sorted([*(ROOT / folder).rglob("*.hpp"), *(ROOT / folder).rglob("*.inl")]):
                 if "tests" in path.relative_to(ROOT).parts:
                     continue  # tests of a device, next to its adapter
                 self.path[str(path.relative_to(ROOT / folder))] = path
-        self.names = [name for name in self.path if not name.endswith("-inl.hpp")]
+        self.names = [name for name in self.path if not name.endswith(("-inl.hpp", ".inl"))]
         self.closures = {}
 
     def includes(self, name):
