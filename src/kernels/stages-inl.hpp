@@ -73,16 +73,17 @@ class Stages {
  private:
   /// Constants of the material at the surface.
   HWY_NOINLINE void set_material(std::span<PressTask> tasks, MaterialId one_material, bool smooth) {
-    if (one_material == kEmpty || one_material != material_) {
-      for (int n = 0; n < c_.count + kStep && one_material == kEmpty; ++n) {
+    if (one_material == kEmpty) {
+      for (int n = 0; n < c_.count + kStep; ++n) {
         const Constants& constants = constants_of(n < c_.count ? material_of(tasks, kEmpty, n) : kEmpty);
         for (std::size_t name = 0; name < constants.size(); ++name) c_.of[C::kStiffness + name][n] = constants[name];
       }
-      for (int n = 0; n < C::kCapacity && one_material != kEmpty; n += kStep)
-        for (std::size_t name = 0; name < Constants().size(); ++name)
-          c_.put(C::Name(C::kStiffness + name), n, constants_of(one_material)[name]);
-      material_ = one_material;
+    } else if (one_material != material_) {  // for all chunks until the material changes
+      const Constants& constants = constants_of(one_material);
+      for (std::size_t name = 0; name < constants.size(); ++name)
+        for (int n = 0; n < C::kCapacity; n += kStep) c_.put(C::Name(C::kStiffness + name), n, constants[name]);
     }
+    material_ = one_material;
     if (!smooth) return;
     material_ = kEmpty;
     for (int n = 0; n < c_.count; n += kStep) {

@@ -26,7 +26,7 @@ struct ContactSums {
     kLost,     // stored in removed material: released, crushed and helped together
     kCrushed,  // the part of it that crushing took
     kHelped,   // the part of it that helped cutting (law G)
-    kCutting,
+    kCutting,  // u/sigma_c of what was cut, without what was crushed
     kCredited,
     kDamping,
     kRubbing,

@@ -42,7 +42,8 @@ Motion circles_with_a_side() {
 }
 
 /// [m^3] that a hand on a Touch removes in a second.
-double removed(const Motion& motion, const Material& material, double force, double speed, double rate) {
+/// @param beside  [m] how far beside the motion it starts
+double removed(const Motion& motion, const Material& material, double force, double speed, double rate, double beside) {
   const Tool tool(motion.head, RayHandle{30 * mm}, common_spindle(40000 * rpm));
   Simulation simulation(build_block({Vec3(-8, -3, -3) * mm, Vec3(8, 3, 0) * mm}, 0.1 * mm, material), tool,
                         implicit(0, std::nullopt));
@@ -50,7 +51,8 @@ double removed(const Motion& motion, const Material& material, double force, dou
   const double dt = 1 / rate, above = 0.3 * mm, landing = 0.1;  // [s], [m], [s]
   const auto hand = [&](double t) {
     const double down = std::min(1.0, t / landing) * (above + force / coupling.gains().stiffness);
-    const Vec3 p = motion.at(std::max(0.0, t - landing) * speed) + Vec3(0.017 * mm, 0.006 * mm, 1 * mm + above - down);
+    const Vec3 p =
+        motion.at(std::max(0.0, t - landing) * speed) + Vec3(0.017 * mm + beside, 0.006 * mm, 1 * mm + above - down);
     return Pose{motion.rotation, p} * tool.X_HT().inverse();
   };
   double volume = 0;
@@ -59,11 +61,15 @@ double removed(const Motion& motion, const Material& material, double force, dou
   return volume;
 }
 
-/// [1] Most that the removed volume changes with the rate, from 0.5 to 4 kHz.
+/// [1] Most that the removed volume changes with the rate, from 0.5 to 4 kHz. The means of five starts that are a
+/// nanometre apart are compared, because chance makes the volumes of such starts differ by up to 2 %.
 double change_with_rate(const Motion& motion, const Material& material, double force, double speed) {
+  constexpr int kStarts = 5;
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
-    const double volume = removed(motion, material, force, speed, rate);
+    double volume = 0;
+    for (int start = 0; start < kStarts; ++start)
+      volume += removed(motion, material, force, speed, rate, start * 1e-9) / kStarts;
     least = std::min(least, volume), most = std::max(most, volume);
   }
   return most / least - 1;
@@ -73,9 +79,8 @@ TEST(RemovedVolume, DoesNotDependOnTheRate) {
   constexpr double kFast = 40e-3;  // [m/s]
   EXPECT_LT(change_with_rate(strokes_of_a_ball(), presets::trabecular_bone(), 1, kFast), 0.02);
   EXPECT_LT(change_with_rate(strokes_of_a_ball(), presets::trabecular_bone(), 0.3, kFast), 0.05);
-  // Up to 3 % of a circle is chance: starts that are a nanometre apart differ by that.
-  EXPECT_LT(change_with_rate(circles_with_a_side(), presets::trabecular_bone(), 0.3, kFast), 0.08);
-  EXPECT_LT(change_with_rate(circles_with_a_side(), presets::dentin(), 1, kFast), 0.03);
+  EXPECT_LT(change_with_rate(circles_with_a_side(), presets::trabecular_bone(), 0.3, kFast), 0.06);
+  EXPECT_LT(change_with_rate(circles_with_a_side(), presets::dentin(), 1, kFast), 0.02);
 }
 
 // The limit: what this hand cuts in a second is a fifteenth of a voxel deep.
