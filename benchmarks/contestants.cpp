@@ -4,6 +4,7 @@
 #include <openvdb/openvdb.h>
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 namespace hapticut::bench {
@@ -221,10 +222,89 @@ class DenseSimd final : public DenseContestant {
   }
 };
 
+/// A proxy of the ball that the voxels stop, on a spring to the ball, and voxels that vanish when it touches them: the
+/// rule of CHAI3D's example 28-voxel-basic (version 3.3), which removes one voxel a turn whatever the force is. The
+/// proxy advances in steps of a voxel, looks at all voxels around it, and slides along the first that it meets, up to
+/// twice.
+class Proxy final : public DenseContestant {
+ public:
+  /// @param removals  voxels that a tick removes at most: those where the proxy was stopped
+  Proxy(const Workload& w, int removals) : DenseContestant(w), removals_(removals) {}
+
+  TickResult tick(const Vec3& center) override {
+    constexpr int kStops = 3;
+    TickResult out;
+    const Vec3 goal_of_ball = center;
+    if (!placed_) proxy_ = center, placed_ = true;
+    Vec3 goal = goal_of_ball;
+    for (int stop = 0; stop < kStops && goal != proxy_; ++stop) {
+      const std::optional<Stop> met = first_stop(proxy_, goal);
+      if (!met) {
+        proxy_ = goal;
+        break;
+      }
+      ++out.contact;
+      proxy_ = met->at;
+      const Vec3 rest = goal_of_ball - proxy_;
+      goal = proxy_ + rest - rest.dot(met->normal) * met->normal;
+      if (w_.removes() && out.removed < removals_) {
+        *met->voxel = 0;
+        ++out.removed;
+      }
+    }
+    const Vec3 force = 1e3 * (proxy_ - goal_of_ball);
+    out.force_x = force.x(), out.force_z = force.z();
+    return out;
+  }
+
+ private:
+  struct Stop {
+    Vec3 at, normal;
+    float* voxel;
+  };
+
+  /// Where the proxy first meets a voxel, as a ball of 0.7 voxels.
+  std::optional<Stop> first_stop(const Vec3& from, const Vec3& to) {
+    const double h = w_.voxel_size, reach = w_.radius + 0.9 * h, radius = w_.radius + 0.7 * h;
+    const double length = (to - from).norm();
+    const Vec3 along = (to - from) / length;
+    std::optional<Stop> nearest;
+    double nearest_way = length;
+    for (double way = std::min(h, length); !nearest; way = std::min(way + h, length)) {
+      const Vec3 at = from + way * along;
+      const Range range = voxels_around(at, reach, h);
+      for (int k = std::max(range.lo[2], region_.lo[2]); k <= std::min(range.hi[2], region_.hi[2]); ++k)
+        for (int j = std::max(range.lo[1], region_.lo[1]); j <= std::min(range.hi[1], region_.hi[1]); ++j) {
+          float* solid = row(j, k) - region_.lo[0];
+          for (int i = std::max(range.lo[0], region_.lo[0]); i <= std::min(range.hi[0], region_.hi[0]); ++i) {
+            if (solid[i] == 0) continue;
+            const Vec3 voxel = h * Vec3(i + 0.5, j + 0.5, k + 0.5);
+            if ((voxel - at).squaredNorm() >= reach * reach) continue;
+            const Vec3 away = from - voxel;
+            const double half = away.dot(along), root = half * half - away.squaredNorm() + radius * radius;
+            if (half >= 0 || root < 0) continue;  // it moves away, or passes by
+            const double met = std::max(0.0, -half - std::sqrt(root));
+            if (met > nearest_way) continue;
+            nearest_way = met;
+            const Vec3 stopped = from + met * along;
+            nearest = Stop{stopped, (stopped - voxel).normalized(), &solid[i]};
+          }
+        }
+      if (way >= length) break;
+    }
+    return nearest;
+  }
+
+  const int removals_;
+  Vec3 proxy_;
+  bool placed_ = false;
+};
+
 }  // namespace
 
 const std::vector<std::string>& contestant_names() {
-  static const std::vector<std::string> names = {"vdb_accessor", "vdb_leaf", "dense", "dense_simd"};
+  static const std::vector<std::string> names = {"vdb_accessor", "vdb_leaf",  "dense",
+                                                 "dense_simd",   "proxy_one", "proxy_three"};
   return names;
 }
 
@@ -233,6 +313,8 @@ std::unique_ptr<Contestant> make_contestant(const std::string& name, const Workl
   if (name == "vdb_leaf") return std::make_unique<VdbLeaf>(workload);
   if (name == "dense") return std::make_unique<Dense>(workload);
   if (name == "dense_simd") return std::make_unique<DenseSimd>(workload);
+  if (name == "proxy_one") return std::make_unique<Proxy>(workload, 1);
+  if (name == "proxy_three") return std::make_unique<Proxy>(workload, 3);
   throw std::invalid_argument("no contestant '" + name + "'");
 }
 

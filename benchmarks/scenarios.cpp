@@ -16,6 +16,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "kernel_choice.hpp"
 #include "surfaces.hpp"
 #include "tick_times.hpp"
 
@@ -245,6 +246,9 @@ void run_load(benchmark::State& state, const std::string& kind) {
 
 int main(int argc, char** argv) {
   using namespace hapticut::bench;
+  const char* kernels = choose_kernels();
+  if (kernels == nullptr) return 2;
+  benchmark::AddCustomContext("kernels", kernels);
   add_heads();
   add_sizes();
   add_materials();

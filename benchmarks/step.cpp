@@ -8,6 +8,7 @@
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "kernel_choice.hpp"
 #include "tick_times.hpp"
 
 namespace hapticut::bench {
@@ -87,6 +88,7 @@ void register_all() {
         const Workload workload{path, h, radius};
         std::vector<std::string> names = contestant_names();
         names.emplace_back("hapticut");
+        if (path != Path::w2) std::erase_if(names, [](const std::string& name) { return name.starts_with("proxy"); });
         if (path == Path::w3 || (path == Path::w1 && radius > 1.5e-3)) names.emplace_back("hapticut_static");
         for (const std::string& name : names)
           benchmark::RegisterBenchmark(workload.name(name).c_str(),
@@ -101,6 +103,9 @@ void register_all() {
 }  // namespace hapticut::bench
 
 int main(int argc, char** argv) {
+  const char* kernels = hapticut::bench::choose_kernels();
+  if (kernels == nullptr) return 2;
+  benchmark::AddCustomContext("kernels", kernels);
   hapticut::bench::register_all();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -4,21 +4,26 @@
 # results to out/bench/*.json and the tables to out/bench/verdict.md and table.md, and prints them: first which scenes fit
 # into 1 ms.
 #
-#   scripts/bench.sh [--all] [--repetitions N] [--no-install]
+#   scripts/bench.sh [--all] [--repetitions N] [--kernels avx2] [--no-install]
 #
 #   --all            all workloads, voxel sizes and radii (about half an hour); default: those in the table
+#   --kernels avx2   measure those of AVX2, where the machine would choose AVX-512
 #   --repetitions N  number of repetitions, in random order; the median is used (default 5)
 #   --no-install     do not install packages
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-filter='W2/.*/R2/|W1/.*/R2/(hapticut_static|dense_simd)|W3/.*/R[23]/(hapticut|dense_simd)'
+filter='W2/.*/R2/|W1/.*/R2/(hapticut_static|dense_simd)|W3/.*/R[23]/(hapticut|hapticut_static|dense_simd)'
 repetitions=5
 install=true
 while [ $# -gt 0 ]; do
   case $1 in
     --all) filter=. ;;
     --no-install) install=false ;;
+    --kernels)
+      export HAPTICUT_BENCH_KERNELS=${2:-}
+      shift
+      ;;
     --repetitions)
       repetitions=${2:-}
       [[ $repetitions =~ ^[1-9][0-9]*$ ]] || { echo "bench.sh: --repetitions needs a number, e.g. --repetitions 5." >&2; exit 2; }
@@ -40,7 +45,7 @@ if $install; then scripts/install-deps.sh --for bench; fi
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 out=out/bench
 mkdir -p "$out"
-cmake --preset release -DHAPTICUT_WITH_BENCHMARKS=ON >"$out/build.log" 2>&1 &&
+cmake --preset release -DHAPTICUT_WITH_BENCHMARKS=ON ${HAPTICUT_BENCH_KERNELS:+-DHAPTICUT_KERNELS=ALL} >"$out/build.log" 2>&1 &&
   cmake --build --preset release -t bench_verdict bench_step bench_scenarios bench_report hapticut_cli >>"$out/build.log" 2>&1 ||
   { tail -n 40 "$out/build.log" >&2; echo "bench.sh: the build failed; see $out/build.log." >&2; exit 1; }
 
