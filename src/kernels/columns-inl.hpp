@@ -48,12 +48,14 @@ struct Columns {
     kDamping,
     kRatio,
     kEnergy,
+    kPerEnergy,
     kThreshold,
     kEdge,
     kSize,
     kCrushing,
     kSliding,       // ContactMaterial::sliding_ratio
     kSquareOfLand,  // [m^2]
+    kMaterial,      // its number, only where the materials differ
     // Motion:
     kMoved,        // [1] in the sub-step
     kApproach,     // [1] in the time, not negative
@@ -75,7 +77,9 @@ struct Columns {
     kRate,
     kPrice,
     kCutEnergy,
-    kLeft,
+    kCutFrom = kReceded,  // CutDepth with chips, until the layer has receded
+    kExcess = kRate,
+    kLeft = kCutEnergy + 1,
     kColumns
   };
   static constexpr int kChunk = 112, kCapacity = kChunk + 2 * kStripLanes;
@@ -96,16 +100,24 @@ struct Columns {
     return {get(kP, first), get(kQ, first), get(kPerArea, first)};
   }
   [[nodiscard]] HWY_INLINE Material material(int first) const {
-    return {get(kStiffness, first), get(kDamping, first), get(kRatio, first), get(kEnergy, first),
-            get(kThreshold, first), get(kEdge, first),    get(kSize, first),  get(kCrushing, first)};
+    return {get(kStiffness, first), get(kDamping, first),   get(kRatio, first),
+            get(kEnergy, first),    get(kPerEnergy, first), get(kThreshold, first),
+            get(kEdge, first),      get(kSize, first),      get(kCrushing, first)};
   }
 
   HWY_INLINE void clear() {
     count = 0;
     smooth = false;
   }
+  /// Removes a chunk; at most a vector of others is left.
+  HWY_INLINE void remove_chunk() {
+    count -= kChunk;
+    for (int name = 0; name < kCollected; ++name) put(Name(name), 0, get(Name(name), kChunk));
+    std::copy_n(index + kChunk, count, index);
+  }
   /// Ends the collected columns with a voxel without fill, outside the head.
   HWY_INLINE void pad() {
+    if (count % int(kWidth) == 0) return;
     for (int name = 0; name < kCollected; ++name) hn::StoreU(hn::Zero(Floats()), Floats(), of[name] + count);
     hn::StoreU(broadcast(-2.0F), Floats(), of[kFar] + count);
   }
@@ -164,22 +176,23 @@ struct StiffnessVectors : TermVectors<StiffnessSums> {
 };
 
 struct FrictionVectors : TermVectors<FrictionSums> {
-  /// @param ids     of the materials
+  /// @param number  gives one of ContactMaterial for each lane
   /// @param push    [N/m^3] normal force
   /// @param spring  [N/m^4] k_v times the volume in contact
-  HWY_NOINLINE void add(const ContactMaterials& materials, const MaterialId* ids, Wide push, Wide spring,
-                        const Place& r, const Place& normal) {
-    using Sum = FrictionSums;
-    alignas(64) float of_static[kWidth], of_dynamic[kWidth], of_tangential[kWidth];
-    for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      const ContactMaterial& m = materials[ids[lane]];
-      of_static[lane] = m.static_friction, of_dynamic[lane] = m.dynamic_friction;
-      of_tangential[lane] = m.tangential_stiffness;
-    }
-    const Wide limit = Wide::load(of_static) * push, tangential = Wide::load(of_tangential);
-    add_to(Sum::kStatic, limit), add_to(Sum::kDynamic, Wide::load(of_dynamic) * push);
+  template <class Of>
+  HWY_INLINE void add(const Of& number, Wide push, Wide spring, const Place& r, const Place& normal) {
+    const Wide limit = number(&ContactMaterial::static_friction) * push,
+               tangential = number(&ContactMaterial::tangential_stiffness);
+    add_to(Sum::kDynamic, number(&ContactMaterial::dynamic_friction) * push);
     add_to(Sum::kAnchor, tangential * limit);
     add_to(Sum::kSpring, select(tangential == 0 && push > 0, spring, 0));
+    add_limits(limit, r, normal);
+  }
+
+ private:
+  using Sum = FrictionSums;
+  HWY_NOINLINE void add_limits(Wide limit, const Place& r, const Place& normal) {
+    add_to(Sum::kStatic, limit);
     const Place arm = cross(r, normal);
     const Wide place[3] = {r.x, r.y, r.z}, along[5] = {normal.x, normal.y, normal.z, arm.x, arm.y};
     for (std::size_t i = 0, term = Sum::kSecond; i < 3; ++i) {
@@ -189,6 +202,31 @@ struct FrictionVectors : TermVectors<FrictionSums> {
     for (std::size_t i = 0, term = Sum::kNormals; i < 5; ++i)
       for (std::size_t j = i; j < 5; ++j, ++term) add_to(term, limit * along[i] * along[j]);
   }
+};
+
+/// Those sums that a caller asks for.
+class AskedVectors {
+ public:
+  HWY_INLINE AskedVectors() {}
+  HWY_INLINE void ask(StiffnessSums* stiffness, FrictionSums* friction) {
+    stiffness_totals_ = stiffness, friction_totals_ = friction;
+    if (stiffness != nullptr) stiffness_.clear();
+    if (friction != nullptr) friction_.clear();
+  }
+  [[nodiscard]] HWY_INLINE StiffnessVectors* stiffness() {
+    return stiffness_totals_ == nullptr ? nullptr : &stiffness_;
+  }
+  [[nodiscard]] HWY_INLINE FrictionVectors* friction() { return friction_totals_ == nullptr ? nullptr : &friction_; }
+  HWY_INLINE void flush() const {
+    if (stiffness_totals_ != nullptr) stiffness_.flush(*stiffness_totals_);
+    if (friction_totals_ != nullptr) friction_.flush(*friction_totals_);
+  }
+
+ private:
+  StiffnessSums* stiffness_totals_ = nullptr;
+  FrictionSums* friction_totals_ = nullptr;
+  StiffnessVectors stiffness_;
+  FrictionVectors friction_;
 };
 
 }  // namespace strips

@@ -17,43 +17,17 @@ namespace strips {
 
 /// [voxels] From the middle of a strip to its farthest voxel: 3.5 along k and 0.5 along j, rounded up.
 constexpr float kHalfStrip = 3.6F;
-/// Voxels of a few blocks that may be inside the head, in the order of the blocks.
-struct VoxelList {
-  static constexpr int kEnough = 2 * Columns::kChunk;
-  static constexpr int kCapacity = kEnough + kBlockVoxels + kStripLanes;
-  alignas(64) float x[kCapacity], y[kCapacity], z[kCapacity];  // [m] their centres in T
-  alignas(64) float fill[kCapacity];                           // before the sub-step
-  alignas(64) std::int32_t index[kCapacity];  // 512 times the number of the block, plus the offset in the block
-  int count = 0;
-  MaterialId material = kEmpty;  // of all voxels; kEmpty: their materials may differ
-
-  [[nodiscard]] HWY_INLINE Place place(int first) const {
-    return {Wide::load(x + first), Wide::load(y + first), Wide::load(z + first)};
-  }
-  HWY_INLINE void clear() { count = 0; }
-};
-
-/// Copies the fills of strips that are written for the first time, so that voxels that are not listed keep theirs.
-HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
-  const BlockView& block = task.block;
-  if (task.fill_after != block.fill)
-    for (std::uint32_t begun = strips & ~task.change.strips; begun != 0; begun &= begun - 1) {
-      const int first = kStripLanes * std::countr_zero(begun);
-      for (int voxel = first; voxel < first + kStripLanes; ++voxel) task.fill_after[voxel] = block.fill_of(voxel);
-    }
-  task.change.strips |= strips;
-}
-
 /// Finds the solid voxels of blocks that may be inside the head.
 template <class Springs>
 class Gather {
  public:
   using Bound = decltype(std::declval<const Springs&>().grown(0.0F));
 
-  HWY_INLINE Gather(const Springs& springs, const ContactJob& job)
+  /// @param motion  [m] of any point of the head, at most, until the voxels are evaluated
+  HWY_INLINE Gather(const Springs& springs, const ContactJob& job, float motion)
       : job_(job),
-        near_(springs.grown(kVoxelReach * job.motion.voxel_size)),
-        strips_near_(springs.grown((kHalfStrip + kVoxelReach) * job.motion.voxel_size)),
+        near_(springs.grown(kVoxelReach * job.motion.voxel_size + motion)),
+        strips_near_(springs.grown((kHalfStrip + kVoxelReach) * job.motion.voxel_size + motion)),
         strips_inside_(springs.grown(-(kHalfStrip + kVoxelReach) * job.motion.voxel_size)),
         steps_(job.grid.voxel_steps.template cast<float>()),
         firsts_(steps_, Eigen::Vector3f::Zero()),
@@ -69,57 +43,29 @@ class Gather {
     }
   }
 
-  /// Appends the voxels of a block to the list.
-  /// @param number  of the block
-  /// @return bit n: strip n has listed voxels
-  HWY_INLINE std::uint32_t append(const BlockView& block, int number, VoxelList& list) const {
-    return append_skimmed(block, number, list, 0, nullptr);
+  /// @param out  [ReachedVoxels::kCapacity]
+  HWY_INLINE ReachedVoxels find(const BlockView& block, std::uint16_t* out) const {
+    return find_skimmed(block, out, 0, nullptr);
   }
 
   /// @param done  bit n: strip n is skipped
-  /// @param skim  called with the first index of a vector of voxels, their positions, their fills, and a mask of those
-  /// that may be inside; returns the mask of those to list; nullptr: all
+  /// @param skim  called with the first index of a vector of voxels, their positions, and the lanes that may be inside,
+  /// as bits; returns those to list; nullptr: all
   template <class Skim>
-  HWY_INLINE std::uint32_t append_skimmed(const BlockView& block, int number, VoxelList& list, std::uint32_t done,
-                                          const Skim& skim) const {
-    const hn::CappedTag<MaterialId, kWidth> ids;
-    auto others = hn::Zero(ids);
-    MaterialId material = block.uniform_material;
-    int count = list.count;
-    std::uint32_t strips = 0;
+  HWY_INLINE ReachedVoxels find_skimmed(const BlockView& block, std::uint16_t* out, std::uint32_t done,
+                                        const Skim& skim) const {
+    const hn::Rebind<std::uint16_t, Floats> shorts;
+    ReachedVoxels reached = {out, 0, material_of(block)};
     for_each(
-        block, done, [&](int voxel, const Place& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
-          if constexpr (!std::is_null_pointer_v<Skim>) {
-            hit = skim(voxel, r, fill, hit);
-            lanes = bits_of(hit);
-            if (lanes == 0) return;
-          }
-          const int first = number * kBlockVoxels + voxel;
-          keep(first, r, fill, lanes, list, count);
-          if (block.material != nullptr) {
-            if (strips == 0) material = block.material[voxel + std::countr_zero(lanes)];
-            others = hn::Or(others, hn::Xor(hn::LoadU(ids, block.material + voxel), hn::Set(ids, material)));
-          }
-          count += std::popcount(lanes);
-          strips |= 1U << (voxel / kStripLanes);
+        block, done, [&](int voxel, const Place& r, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+          if constexpr (!std::is_null_pointer_v<Skim>) lanes = skim(voxel, r, lanes);
+          if (lanes == 0) return;
+          const auto places = numbers_of(lanes) + hn::Set(kInts, voxel);
+          hn::StoreU(hn::DemoteTo(shorts, places), shorts, out + reached.count);
+          reached.count += std::popcount(lanes);
         });
-    if (strips == 0) return strips;
-    const bool alike =
-        hn::AllTrue(ids, hn::Eq(others, hn::Zero(ids))) && (list.count == 0 || list.material == material);
-    list.material = alike ? material : kEmpty;
-    list.count = count;
-    return strips;
-  }
-
-  /// Number of the voxels of a block that may be inside the head.
-  [[nodiscard]] HWY_INLINE int count(const BlockView& block) const {
-    int count = 0;
-    for_each(
-        block, 0, [&](int, const Place&, Mask, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          count += std::popcount(lanes);
-        });
-    return count;
+    std::fill_n(out + reached.count, ReachedVoxels::kEnd, std::uint16_t(0));
+    return reached;
   }
 
   /// Calls `found(r)` for each vector of voxels of those strips whose voxels are all solid and within a bound, in a
@@ -152,14 +98,30 @@ class Gather {
  private:
   static constexpr hn::RebindToSigned<Floats> kInts = {};
 
-  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels that may be inside the head: the index of the first
-  /// voxel in the block, the positions [m] in T, and the lanes that may be inside, as a mask and as bits.
+  /// The material of all voxels of a block that ever had one; kEmpty when there are several.
+  [[nodiscard]] HWY_INLINE static MaterialId material_of(const BlockView& block) {
+    if (block.material == nullptr) return block.uniform_material;
+    const hn::CappedTag<MaterialId, 16> ids;
+    auto least = hn::Set(ids, std::numeric_limits<MaterialId>::max()), most = hn::Zero(ids);
+    for (std::size_t n = 0; n < kBlockVoxels; n += hn::MaxLanes(ids)) {
+      const auto there = hn::LoadU(ids, block.material + n);
+      most = hn::Max(most, there);
+      least = hn::Min(least, hn::IfThenElse(hn::Eq(there, hn::Zero(ids)), least, there));
+    }
+    MaterialId lows[16], highs[16];
+    hn::StoreU(least, ids, lows), hn::StoreU(most, ids, highs);
+    const MaterialId low = *std::min_element(lows, lows + hn::MaxLanes(ids)),
+                     high = *std::max_element(highs, highs + hn::MaxLanes(ids));
+    return low == high ? low : kEmpty;
+  }
+
+  /// Calls `found(voxel, r, lanes)` for each vector of voxels that may be inside the head: the index of the first voxel
+  /// in the block, the positions [m] in T, and the lanes that may be inside, as bits.
   template <class Found>
   HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
     const std::uint32_t near = strips_within(base, strips_near_) & solid_strips(block) & strips_of_phase(block) & ~done;
     const std::uint32_t inner = strips_within(base, strips_inside_);
-    const Mask all = hn::FirstN(Floats(), kWidth);
     Place lanes[kParts];
     first_strip(base, lanes);
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
@@ -171,14 +133,8 @@ class Gather {
         const int voxel = strip * kStripLanes + int(part * kWidth);
         const Place r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
                          lanes[part].z + broadcast(firsts_.z[strip])};
-        Mask hit = all;
-        unsigned hit_bits = kAllLanes;
-        if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
-          hit = hn::And(near_.hits(r.x, r.y, r.z).m, mask_of(bits));
-          hit_bits = bits_of(hit);
-          if (hit_bits == 0) continue;
-        }
-        found(voxel, r, hit, hit_bits);
+        const unsigned hit = (inner >> strip & 1U) != 0 ? bits : bits & bits_of(near_.hits(r.x, r.y, r.z).m);
+        if (hit != 0) found(voxel, r, hit);
       }
     }
   }
@@ -229,17 +185,6 @@ class Gather {
     for (int strip = 0; strip < kStrips; ++strip)
       strips |= std::uint32_t(job_.has_phase(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
     return strips;
-  }
-
-  HWY_INLINE void keep(int first, const Place& r, Vec fill, unsigned hit, VoxelList& list, int at) const {
-    const Floats d;
-    const auto lanes = numbers_of(hit);
-    const auto order = hn::IndicesFromVec(d, lanes);
-    hn::StoreU(hn::TableLookupLanes(r.x.v, order), d, list.x + at);
-    hn::StoreU(hn::TableLookupLanes(r.y.v, order), d, list.y + at);
-    hn::StoreU(hn::TableLookupLanes(r.z.v, order), d, list.z + at);
-    hn::StoreU(hn::TableLookupLanes(fill, order), d, list.fill + at);
-    hn::StoreU(lanes + hn::Set(kInts, first), kInts, list.index + at);
   }
 
   const ContactJob& job_;

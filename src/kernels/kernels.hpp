@@ -33,29 +33,32 @@
 ///
 /// Three properties make it fast:
 ///
-/// 1. Gathering. Only half of the lanes of the strips near a cutting head are inside it. So the voxels inside are first
-///    listed without gaps, over several blocks; those in contact are then collected without gaps once more.
-/// 2. Columns. The law runs in chunks of 128 voxels, whose numbers stay in the first cache.
+/// 1. Lists. Only half of the lanes of the strips near a cutting head are inside it. So the voxels of a block that may
+/// be
+///    inside are listed without gaps, for several evaluations (NearBlocks); those in contact are then collected without
+///    gaps once more. Results do not depend on which other voxels were listed.
+/// 2. Columns. The law runs in chunks of 112 voxels, whose numbers stay in the first cache.
 /// 3. Stages. Each step of the law is a short loop of its own over the columns, so that the processor never waits for a
 ///    long chain of roots and divisions. A stage does not know the head, so it is compiled once.
 ///
 /// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
 /// NEON. A row is the unit of the kernels for laws at points, whose vectors have at most eight lanes.
 ///
-///     blocks -> Gather -> VoxelList -> Press::collect -> Columns -> Stages::run                             -> sums
-///               strips near the head,  in contact:       numbers    material, motion, 2. crushing,             new
-///               voxels in it           springs, section  by column  4. springs, 3. chips and 5. recession,     fills
-///                                                                   6. decay, 7. energies, forces
-///                 '-> Whole: those wholly inside a standing head, in registers ------------------------------> sums
+///     blocks -> Gather -> ReachedVoxels -> Press::collect -> Columns -> Stages::run                         -> sums
+///               strips near the head,      in contact:       numbers    material, motion, 2. crushing,         new
+///               voxels in it               springs, section  by column  3. chips, 4. springs, 5. recession,    fills
+///                                                                       6. decay, 7. energies, forces
+///                                            '-> Whole: those wholly inside a standing head ----------------> sums
 ///
 /// Reading order. First the law, which contains the formulas and their reasons: force/laws/foundation.hpp, and the
 /// texts in hapticut/formulas that it includes; the kernels include the same. Then the main path:
 ///
 ///     kernels.hpp               input and output of the kernels
 ///     press-inl.hpp             the main path: from blocks to the columns
-///     gather-inl.hpp            which voxels of a block may be inside the head
+///     gather-inl.hpp            which voxels of a block may be inside the head: find_voxels
 ///     stages-inl.hpp            the default law on the columns, step by step
 ///     columns-inl.hpp           the columns, and the sums in vectors
+///     materials-inl.hpp         the materials in the columns
 ///     whole-inl.hpp             whole voxels inside a standing head
 ///
 /// The other files, when you meet their names:
@@ -82,8 +85,20 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
 
 struct ContactJob;
 
-/// Number of the solid voxels of a block that `press_blocks` may find inside the head, without a level of detail.
-[[nodiscard]] int count_voxels(const ContactJob& job, const BlockView& block) noexcept;
+/// The solid voxels of a block that may be inside a head.
+struct ReachedVoxels {
+  static constexpr int kEnd = 16;                        ///< number of zeros after the last one
+  static constexpr int kCapacity = kBlockVoxels + kEnd;  ///< of an array for those of one block
+  const std::uint16_t* voxels = nullptr;  ///< their offsets in the block, ascending, then zeros; null: not listed
+  int count = 0;
+  MaterialId material = kEmpty;  ///< of all voxels of the block; kEmpty: their materials may differ
+};
+
+/// Lists the voxels of a block that may be inside the head, or inside it after a motion.
+/// @param motion  [m] of any point of the head, at most
+/// @param out     [ReachedVoxels::kCapacity]
+[[nodiscard]] ReachedVoxels find_voxels(const ContactJob& job, const BlockView& block, float motion,
+                                        std::uint16_t* out) noexcept;
 
 /// Stage `sum_resultant`.
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept;
@@ -97,6 +112,7 @@ struct ContactJob {
   bool damped;                   ///< some material has damping
   unsigned level_of_detail = 1;  ///< n: only one n-th of the strips is evaluated
   unsigned phase = 0;            ///< which of them
+  bool writes_fills = true;      ///< false: nobody needs the new fills and changes
 
   /// Whether a strip is evaluated in this phase. Strips alternate by diagonal planes.
   /// @param origin  of the block
@@ -141,8 +157,10 @@ namespace hapticut::kernels {
 /// One block to evaluate: its content, the target of its new fills, and its changes.
 struct PressTask {
   BlockView block;
-  float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`
+  float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`; null with
+                                ///< ContactJob::writes_fills = false
   bool may_cut = true;          ///< false: felt but not cut, nor crushed
+  ReachedVoxels reached;        ///< from `find_voxels`; without a list the kernel finds them
   BlockChange change;           ///< the result
 };
 

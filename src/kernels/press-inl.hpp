@@ -16,68 +16,73 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// Evaluates a few blocks in sequence: lists their voxels that may be inside the head, collects those that are in
+/// Evaluates a few blocks in sequence: finds their voxels that may be inside the head, collects those that are in
 /// contact, and runs the stages.
 template <class Springs>
 class Press {
  public:
-  HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, Columns& columns, Stages& stages)
+  HWY_INLINE Press(const Springs& springs, const ContactJob& job, Columns& columns, Stages& stages,
+                   StiffnessVectors* stiffness, FrictionVectors* friction)
       : springs_(springs),
-        gather_(springs, job),
+        job_(job),
+        gather_(springs, job, 0),
+        steps_((job.grid.voxel_steps).template cast<float>()),
         axes_((job.grid.voxel_steps / double(job.motion.voxel_size)).template cast<float>()),
-        whole_(springs, job, stages, axes_),
-        voxels_(voxels),
+        whole_(springs, job, stages, axes_, stiffness, friction),
         columns_(columns),
         stages_(stages),
         voxel_size_(job.motion.voxel_size),
         min_width_(job.motion.min_width),
-        spins_(job.motion.spin != 0) {}
+        stands_(job.motion.spin == 0 && !job.motion.cuts() && !job.motion.crushes) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     bool may_cut = true;
     stages_.allow(may_cut);
     for (std::size_t n = 0; n < tasks.size(); ++n) {
-      PressTask& task = tasks[n];
+      const PressTask& task = tasks[n];
       if (task.may_cut != may_cut) {
-        collect_listed(tasks);
         run_stages(tasks);
         may_cut = task.may_cut;
         stages_.allow(may_cut);
       }
-      const std::uint32_t strips = spins_ || stages_.writes() ? gather_.append(task.block, int(n), voxels_)
-                                                              : whole_.press(gather_, task.block, int(n), voxels_);
-      if (stages_.writes()) begin_strips(task, strips);
-      if (voxels_.count >= VoxelList::kEnough) collect_listed(tasks);
+      if (stands_ && Springs::kCentral)
+        collect(whole_.press(gather_, task.block, list_), tasks, int(n));
+      else
+        collect(task.reached.voxels != nullptr ? task.reached : gather_.find(task.block, list_), tasks, int(n));
     }
-    collect_listed(tasks);
     run_stages(tasks);
+    whole_.flush();
     stages_.flush();
   }
 
  private:
   /// Stage sample_contact: collects the listed voxels that are in contact, with their springs, section and filled part.
-  HWY_INLINE void collect_listed(std::span<PressTask> tasks) {
+  HWY_INLINE void collect(const ReachedVoxels& reached, std::span<PressTask> tasks, int number) {
     const Floats d;
     const hn::RebindToSigned<Floats> ints;
+    const hn::Rebind<std::uint16_t, Floats> shorts;
     Columns& c = columns_;
+    const BlockView& block = tasks[std::size_t(number)].block;
+    const Eigen::Vector3f base = job_.grid.position(block.origin).template cast<float>();
     const Wide per_edge = 1 / voxel_size_;
     const Wide reach = -kVoxelReach * voxel_size_ * (Springs::kSmooth ? float(kSmoothScale) : 1.0F);
-    for (int first = 0; first < voxels_.count; first += int(kWidth)) {
-      const Place r = voxels_.place(first);
-      const Wide fill = Wide::load(voxels_.fill + first);
+    for (int first = 0; first < reached.count; first += int(kWidth)) {
+      const auto voxels = hn::PromoteTo(ints, hn::LoadU(shorts, reached.voxels + first));
+      const Place r = place_of(voxels, base);
       const SpringVectors<Wide> spring = springs_.at(r.x, r.y, r.z);
       if (!Springs::kCentral && !any(spring.depth > reach)) continue;
+      const Wide fill = block.fill == nullptr ? Wide(1) : Wide(hn::GatherIndex(d, block.fill, voxels));
+      Mask listed = hn::FirstN(d, std::size_t(std::min(reached.count - first, int(kWidth))));
+      if (stands_ && !Springs::kCentral && reached.material != kEmpty)
+        listed = whole_.press_lanes(reached.material, r, spring, fill, listed);
       const Place n = {r.x * spring.radial, r.y * spring.radial, spring.axial};
       const Section section(formulas::largest_component(axes_, n), min_width_);
       const Wide far = distance_of(spring) * per_edge - Wide(0.5F) * section.span();
       const Wide height = section.height_of(fill), top = far + height;
-      const Mask listed = hn::FirstN(d, std::size_t(std::min(voxels_.count - first, int(kWidth))));
       const unsigned inside = bits_of(hn::And((top > 0 && fill > 0).m, listed));
       if (inside == 0) continue;
-      const auto lanes = numbers_of(inside);
-      const auto keep = [&](Columns::Name name, Wide value) HWY_ATTR {
-        hn::StoreU(hn::TableLookupLanes(value.v, hn::IndicesFromVec(d, lanes)), d, c.of[name] + c.count);
-      };
+      const auto keep = [&](Columns::Name name, Wide value)
+                            HWY_ATTR { store_lanes(value.v, inside, c.of[name] + c.count); };
       keep(Columns::kX, r.x), keep(Columns::kY, r.y), keep(Columns::kZ, r.z);
       keep(Columns::kNormalX, n.x), keep(Columns::kNormalY, n.y), keep(Columns::kNormalZ, n.z);
       keep(Columns::kP, section.p), keep(Columns::kQ, section.q), keep(Columns::kPerArea, section.per_area);
@@ -86,17 +91,33 @@ class Press {
         keep(Columns::kSmooth, spring.smooth);
         c.smooth = c.smooth || any(spring.smooth > 0 && Where{mask_of(inside)});
       }
-      const auto index = hn::LoadU(ints, voxels_.index + first);
-      hn::StoreU(hn::TableLookupLanes(index, hn::IndicesFromVec(ints, lanes)), ints, c.index + c.count);
-      if (c.count == 0) c.one_material = voxels_.material;
-      if (c.one_material != voxels_.material) c.one_material = kEmpty;
+      const auto index = voxels + hn::Set(ints, number * kBlockVoxels);
+      const auto order = hn::IndicesFromVec(ints, numbers_of(inside));
+      hn::StoreU(hn::TableLookupLanes(index, order), ints, c.index + c.count);
+      if (c.count == 0) c.one_material = reached.material;
+      if (c.one_material != reached.material) c.one_material = kEmpty;
       c.count += std::popcount(inside);
-      if (c.count >= Columns::kChunk) run_stages(tasks);
+      if (c.count < Columns::kChunk) continue;
+      stages_.run(tasks, Columns::kChunk);
+      c.one_material = reached.material;  // of those that are left
     }
-    voxels_.clear();
+  }
+  /// [m] Positions of voxels in T.
+  /// @param voxels  their offsets in a block
+  /// @param base    [m] of the block's first voxel
+  [[nodiscard]] HWY_INLINE Place place_of(hn::Vec<hn::RebindToSigned<Floats>> voxels, const Eigen::Vector3f& base) {
+    const Floats d;
+    const auto seven = hn::Set(hn::RebindToSigned<Floats>(), 7);
+    const Wide i = hn::ConvertTo(d, hn::ShiftRight<6>(voxels)),
+               j = hn::ConvertTo(d, hn::And(hn::ShiftRight<3>(voxels), seven)),
+               k = hn::ConvertTo(d, hn::And(voxels, seven));
+    const auto along = [&](int axis) HWY_ATTR {
+      return Wide(base[axis]) + i * steps_(axis, 0) + j * steps_(axis, 1) + k * steps_(axis, 2);
+    };
+    return {along(0), along(1), along(2)};
   }
   HWY_INLINE void run_stages(std::span<PressTask> tasks) {
-    if (columns_.count > 0) stages_.run(tasks);
+    if (columns_.count > 0) stages_.run(tasks, columns_.count);
   }
 
   /// [m] Distance below the surface.
@@ -106,30 +127,27 @@ class Press {
   }
 
   const Springs& springs_;
+  const ContactJob& job_;
   const Gather<Springs> gather_;
-  const Eigen::Matrix3f axes_;  // of the grid, in T
+  const Eigen::Matrix3f steps_;  // [m] of the grid, in T
+  const Eigen::Matrix3f axes_;   // of the grid, in T
   Whole<Springs> whole_;
-  VoxelList& voxels_;
+  alignas(64) std::uint16_t list_[ReachedVoxels::kCapacity];
   Columns& columns_;
   Stages& stages_;
   const float voxel_size_, min_width_;
-  const bool spins_;
+  const bool stands_;  // and removes nothing
 };
 
 template <class Springs>
 HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                          StiffnessSums* stiffness, FrictionSums* friction) {
-  VoxelList voxels;  // empty
   Columns columns;
-  StiffnessVectors stiffness_lanes;
-  if (stiffness != nullptr) stiffness_lanes.clear();
-  FrictionVectors friction_lanes;
-  if (friction != nullptr) friction_lanes.clear();
-  Stages stages(job, columns, sums, stiffness == nullptr ? nullptr : &stiffness_lanes,
-                friction == nullptr ? nullptr : &friction_lanes);
-  Press<Springs>(springs, job, voxels, columns, stages).press(tasks);
-  if (friction != nullptr) friction_lanes.flush(*friction);
-  if (stiffness != nullptr) stiffness_lanes.flush(*stiffness);
+  AskedVectors in_stages, of_whole;  // apart, so that their sums do not depend on which of them runs first
+  in_stages.ask(stiffness, friction), of_whole.ask(stiffness, friction);
+  Stages stages(job, columns, sums, in_stages.stiffness(), in_stages.friction());
+  Press<Springs>(springs, job, columns, stages, of_whole.stiffness(), of_whole.friction()).press(tasks);
+  in_stages.flush(), of_whole.flush();
 }
 
 }  // namespace strips
@@ -141,9 +159,9 @@ HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, Con
   });
 }
 
-HWY_ATTR int CountVoxels(const ContactJob& job, const BlockView& block) {
+HWY_ATTR ReachedVoxels FindVoxels(const ContactJob& job, const BlockView& block, float motion, std::uint16_t* out) {
   return visit_springs<strips::Wide>(
-      job.head, [&](const auto& springs) HWY_ATTR { return strips::Gather(springs, job).count(block); });
+      job.head, [&](const auto& springs) HWY_ATTR { return strips::Gather(springs, job, motion).find(block, out); });
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

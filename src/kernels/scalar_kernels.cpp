@@ -45,7 +45,8 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
   sums.energies += totals.energies;
   if (friction != nullptr) friction->sum.add(contact, motion, job.materials);
-  if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
+  if (totals.may_remove && job.writes_fills)
+    task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
 }
 
 }  // namespace
@@ -63,10 +64,10 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
   for (PressTask& task : tasks) press_block(job, task, sums, stiffness, friction);
 }
 
-int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
+ReachedVoxels find_voxels(const ContactJob& job, const BlockView& block, float /*motion*/, std::uint16_t*) noexcept {
   scratch().min_width = job.motion.min_width;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, scratch());
-  return scratch().samples;
+  return {nullptr, scratch().samples};  // press_blocks samples again
 }
 
 ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {

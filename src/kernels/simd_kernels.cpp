@@ -19,7 +19,7 @@ void SampleContact(const ToolHead& head, const BlockView& block, const GridInHea
                    ContactBlock& out);
 void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
                  FrictionSums* friction);
-int CountVoxels(const ContactJob& job, const BlockView& block);
+ReachedVoxels FindVoxels(const ContactJob& job, const BlockView& block, float motion, std::uint16_t* out);
 void SumResultant(const ContactBlock& block, Resultant& total);
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE
@@ -30,7 +30,7 @@ namespace hapticut::kernels {
 
 HWY_EXPORT(SampleContact);
 HWY_EXPORT(PressBlocks);
-HWY_EXPORT(CountVoxels);
+HWY_EXPORT(FindVoxels);
 HWY_EXPORT(SumResultant);
 
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
@@ -46,8 +46,8 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
   HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness, friction);
 }
 
-int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
-  return HWY_DYNAMIC_DISPATCH(CountVoxels)(job, block);
+ReachedVoxels find_voxels(const ContactJob& job, const BlockView& block, float motion, std::uint16_t* out) noexcept {
+  return HWY_DYNAMIC_DISPATCH(FindVoxels)(job, block, motion, out);
 }
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {

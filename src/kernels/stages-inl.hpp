@@ -7,7 +7,7 @@
 #define HAPTICUT_KERNELS_STAGES_INL_HPP
 #endif
 
-#include "kernels/columns-inl.hpp"
+#include "kernels/materials-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
@@ -31,27 +31,34 @@ class Stages {
         job_(job),
         m_(job.motion),
         axis_(job.motion),
+        lips_(job.motion),
         totals_(totals),
         stiffness_(stiffness),
         friction_(friction),
-        spins_(m_.spin != 0) {}
+        materials_(job, columns),
+        spins_(m_.spin != 0),
+        chips_(m_.tooth_rate > 0) {}
 
   /// What the blocks of the next columns allow.
   HWY_INLINE void allow(bool may_write) {
     cuts_ = may_write && m_.cuts();
     crushes_ = may_write && m_.crushes;
   }
-  [[nodiscard]] HWY_INLINE bool writes() const { return cuts_ || crushes_; }
+  [[nodiscard]] HWY_INLINE bool removes() const { return cuts_ || crushes_; }
+  [[nodiscard]] HWY_INLINE bool writes() const { return removes() && job_.writes_fills; }
 
-  /// Evaluates the collected voxels, and clears the columns.
-  HWY_NOINLINE void run(std::span<PressTask> tasks) {
+  /// Evaluates the collected voxels: all, or those of a chunk.
+  HWY_NOINLINE void run(std::span<PressTask> tasks, int count) {
+    const int left = c_.count - count;
+    c_.count = count;
     c_.pad();
-    sums_.voxels += c_.count;
-    set_material(tasks, c_.one_material, c_.smooth);
+    sums_.voxels += count;
+    materials_.set(tasks);
     move();
     kept_ = {C::kTop, C::kHeight, C::kFill};
     crushed_ = crushes_ && some_are_deep();
     if (crushed_) crush();
+    if (cuts_ && chips_) take_chips();
     press_springs();
     if (cuts_) {
       recede();
@@ -60,64 +67,19 @@ class Stages {
     book_energies();
     add_forces();
     if (stiffness_ != nullptr) add_stiffness();
-    if (friction_ != nullptr) add_friction(tasks, c_.one_material);
-    if (writes()) write_fills(tasks, c_.one_material);
-    c_.clear();
+    if (friction_ != nullptr) add_friction();
+    if (writes()) write_fills(tasks);
+    c_.count += left;
+    if (left > 0)
+      c_.remove_chunk();
+    else
+      c_.clear();
   }
 
-  [[nodiscard]] HWY_INLINE StiffnessVectors* stiffness() const { return stiffness_; }
-  [[nodiscard]] HWY_INLINE FrictionVectors* friction() const { return friction_; }
   [[nodiscard]] HWY_INLINE PressSums& sums() { return sums_; }
   HWY_INLINE void flush() const { sums_.flush(totals_); }
 
  private:
-  /// Constants of the material at the surface.
-  HWY_NOINLINE void set_material(std::span<PressTask> tasks, MaterialId one_material, bool smooth) {
-    if (one_material == kEmpty) {
-      for (int n = 0; n < c_.count + kStep; ++n) {
-        const Constants& constants = constants_of(n < c_.count ? material_of(tasks, kEmpty, n) : kEmpty);
-        for (std::size_t name = 0; name < constants.size(); ++name) c_.of[C::kStiffness + name][n] = constants[name];
-      }
-    } else if (one_material != material_) {  // for all chunks until the material changes
-      const Constants& constants = constants_of(one_material);
-      for (std::size_t name = 0; name < constants.size(); ++name)
-        for (int n = 0; n < C::kCapacity; n += kStep) c_.put(C::Name(C::kStiffness + name), n, constants[name]);
-    }
-    material_ = one_material;
-    if (!smooth) return;
-    material_ = kEmpty;
-    for (int n = 0; n < c_.count; n += kStep) {
-      const Material there =
-          c_.material(n).at(c_.get(C::kSmooth, n), c_.get(C::kSliding, n), c_.get(C::kSquareOfLand, n));
-      c_.put(C::kStiffness, n, there.stiffness), c_.put(C::kDamping, n, there.damping);
-      c_.put(C::kRatio, n, there.cutting_ratio), c_.put(C::kThreshold, n, there.threshold);
-      c_.put(C::kCrushing, n, there.crushing_depth);
-    }
-  }
-  using Constants = std::array<float, C::kMoved - C::kStiffness>;
-  [[nodiscard]] const Constants& constants_of(MaterialId id) {
-    Constants& constants = constants_[id];
-    if (std::exchange(known_[id], true)) return constants;
-    const ContactMaterial& material = job_.materials[id];
-    const auto m = hapticut::formulas::SurfaceMaterial<float>::of(material, m_.voxel_size);
-    return constants = {m.stiffness,
-                        m.damping,
-                        m.cutting_ratio,
-                        m.energy,
-                        m.threshold,
-                        m.edge_length,
-                        m.size_length,
-                        m.crushing_depth,
-                        material.sliding_ratio,
-                        material.square_of_land(m_.voxel_size)};
-  }
-  [[nodiscard]] HWY_INLINE MaterialId material_of(std::span<PressTask> tasks, MaterialId one_material, int n) const {
-    if (one_material != kEmpty) return one_material;
-    const auto at = unsigned(c_.index[n]);
-    const BlockView& block = tasks[at / kBlockVoxels].block;
-    return block.material == nullptr ? block.uniform_material : block.material[at % kBlockVoxels];
-  }
-
   /// Motion of the surface, damping, and the work of the slip.
   HWY_NOINLINE void move() {
     const Wide per_edge = m_.duration / m_.voxel_size, time = m_.duration * m_.level_of_detail;
@@ -164,7 +126,7 @@ class Stages {
   HWY_NOINLINE void crush() {
     for (int n = 0; n < c_.count; n += kStep) {
       const Material material = c_.material(n);
-      const Wide limit = crushing_limit(n), rate = c_.get(C::kWork, n) / material.energy;
+      const Wide limit = crushing_limit(n), rate = c_.get(C::kWork, n) * material.per_energy;
       const Wide recedes = cuts_ ? Chord::recession_at(limit, material, lips(n), rate) : Wide(0);
       const auto p = formulas::PartCrushing<Wide>::of(part(n), c_.get(C::kApproach, n), limit, recedes);
       c_.put(C::kKeptTop, n, p.top), c_.put(C::kKeptHeight, n, p.height), c_.put(C::kKeptFill, n, p.fill);
@@ -174,15 +136,21 @@ class Stages {
   }
 
   // 3. Chips.
-  /// [1] Lips that pass in the time.
-  [[nodiscard]] HWY_INLINE Wide lips(int n) const {
-    const Wide time = m_.duration * m_.level_of_detail;
-    return Wide(m_.tooth_rate) * time * Chord::chip_factor(mean_rate(n), (m_.velocity - m_.ripple).norm());
-  }
+  [[nodiscard]] HWY_INLINE Wide lips(int n) const { return lips_.at(mean_rate(n)); }
   /// [m/s] Speed along the normal without its ripple.
   [[nodiscard]] HWY_INLINE Wide mean_rate(int n) const {
     const Place ripple = {m_.ripple.x(), m_.ripple.y(), m_.ripple.z()};
     return c_.get(C::kMoved, n) * (m_.voxel_size / m_.duration) - dot(c_.normal(n), ripple);
+  }
+  HWY_NOINLINE void take_chips() {
+    const Wide per_edge = m_.duration * m_.level_of_detail / m_.voxel_size;
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Material material = c_.material(n);
+      const auto chord = Chord::of(material, lips(n), c_.get(C::kWork, n) * material.per_energy, c_.get(kept_.top, n),
+                                   c_.get(C::kFar, n), mean_rate(n) * per_edge);
+      c_.put(C::kCutEnergy, n, chord.energy);
+      c_.put(C::kCutFrom, n, chord.cut.threshold), c_.put(C::kExcess, n, chord.cut.excess);
+    }
   }
 
   // 4. Springs of the part.
@@ -204,18 +172,13 @@ class Stages {
   // 5. Recession of the layer.
   HWY_NOINLINE void recede() {
     const bool release = m_.removal == RemovalLaw::elastic_release;
-    const Wide per_edge = m_.duration * m_.level_of_detail / m_.voxel_size;
     for (int n = 0; n < c_.count; n += kStep) {
       const Material material = c_.material(n);
       const Part kept = this->kept(n);
-      const Wide work = c_.get(C::kWork, n);
       Wide energy = material.energy;
       auto cut = formulas::CutDepth<Wide>::of(kept.top, material.threshold);
-      if (m_.tooth_rate > 0) {
-        const auto chord = Chord::of(material, lips(n), work / energy, kept.top, kept.far, mean_rate(n) * per_edge);
-        energy = chord.energy, cut = chord.cut;
-      }
-      const auto p = formulas::PartRecession<Wide>::of(kept, cut, energy, work, c_.get(C::kApproach, n),
+      if (chips_) energy = c_.get(C::kCutEnergy, n), cut = {c_.get(C::kCutFrom, n), c_.get(C::kExcess, n)};
+      const auto p = formulas::PartRecession<Wide>::of(kept, cut, energy, c_.get(C::kWork, n), c_.get(C::kApproach, n),
                                                        material.stiffness * m_.voxel_size, release, m_.at_end());
       c_.put(C::kReceded, n, p.receded), c_.put(C::kRate, n, p.rate), c_.put(C::kPrice, n, p.price);
       c_.put(C::kCutEnergy, n, energy), c_.put(C::kRubbing, n, max(0, c_.get(C::kDepth, n) - p.cutting));
@@ -305,46 +268,55 @@ class Stages {
     }
   }
   /// Sums for the dry friction of a standing head.
-  HWY_NOINLINE void add_friction(std::span<PressTask> tasks, MaterialId one_material) {
+  HWY_NOINLINE void add_friction() {
     for (int n = 0; n < c_.count; n += kStep) {
-      MaterialId ids[kWidth];
-      for (int lane = 0; lane < kStep; ++lane)
-        ids[lane] = n + lane < c_.count ? material_of(tasks, one_material, n + lane) : kEmpty;
+      const auto number = [&](float ContactMaterial::*of) HWY_ATTR {
+        return materials_.each(n, [&](MaterialId id) { return job_.materials[id].*of; });
+      };
       const Wide stiffness = c_.get(C::kStiffness, n);
-      friction_->add(job_.materials, ids, stiffness * c_.get(C::kSpring, n) * c_.get(C::kFactor, n),
+      friction_->add(number, stiffness * c_.get(C::kSpring, n) * c_.get(C::kFactor, n),
                      stiffness * (1 / m_.voxel_size) * c_.get(C::kVolume, n), c_.place(n), c_.normal(n));
     }
   }
 
   /// Writes the new fills to the blocks, with the changes that follow.
-  HWY_NOINLINE void write_fills(std::span<PressTask> tasks, MaterialId one_material) {
-    const float *before = c_.of[C::kFill], *after = c_.of[C::kLeft];
-    for (int n = 0; n < c_.count;) {
-      const unsigned block = unsigned(c_.index[n]) / kBlockVoxels;
-      PressTask& task = tasks[block];
-      const int first = n;
-      bool changed = false, emptied = false;
-      for (; n < c_.count && unsigned(c_.index[n]) / kBlockVoxels == block; ++n) {
-        task.fill_after[unsigned(c_.index[n]) % kBlockVoxels] = after[n];
-        changed |= after[n] != before[n];
-        emptied |= after[n] == 0;
+  HWY_NOINLINE void write_fills(std::span<PressTask> tasks) {
+    const float* after = c_.of[C::kLeft];
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Wide left = c_.get(C::kLeft, n);
+      const Where changed = left != c_.get(C::kFill, n);
+      const unsigned changed_lanes = bits_of(changed.m), emptied_lanes = bits_of((changed && left == 0).m);
+      const int end = std::min(n + kStep, c_.count);
+      for (int first = n, next = n; first < end; first = next) {
+        const unsigned block = unsigned(c_.index[first]) / kBlockVoxels;
+        PressTask& task = tasks[block];
+        const bool in_place = task.fill_after == task.block.fill;
+        for (; next < end && unsigned(c_.index[next]) / kBlockVoxels == block; ++next) {
+          const unsigned voxel = unsigned(c_.index[next]) % kBlockVoxels;
+          if (!in_place) begin_strip(task, voxel / kStripLanes);
+          task.fill_after[voxel] = after[next];
+        }
+        const unsigned lanes = (1U << (next - n)) - (1U << (first - n));
+        task.change.any_changed |= (changed_lanes & lanes) != 0;
+        task.change.any_emptied |= (emptied_lanes & lanes) != 0;
+        for (unsigned rest = emptied_lanes & lanes; rest != 0; rest &= rest - 1)
+          task.change.emptied.add(int(unsigned(c_.index[n + std::countr_zero(rest)]) % kBlockVoxels));
       }
-      task.change.any_changed |= changed;
-      task.change.any_emptied |= emptied;
-      for (int at = first; emptied && at < n; ++at)
-        if (after[at] == 0) task.change.emptied.add(int(unsigned(c_.index[at]) % kBlockVoxels));
     }
-    book_removed(tasks, one_material);
+    for (const MaterialId id : materials_.listed()) {
+      Wide removed = 0;
+      for (int n = 0; n < c_.count; n += kStep)
+        removed = removed + materials_.only(id, n, c_.get(C::kFill, n) - c_.get(C::kLeft, n));
+      totals_.removed[id] += sum_of_lanes(removed.v);
+    }
   }
-  HWY_INLINE void book_removed(std::span<PressTask> tasks, MaterialId one_material) {
-    if (one_material == kEmpty) {
-      for (int n = 0; n < c_.count; ++n)
-        totals_.removed[material_of(tasks, kEmpty, n)] += double(c_.of[C::kFill][n]) - double(c_.of[C::kLeft][n]);
-      return;
-    }
-    Wide removed = 0;
-    for (int n = 0; n < c_.count; n += kStep) removed = removed + (c_.get(C::kFill, n) - c_.get(C::kLeft, n));
-    totals_.removed[one_material] += sum_of_lanes(removed.v);
+
+  /// Copies the fills of a strip that is written for the first time.
+  HWY_INLINE static void begin_strip(PressTask& task, unsigned strip) {
+    if ((task.change.strips >> strip & 1U) != 0) return;
+    task.change.strips |= 1U << strip;
+    const int first = int(strip) * kStripLanes;
+    for (int voxel = first; voxel < first + kStripLanes; ++voxel) task.fill_after[voxel] = task.block.fill_of(voxel);
   }
 
   struct KeptColumns {
@@ -355,15 +327,14 @@ class Stages {
   const ContactJob& job_;
   const HeadMotion& m_;
   const formulas::AxisSlip<Wide> axis_;
+  const formulas::ChippingLips<Wide> lips_;
   ContactSums& totals_;
   StiffnessVectors* const stiffness_;  // null: not needed
   FrictionVectors* const friction_;    // likewise
-  const bool spins_;
+  ColumnMaterials materials_;
+  const bool spins_, chips_;
   PressSums sums_;
   KeptColumns kept_ = {C::kTop, C::kHeight, C::kFill};  // of the part that crushing left
-  MaterialId material_ = kEmpty;                        // of the columns; kEmpty: of each voxel its own
-  ByMaterial<Constants> constants_;
-  ByMaterial<bool> known_ = {};  // which of them are computed
   bool cuts_ = false, crushes_ = false;
   bool crushed_ = false;  // some voxel of these columns was
 };

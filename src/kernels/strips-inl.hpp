@@ -108,6 +108,12 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
   return hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(ints)>(), kNumbers[lanes].data()));
 }
 
+/// Stores those lanes of a vector whose bits are set, without gaps. What follows them is undefined.
+HWY_INLINE void store_lanes(Vec values, unsigned lanes, float* to) {
+  const auto order = hn::IndicesFromVec(Floats(), numbers_of(lanes));
+  hn::StoreU(hn::TableLookupLanes(values, order), Floats(), to);
+}
+
 }  // namespace strips
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

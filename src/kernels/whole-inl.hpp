@@ -16,32 +16,84 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 namespace strips {
 
 /// For a head that stands and removes nothing, whole voxels that stay wholly inside it need no section: the mean depth
-/// of a cube is that of its centre, and the mean of its square is larger by l^2/12. They are evaluated where they are
-/// found, in registers; a block of them costs a quarter of the stages.
+/// of a cube is that of its centre, and the mean of its square is larger by l^2/12. They cost a third of the stages,
+/// and inside a ball, where they are evaluated strip by strip as they are found, a quarter.
 template <class Springs>
 class Whole {
  public:
-  HWY_INLINE Whole(const Springs& springs, const ContactJob& job, Stages& stages, const Eigen::Matrix3f& axes)
+  HWY_INLINE Whole(const Springs& springs, const ContactJob& job, Stages& stages, const Eigen::Matrix3f& axes,
+                   StiffnessVectors* stiffness, FrictionVectors* friction)
       : springs_(springs),
         job_(job),
         m_(job.motion),
         stages_(stages),
+        stiffness_(stiffness),
+        friction_(friction),
         axes_(axes),
         deep_enough_(kVoxelReach * m_.voxel_size + (Springs::kCentral ? m_.velocity.norm() * m_.duration : 0.0F)),
         deep_(springs.grown(-deep_enough_)) {}
 
-  /// Evaluates the voxels of a block that are so, and appends the others that may be inside the head to the list.
-  /// @return bit n: strip n has listed voxels
-  HWY_INLINE std::uint32_t press(const Gather<Springs>& gather, const BlockView& block, int number, VoxelList& list) {
-    Sums sums;
-    const std::uint32_t done = press_strips(gather, block, sums);
-    const std::uint32_t strips = gather.append_skimmed(
-        block, number, list,
-        done, [&](int voxel, const Place& r, Wide fill, Mask hit) HWY_ATTR __attribute__((always_inline)) {
-          return press_lanes(block, voxel, r, fill, hit, sums);
+  /// Evaluates the voxels of a block that are so inside a ball.
+  /// @param out  [ReachedVoxels::kCapacity]
+  /// @return the others that may be inside
+  HWY_INLINE ReachedVoxels press(const Gather<Springs>& gather, const BlockView& block, std::uint16_t* out) {
+    const std::uint32_t done = press_strips(gather, block);
+    return gather.find_skimmed(
+        block, out, done, [&](int voxel, const Place& r, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+          const Mask near = deep_.hits(r.x, r.y, r.z).m;
+          if (hn::AllFalse(Floats(), near)) return lanes;
+          const MaterialId* ids = block.material == nullptr ? &block.uniform_material : block.material + voxel;
+          if (block.material != nullptr && !all_are(ids, ids[0])) return lanes;
+          const Wide fill = block.fill == nullptr ? Wide(1) : Wide(hn::LoadU(Floats(), block.fill + voxel));
+          return bits_of(press_lanes(ids[0], r, springs_.at(r.x, r.y, r.z), fill, hn::And(near, mask_of(lanes)))) |
+                 (lanes & ~bits_of(near));
         });
-    if (sums.voxels > 0) sums.add_to(stages_.sums());
-    return strips;
+  }
+
+  /// Evaluates the strips of a block of one material that are so inside a ball.
+  /// @return bit n: strip n was evaluated
+  HWY_INLINE std::uint32_t press_strips(const Gather<Springs>& gather, const BlockView& block) {
+    if constexpr (Springs::kCentral) {
+      if (job_.damped || m_.lead > 0 || stiffness_ != nullptr || friction_ != nullptr) return 0;
+      if (block.material != nullptr || block.fill != nullptr) return 0;
+      const Wide k = job_.materials[block.uniform_material].stiffness;
+      const Eigen::Vector3f path = m_.velocity * m_.duration;
+      const Where all = Wide(1) > 0;
+      const std::uint32_t done = gather.for_each_within(
+          block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
+            const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
+            const Wide advance = rate_of(r, radial, axial, path, path);
+            sums_.add_push(r, radial, axial, sums_.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
+            note_depth(depth, r, radial, axial, all);
+          });
+      sums_.voxels += kStripLanes * std::popcount(done);
+      return done;
+    }
+    return 0;
+  }
+
+  /// Evaluates the voxels of a vector that are so, or collects them.
+  /// @param id      material of all of them
+  /// @param listed  which lanes have a voxel
+  /// @return the lanes that are left
+  HWY_INLINE Mask press_lanes(MaterialId id, const Place& r, const SpringVectors<Wide>& spring, Wide fill,
+                              Mask listed) {
+    if (job_.damped && job_.materials[id].crushing_depth < ContactMaterial::kNeverCrushed) return listed;
+    const Wide advance = rate_of(r, spring.radial, spring.axial, m_.velocity, m_.angular_velocity) * m_.duration;
+    Mask deep = hn::And(listed, (fill >= 1 && spring.depth > abs(advance) + deep_enough_).m);
+    if constexpr (Springs::kSmooth) deep = hn::AndNot((spring.smooth > 0).m, deep);
+    const unsigned lanes = bits_of(deep);
+    if (lanes == 0) return listed;
+    if constexpr (Springs::kCentral)
+      evaluate(id, r, spring.depth, spring.radial, spring.axial, Where{deep});
+    else
+      collect(id, r, spring, lanes);
+    return hn::AndNot(deep, listed);
+  }
+
+  HWY_INLINE void flush() {
+    run(count_);
+    if (sums_.voxels > 0) sums_.add_to(stages_.sums());
   }
 
  private:
@@ -84,69 +136,49 @@ class Whole {
     }
   };
 
-  /// Evaluates the strips of a block of one material that are so inside a ball.
-  /// @return bit n: strip n was evaluated
-  HWY_INLINE std::uint32_t press_strips(const Gather<Springs>& gather, const BlockView& block, Sums& sums) {
-    if constexpr (Springs::kCentral) {
-      if (job_.damped || m_.lead > 0 || stages_.stiffness() != nullptr || stages_.friction() != nullptr) return 0;
-      if (block.material != nullptr || block.fill != nullptr) return 0;
-      const Wide k = job_.materials[block.uniform_material].stiffness;
-      const Eigen::Vector3f path = m_.velocity * m_.duration;
-      const Where all = Wide(1) > 0;
-      const std::uint32_t done = gather.for_each_within(
-          block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
-            const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
-            const Wide advance = rate_of(r, radial, axial, path, path);
-            sums.add_push(r, radial, axial, sums.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
-            note_depth(depth, r, radial, axial, all, sums);
-          });
-      sums.voxels += kStripLanes * std::popcount(done);
-      return done;
+  HWY_INLINE void collect(MaterialId id, const Place& r, const SpringVectors<Wide>& spring, unsigned lanes) {
+    if (count_ > 0 && id != id_) run(count_);
+    id_ = id;
+    const Wide values[kColumns] = {r.x, r.y, r.z, spring.depth, spring.radial, spring.axial};
+    for (int column = 0; column < kColumns; ++column) store_lanes(values[column].v, lanes, of_[column] + count_);
+    count_ += std::popcount(lanes);
+    if (count_ >= Columns::kChunk) run(Columns::kChunk);
+  }
+  /// Evaluates the collected voxels: all, or those of a chunk.
+  HWY_NOINLINE void run(int count) {
+    for (int first = 0; first < count; first += int(kWidth)) {
+      const auto get = [&](int column) HWY_ATTR { return Wide::load(of_[column] + first); };
+      const Mask lanes = hn::FirstN(Floats(), std::size_t(std::min(count - first, int(kWidth))));
+      evaluate(id_, {get(0), get(1), get(2)}, get(3), get(4), get(5), Where{lanes});
     }
-    return 0;
+    count_ -= count;
+    if (count_ == 0) return;
+    for (auto& column : of_) Wide::load(column + Columns::kChunk).store(column);
   }
 
-  /// Evaluates the voxels of a vector that are so.
-  /// @return the lanes that are left
-  HWY_INLINE Mask press_lanes(const BlockView& block, int voxel, const Place& r, Wide fill, Mask hit, Sums& sums) {
-    const Floats d;
-    Mask deep = hn::And(hit, (fill >= 1).m);
-    if constexpr (Springs::kCentral) deep = hn::And(deep, deep_.hits(r.x, r.y, r.z).m);
-    if (hn::AllFalse(d, deep)) return hit;
-    const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
+  HWY_INLINE void evaluate(MaterialId id, const Place& r, Wide depth, Wide radial, Wide axial, Where deep) {
+    const ContactMaterial& material = job_.materials[id];
     const Wide advance = rate_of(r, radial, axial, m_.velocity, m_.angular_velocity) * m_.duration;
-    if constexpr (!Springs::kCentral) deep = hn::And(deep, (depth > abs(advance) + deep_enough_).m);
-    if constexpr (Springs::kSmooth) deep = hn::AndNot((smooth > 0).m, deep);
-    const unsigned lanes = bits_of(deep);
-    const MaterialId* ids = block.material == nullptr ? &block.uniform_material : block.material + voxel;
-    const ContactMaterial& material = job_.materials[ids[0]];
-    if (job_.damped && material.crushing_depth < ContactMaterial::kNeverCrushed) return hit;
-    if (lanes == 0 || (block.material != nullptr && !all_are(ids, ids[0]))) return hit;
-
-    const Wide k = select(Where{deep}, Wide(material.stiffness), 0);
-    const Wide pushed = sums.add_spring(k, depth, advance, 0.5F - m_.lead, m_.voxel_size);
+    const Wide k = select(deep, Wide(material.stiffness), 0);
+    const Wide pushed = sums_.add_spring(k, depth, advance, 0.5F - m_.lead, m_.voxel_size);
     formulas::Damping<Wide> damping = {1, 0};
     Wide push = pushed;
     if (job_.damped) {
       damping = formulas::Damping<Wide>::of(material.damping *
                                             rate_of(r, radial, axial, m_.felt_velocity, m_.felt_angular_velocity));
       push = pushed * damping.factor;
-      sums.damping = sums.damping + (push - pushed) * advance;
+      sums_.damping = sums_.damping + (push - pushed) * advance;
     }
-    sums.add_push(r, radial, axial, push);
-    sums.voxels += std::popcount(lanes);
-    note_depth(depth, r, radial, axial, Where{deep}, sums);
+    sums_.add_push(r, radial, axial, push);
+    sums_.voxels += std::popcount(bits_of(deep.m));
+    note_depth(depth, r, radial, axial, deep);
     const Place n = {r.x * radial, r.y * radial, axial};
-    if (stages_.stiffness() != nullptr) [[unlikely]] {
+    if (stiffness_ != nullptr) [[unlikely]] {
       const Wide damper = damping.slope * material.damping * depth * (1 / m_.time_to_move());
-      stages_.stiffness()->add({k * (damping.factor + damper), n, n}, r);
+      stiffness_->add({k * (damping.factor + damper), n, n}, r);
     }
-    if (stages_.friction() != nullptr) [[unlikely]] {
-      MaterialId all[kWidth];
-      std::fill_n(all, kWidth, ids[0]);
-      stages_.friction()->add(job_.materials, all, push, k, r, n);
-    }
-    return hn::AndNot(deep, hit);
+    if (friction_ != nullptr) [[unlikely]]
+      friction_->add([&](float ContactMaterial::*of) HWY_ATTR { return Wide(material.*of); }, push, k, r, n);
   }
 
   /// [m/s] Speed along the normal, n (v + omega x r) = v n + omega (r x n). The normals of a ball have no moment; those
@@ -159,23 +191,30 @@ class Whole {
   }
 
   /// Updates the maximum depth by the tops of voxels.
-  HWY_INLINE void note_depth(Wide depth, const Place& r, Wide radial, Wide axial, Where deep, Sums& sums) {
+  HWY_INLINE void note_depth(Wide depth, const Place& r, Wide radial, Wide axial, Where deep) {
     if (!any(deep && depth + kVoxelReach * m_.voxel_size > deepest_)) [[likely]]
       return;
     const Place n = {r.x * radial, r.y * radial, axial};
     const Section section(formulas::largest_component(axes_, n), m_.min_width);
-    sums.depth = max(sums.depth, select(deep, depth + section.span() * (0.5F * m_.voxel_size), 0));
-    deepest_ = hn::GetLane(hn::MaxOfLanes(Floats(), sums.depth.v));
+    sums_.depth = max(sums_.depth, select(deep, depth + section.span() * (0.5F * m_.voxel_size), 0));
+    deepest_ = hn::GetLane(hn::MaxOfLanes(Floats(), sums_.depth.v));
   }
 
   const Springs& springs_;
   const ContactJob& job_;
   const HeadMotion& m_;
   Stages& stages_;
-  const Eigen::Matrix3f& axes_;  // of the grid, in T
-  const float deep_enough_;      // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
+  StiffnessVectors* const stiffness_;  // null: not needed
+  FrictionVectors* const friction_;    // likewise
+  const Eigen::Matrix3f& axes_;        // of the grid, in T
+  const float deep_enough_;  // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
   const typename Gather<Springs>::Bound deep_;  // of the centres of such voxels; exact for a ball
-  float deepest_ = 0;                           // [m] of all voxels so far
+  Sums sums_;
+  static constexpr int kColumns = 6;
+  alignas(64) float of_[kColumns][Columns::kCapacity];  // position, depth, radial and axial
+  int count_ = 0;                                       // of collected voxels
+  MaterialId id_ = kEmpty;                              // of all of them
+  float deepest_ = 0;                                   // [m] of all voxels so far
 };
 
 }  // namespace strips

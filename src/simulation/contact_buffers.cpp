@@ -33,8 +33,8 @@ WorstCase worst_case_of(std::size_t max_voxels, std::size_t max_blocks, const Si
 ContactStages::Buffers::Buffers(const ToolHead& head, double voxel_size, const SimulationConfig& config)
     : max_voxels(hapticut::max_voxels(head, voxel_size)),
       max_blocks(hapticut::max_blocks(head, voxel_size)),
+      near(max_blocks, max_voxels),
       thin_up_to(hapticut::thin_up_to(head, voxel_size)) {
-  reserve_touched(blocks, max_blocks);
   reserve_touched(emptied, max_blocks);
   reserve_touched(changed, max_blocks * std::size_t(std::min(config.max_sweep, kListedSubSteps)));
 }
@@ -42,12 +42,12 @@ ContactStages::Buffers::Buffers(const ToolHead& head, double voxel_size, const S
 void ContactStages::exchange_buffers(Buffers& buffers) noexcept {
   forget_changes();
   emptied_.clear();
-  blocks_.clear();
+  near_.forget();
   std::swap(max_voxels_, buffers.max_voxels);
   std::swap(max_blocks_, buffers.max_blocks);
   std::swap(thin_up_to_, buffers.thin_up_to);
   std::swap(changed_, buffers.changed);
-  std::swap(blocks_, buffers.blocks);
+  std::swap(near_, buffers.near);
   std::swap(emptied_, buffers.emptied);
   phase_ = 0;
 }

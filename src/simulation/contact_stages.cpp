@@ -71,13 +71,14 @@ void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
 
 /// Number of parts into which the voxels inside the head must be divided to stay within the budget. The voxels are
 /// counted only when the blocks hold more than the budget.
-int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks,
-                                   const kernels::ContactJob& job) const noexcept {
+int ContactStages::level_of_detail(std::span<const FoundBlock> blocks, const kernels::ContactJob& job) const noexcept {
   if (voxel_budget_ == 0 || max_voxels_ <= voxel_budget_) return 1;
   std::size_t solid = 0, inside = 0;
-  for (const CuttableBlock& block : blocks) solid += std::size_t(block.view.solid_voxels().count());
+  for (const FoundBlock& block : blocks) solid += std::size_t(block.view.solid_voxels().count());
   if (solid <= voxel_budget_) return 1;
-  for (const CuttableBlock& block : blocks) inside += std::size_t(kernels::count_voxels(job, block.view));
+  std::array<std::uint16_t, kernels::ReachedVoxels::kCapacity> listed;
+  for (const FoundBlock& block : blocks)
+    inside += std::size_t(kernels::find_voxels(job, block.view, 0, listed.data()).count);
   return std::max(1, int((inside + voxel_budget_ - 1) / voxel_budget_));
 }
 
@@ -96,30 +97,21 @@ void ContactStages::set_cutting_share(double share) noexcept {
   for (std::size_t id = 1; id < materials_.size(); ++id) scale_ratios(id);
 }
 
-std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
-  blocks_.clear();
-  const double size = workpiece_.voxel_size();
+std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
   // The centroid of a surface voxel lies half a voxel off its centre, along an axis of the grid.
   const double beyond = quadrature_ == Quadrature::sub_voxel ? double(kVoxelReach) : 0.5;
-  const IndexBox voxels = reach_of(head_.bounding_box(), at.X_VT, size, bounds_, beyond);
-  if (voxels.empty()) return blocks_;
-  const GridInHead grid(at.X_VT.inverse(), size);
-  head_.visit_springs<float>([&](const auto& springs) {
-    for_each_block_origin(voxels, [&](const VoxelIndex& origin) {
-      if (!may_touch(springs, grid, origin, float(size))) return;
-      const CuttableBlock block = workpiece_.cuttable_block(origin);
-      if (!block.view.empty()) blocks_.push_back(block);
-    });
-  });
-  return blocks_;
+  const kernels::ContactJob job = {head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_,
+                                   false};
+  const bool stands_as_ball = at.motion.spin == 0 && std::holds_alternative<SphereHead>(head_.shape());
+  return near_.find(workpiece_, job, at.X_VT, bounds_, beyond, law_->is_foundation() && !stands_as_ball);
 }
 
-Encounter ContactStages::press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+Encounter ContactStages::press_and_cut(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                        RemovalRecord& removal) noexcept {
   return meet(blocks, at, &removal, nullptr);
 }
 
-Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+Encounter ContactStages::press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                Stiffness* stiffness_T) noexcept {
   if (stiffness_T != nullptr) stiffness_T->setZero();
   return meet(blocks, at, nullptr, stiffness_T);
@@ -127,7 +119,7 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
 
 /// @param removal      null: no block is changed
 /// @param stiffness_T  null: not needed
-Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+Encounter ContactStages::meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
                               Stiffness* stiffness_T) noexcept {
   Encounter encounter;
   if (!law_->is_foundation()) {
@@ -159,12 +151,13 @@ double ContactStages::crushing_depth(const HeadMotion& motion, double scale) con
 }
 
 /// FoundationLaw, a few blocks at once.
-Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                      RemovalRecord* removal, Stiffness* stiffness_T) noexcept {
-  const kernels::ContactJob job = job_at(blocks, at);
   const bool removes = at.motion.cuts() || at.motion.crushes, stands = at.motion.spin == 0;
   const bool rubs = stands && frictional_ > 0;
   const bool keeps = removes && removal != nullptr;
+  kernels::ContactJob job = job_at(blocks, at);
+  job.writes_fills = keeps;
   kernels::ContactSums sums;
   kernels::StiffnessSums stiffness;
   kernels::FrictionSums friction;
@@ -173,11 +166,12 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
     std::size_t count = 0, fresh = 0;
     const std::size_t room = keeps ? free_blocks(workpiece_) : 0;
     while (first + count < blocks.size() && count < kBlocksAtOnce) {
-      const CuttableBlock& block = blocks[first + count];
+      const FoundBlock& block = blocks[first + count];
       const bool writable = removes && can_cut(block);
       exhausted |= removes && !writable;
-      float* after = keeps && writable ? fill_target(block, count) : new_fills_[count].data();
-      tasks_[count++] = {block.view, after, writable, {}};
+      float* after = !keeps ? nullptr : writable ? fill_target(block, count) : new_fills_[count].data();
+      tasks_[count++] = {block.view, after, writable, {}, {}};
+      if (job.level_of_detail == 1) tasks_[count - 1].reached = block.reached;
       if (keeps && block.fill == nullptr && ++fresh >= room) break;  // each may take a block of the reserve
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
@@ -200,8 +194,7 @@ void ContactStages::record(const ByMaterial<double>& removed, RemovalRecord& rem
     if (removed[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
 }
 
-kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
-                                          const HeadPlacement& at) const noexcept {
+kernels::ContactJob ContactStages::job_at(std::span<const FoundBlock> blocks, const HeadPlacement& at) const noexcept {
   kernels::ContactJob job = {
       head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damping_ > 0, 1, phase_};
   job.level_of_detail = unsigned(level_of_detail(blocks, job));
@@ -220,7 +213,7 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
 
 /// Any other law, stage by stage on the samples of one block.
 /// @param removal  null: no block is changed
-Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+Encounter ContactStages::ask_law(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                  RemovalRecord* removal) noexcept {
   Encounter encounter;
   const GridInHead grid(at.X_VT.inverse(), workpiece_.voxel_size());
@@ -228,7 +221,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   contact_.min_width = motion.min_width;
   WholeContact whole;
   if (law_->needs_moments()) {
-    for (const CuttableBlock& block : blocks) {
+    for (const FoundBlock& block : blocks) {
       kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
       add_moments(contact_, motion, materials_, whole.moments);
     }
@@ -240,7 +233,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   without_removal.removal = RemovalLaw::none;
   SpreadFriction friction_T;
   ByMaterial<double> removed = {};  // [voxels]
-  for (const CuttableBlock& block : blocks) {
+  for (const FoundBlock& block : blocks) {
     kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
     const bool removes = motion.removal != RemovalLaw::none, writable = removes && can_cut(block);

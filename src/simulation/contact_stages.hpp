@@ -18,6 +18,7 @@
 #include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "kernels/kernels.hpp"
+#include "simulation/near_blocks.hpp"
 
 /// The stages of a step that see voxels: finding the blocks that the head reaches, computing force and new fills of
 /// each, and removing voxels from the workpiece.
@@ -83,9 +84,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     Buffers(const ToolHead& head, double voxel_size, const SimulationConfig& config);
     [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
     std::size_t max_voxels, max_blocks;
+    NearBlocks near;
     double thin_up_to;
     std::vector<VoxelIndex> changed;
-    std::vector<CuttableBlock> blocks;
     std::vector<EmptiedBlock> emptied;
   };
 
@@ -94,21 +95,21 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
 
   /// Stage `find_blocks`: the blocks that the head may touch; valid until it is called again.
-  [[nodiscard]] std::span<const CuttableBlock> find_blocks(const HeadPlacement& at) noexcept;
+  [[nodiscard]] std::span<const FoundBlock> find_blocks(const HeadPlacement& at) noexcept;
 
   /// Stage `press_and_cut`: samples every block, evaluates the law, sums, and cuts. When it returns, the fills of
   /// partly cut voxels are already those after the sub-step; voxels that became empty wait for `remove_emptied`.
-  [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] Encounter press_and_cut(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                         RemovalRecord& removal) noexcept;
 
   /// The materials in contact with the head, except those that are known. Free of cost when all are known; else O(512)
   /// for each block that holds several materials or empty voxels.
-  [[nodiscard]] MaterialSet find_touched(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] MaterialSet find_touched(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                          const MaterialSet& known) noexcept;
 
   /// Returns what `press_and_cut` would return, without a change to any block.
   /// @param stiffness_T  of the contact about To, in T; zero when the law reports none: see `knows_stiffness`
-  [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] Encounter press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                 Stiffness* stiffness_T = nullptr) noexcept;
 
   /// Whether `press` gives a stiffness: FoundationLaw does.
@@ -174,19 +175,17 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   static constexpr std::size_t kBlocksAtOnce = 32;  // blocks that share a list of voxels
 
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
-  [[nodiscard]] Encounter meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+  [[nodiscard]] Encounter meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
                                Stiffness* stiffness_T) noexcept;
-  [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
-                                           const HeadPlacement& at) const noexcept;
+  [[nodiscard]] kernels::ContactJob job_at(std::span<const FoundBlock> blocks, const HeadPlacement& at) const noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept;
-  [[nodiscard]] Encounter run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] Encounter run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                       RemovalRecord* removal, Stiffness* stiffness_T) noexcept;
-  [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] Encounter ask_law(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                   RemovalRecord* removal) noexcept;
   void record(const ByMaterial<double>& removed, RemovalRecord& removal) const noexcept;
-  [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks,
-                                    const kernels::ContactJob& job) const noexcept;
+  [[nodiscard]] int level_of_detail(std::span<const FoundBlock> blocks, const kernels::ContactJob& job) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
   [[nodiscard]] float* fill_target(const CuttableBlock& block, std::size_t place) noexcept;
   void keep_change(const CuttableBlock& block, const BlockChange& change, const float* after) noexcept;
@@ -218,7 +217,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
   ChangedBlocks changed_blocks_;       // as the user sees it
-  std::vector<CuttableBlock> blocks_;  // found by find_blocks
+  NearBlocks near_;                    // for find_blocks
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law and find_touched
   std::array<kernels::PressTask, kBlocksAtOnce> tasks_;

@@ -19,7 +19,7 @@ constexpr double kTurningSpeed = 1;                       // [m/s] of the rim of
 /// Finds, before anything is cut, the speed at which the motor's torque equals the torque of the contact. The load of
 /// the sub-step before is good enough while neither it nor the hand changes much, and the motor has a reserve of twice
 /// the torque.
-void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept {
+void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::drive_spindle);
   if (!motor.is_limited()) return;
   const Twist& path = sub_step.path_T;

@@ -97,7 +97,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to,
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                                LimitSurface& friction) noexcept {
   Stiffness stiffness_T;
-  const std::span<const CuttableBlock> blocks = contact_stages.find_blocks(sub_step.head);
+  const std::span<const FoundBlock> blocks = contact_stages.find_blocks(sub_step.head);
   Encounter encounter = contact_stages.press(blocks, sub_step.head, &stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;

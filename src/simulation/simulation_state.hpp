@@ -106,8 +106,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   }
   [[nodiscard]] SubStep plan_sub_step(const Pose& from, double end, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
-  [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
-  void drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept;
+  [[nodiscard]] std::span<const FoundBlock> find_blocks(const SubStep& sub_step) noexcept;
+  void drive_spindle(std::span<const FoundBlock> blocks, SubStep& sub_step) noexcept;
   void set_spin(HeadMotion& motion) const noexcept;
   [[nodiscard]] double turning_spin() const noexcept;
   void load_spindle(double torque, SubStep& sub_step) noexcept;
@@ -115,8 +115,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
   void advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void update_cutting_share() noexcept;
-  [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
-  void note_touches(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
+  [[nodiscard]] Encounter press_and_cut(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
+  void note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
   void remove_emptied() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,

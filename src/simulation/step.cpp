@@ -43,7 +43,7 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const Twist path = twist_between(last_X_WH, X_WH, dt);
   for (int i = 0; i < sweep.count(); ++i) {
     SubStep sub_step = plan_sub_step(last_X_WH, sweep.end(i) * dt, sweep.duration(i) * dt, path, V_WH);
-    const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
+    const std::span<const FoundBlock> blocks = find_blocks(sub_step);
     drive_spindle(blocks, sub_step);
     Encounter encounter = press_and_cut(blocks, sub_step);
     remove_emptied();
@@ -204,12 +204,12 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, double end, double du
   return sub_step;
 }
 
-std::span<const CuttableBlock> Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
+std::span<const FoundBlock> Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::find_blocks);
   return contact_stages.find_blocks(sub_step.head);
 }
 
-Encounter Simulation::State::press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept {
+Encounter Simulation::State::press_and_cut(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::press_and_cut);
   note_touches(blocks, sub_step);
   Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);

@@ -61,7 +61,7 @@ class Unknown {
 
 }  // namespace
 
-MaterialSet ContactStages::find_touched(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+MaterialSet ContactStages::find_touched(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                         const MaterialSet& known) noexcept {
   MaterialSet found;
   const int materials = workpiece_.materials().size();
@@ -69,7 +69,7 @@ MaterialSet ContactStages::find_touched(std::span<const CuttableBlock> blocks, c
   Unknown unknown(materials, known);
   const kernels::ContactJob job = {head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_,
                                    false};
-  for (const CuttableBlock& block : blocks) {
+  for (const FoundBlock& block : blocks) {
     if (!unknown.may_be_in(block.view)) continue;
     BlockView view = block.view;
     BlockMask voxels;
@@ -96,15 +96,16 @@ MaterialSet ContactStages::find_touched(std::span<const CuttableBlock> blocks, c
 void ContactStages::sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept {
   contact_.rows = contact_.samples = 0;
   contact_.min_width = job.motion.min_width;
+  std::array<std::uint16_t, kernels::ReachedVoxels::kCapacity> listed;
   if (quadrature_ != Quadrature::sub_voxel)
     kernels::sample_contact(head_, block, job.grid, quadrature_, contact_);
-  else if (kernels::count_voxels(job, block) > 0)
+  else if (kernels::find_voxels(job, block, 0, listed.data()).count > 0)
     head_.visit_springs<float>(
         [&](const auto& springs) { hapticut::sample_contact(springs, block, job.grid, quadrature_, contact_); });
 }
 
 /// Notes the materials that the head touches for the first time.
-void Simulation::State::note_touches(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept {
+void Simulation::State::note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept {
   const MaterialSet found = contact_stages.find_touched(blocks, sub_step.head, touched);
   if (found.empty()) return;
   touched.insert(found);

@@ -5,6 +5,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block.hpp"
+#include "simulation/near_blocks.hpp"
 
 namespace hapticut {
 
@@ -31,7 +32,7 @@ std::size_t max_voxels(const ToolHead& head, double voxel_size) {
 std::size_t max_blocks(const ToolHead& head, double voxel_size) {
   const HeadBox box = head.bounding_box();
   // Voxels are in contact from a voxel beyond the head on, whatever the quadrature.
-  const double diagonal = (box.max - box.min).norm() / voxel_size + 2;
+  const double diagonal = (box.max - box.min).norm() / voxel_size + 2 * (1 + NearBlocks::kMotion);
   const double edge = std::ceil(diagonal / kBlockEdge) + 1;
   return std::size_t(edge * edge * edge);
 }

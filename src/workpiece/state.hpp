@@ -4,6 +4,7 @@
 #include <openvdb/Types.h>
 #include <openvdb/tree/Tree.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -106,12 +107,23 @@ struct Workpiece::State {
   mutable BranchCache cache;
 
   const BranchCache& branches_at(const openvdb::Coord& block_origin) const noexcept;
+
+  std::uint64_t layout = next_layout();
+  /// To be called with each change that Workpiece::layout is about.
+  void change_layout() noexcept { layout = next_layout(); }
+  static std::uint64_t next_layout() noexcept {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+  }
 };
 
 /// Access to the trees for other files of the library.
 struct WorkpieceAccess {
   static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
-  static VoxelTrees& trees(Workpiece& workpiece) { return *workpiece.state_->trees; }
+  static VoxelTrees& trees(Workpiece& workpiece) {
+    workpiece.state_->change_layout();
+    return *workpiece.state_->trees;
+  }
   static const BlockPool& pool(const Workpiece& workpiece) { return workpiece.state_->pool; }
   static BlockPool& pool(Workpiece& workpiece) { return workpiece.state_->pool; }
   static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);

@@ -166,6 +166,7 @@ void Workpiece::exchange_block(SavedBlock& other) noexcept {
 /// Sets a block to its saved content.
 void Workpiece::restore_content(const SavedBlock& content) noexcept {
   State& state = *state_;
+  state.change_layout();
   BlockPool& pool = state.pool;
   const openvdb::Coord at = to_coord(content.origin);
   const State::BranchCache& branches = state.branches_at(at);

@@ -9,7 +9,6 @@
 
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
-#include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/state.hpp"
 
@@ -209,43 +208,13 @@ std::uint64_t Workpiece::hash() const {
   return total;
 }
 
-struct WorkpieceSnapshot::Voxels {
-  VoxelTrees trees;
-  GridFrame frame;
-  int materials;
-};
-
-WorkpieceSnapshot Workpiece::snapshot() const {
-  WorkpieceSnapshot snapshot;
-  snapshot.voxels_.reset(new WorkpieceSnapshot::Voxels{*state_->trees, frame(), materials().size()});
-  return snapshot;
-}
-
-void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
-  if (!snapshot.voxels_)
-    throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
-  const WorkpieceSnapshot::Voxels& saved = *snapshot.voxels_;
-  const auto describe = [](const GridFrame& frame, int materials) {
-    return std::to_string(materials) + (materials == 1 ? " material" : " materials") + " in voxels of " +
-           format_number(frame.voxel_size / units::mm) + " mm";
-  };
-  if (saved.materials != materials().size() || !(saved.frame == frame()))
-    throw Error("the snapshot is of another workpiece: it has " + describe(saved.frame, saved.materials) +
-                ", and the present one has " + describe(frame(), materials().size()) +
-                (saved.frame.voxel_size == voxel_size() ? ", or lies elsewhere" : "") +
-                ". Restore a snapshot of the same workpiece or of its clone, or give the other one to reset.");
-  state_->trees = copy_of(saved.trees);
-  state_->cache = {};
-  if (state_->journal) reserve_undo(state_->journal->capacity());
-  reserve_blocks(state_->pool.target);
-}
-
 void Workpiece::reserve_blocks(std::size_t count) {
   require_between(double(count), 0, kMaxReservedBlocks, "Workpiece::reserve_blocks: count");
   State& state = *state_;
   BlockPool& pool = state.pool;
   pool.target = count;
   state.cache = {};
+  state.change_layout();
 
   // Tiles larger than a block become branch nodes of block-sized tiles, and the fill tree gets the trunk nodes above
   // them. Cutting then inserts only one leaf (and at most one branch of the fill tree) at a time, always from the pool.
@@ -317,6 +286,8 @@ BlockView Workpiece::block(const VoxelIndex& origin) const noexcept {
   return view;
 }
 
+std::uint64_t Workpiece::layout() const noexcept { return state_->layout; }
+
 CuttableBlock Workpiece::cuttable_block(const VoxelIndex& origin) noexcept {
   const BlockView view = block(origin);
   if (view.fill == nullptr) return {view, nullptr};
@@ -345,6 +316,7 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
 
   auto* fill_leaf = writable_child_at(branches.fill, at);
   const auto* material_leaf = child_at(branches.material, at);
+  if (fill_leaf == nullptr || material_leaf == nullptr) state.change_layout();
   if (branches.fill == nullptr) {
     auto* trunk = state.trees->fill.probeNode<Trunk<FillTree>>(at);
     HAPTICUT_ASSERT(trunk != nullptr);
@@ -390,6 +362,7 @@ void Workpiece::empty_voxels(const VoxelIndex& origin, const BlockMask& emptied)
   if (!mask.isOff()) return;
 
   // Nothing is left: both leaves return to the pool. Its vectors have capacity for every leaf of the trees.
+  state.change_layout();
   auto& pool = state.pool;
   HAPTICUT_ASSERT(pool.material_leaves.size() < pool.material_leaves.capacity());
   HAPTICUT_ASSERT(pool.fill_leaves.size() < pool.fill_leaves.capacity());

@@ -30,8 +30,8 @@
 ///
 /// When a head passes along a wall that it has finished, it takes no chip, and the constants of thin chips do not
 /// apply: the wall would press on the head for ever, with the pressure at which edges cut. So within half a degree of
-/// the feed, h_e and h_s are scaled with the speed towards the surface (`chip_factor`). docs/decisions/0010-chips.md
-/// compares this with the alternatives.
+/// the feed, h_e and h_s are scaled with the speed towards the surface (`formulas::ChippingLips`).
+/// docs/decisions/0010-chips.md compares this with the alternatives.
 namespace hapticut {
 
 namespace formulas {

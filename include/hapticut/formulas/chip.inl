@@ -9,17 +9,8 @@ struct ChipChord {
   CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
 
   static constexpr float kMinRoots = 1e-9F;  ///< [sqrt(m/s)] of y_1 + y_2
-  static constexpr float kGrazing = 0.01F;   ///< [1] part of the feed towards a surface from which on lips take a chip
-  static constexpr float kMinFeed = 1e-6F;   ///< [m/s] of a head that only presses
 
-  /// [1] Factor of h_e and h_s.
-  /// @param speed  [m/s] of the head towards the surface or away from it
-  /// @param feed   [m/s] speed of the head in any direction
-  HAPTICUT_FORMULA static Real chip_factor(Real speed, Real feed) {
-    return min(Real(1), (abs(speed) * Real(1 / kGrazing) + Real(kMinFeed)) / max(feed, Real(kMinFeed)));
-  }
-
-  /// @param tooth_rate  [1/s] f_z, times the chip factor
+  /// @param tooth_rate  [1/s] f_z of the lips that take a chip (ChippingLips)
   /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
   /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
   /// @param speed       [m/s] of the head towards the surface
@@ -30,7 +21,8 @@ struct ChipChord {
     const Real at_top = root_of_speed.at(top);
     // [1] 1 when half of the voxel or more is below the layer
     const Real outside = min(Real(1), -2 * bottom / (top - bottom));
-    const Real other = select(bottom > 0, root_of_speed.at(bottom), outside * sqrt(max(Real(0), speed)));
+    Real other = outside * sqrt(max(Real(0), speed));
+    if (const auto below = bottom > 0; any(below)) other = select(below, root_of_speed.at(bottom), other);
     const Real dearer = 1 + root_of_speed.b / max(at_top + other, Real(kMinRoots));  // 1/sigma_c
     const Real excess = select(rate > 0, at_top * at_top * dearer / rate, Real(0));
     return {material.energy * dearer, {sqrt(max(Real(0), top * top - excess)), excess}};

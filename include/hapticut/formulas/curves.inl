@@ -12,11 +12,15 @@ struct CurveSprings {
   /// The spring of the curve alone; MeridianSpring::smooth is not set.
   [[nodiscard]] HAPTICUT_FORMULA MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
     const Real q_rho = at_rho - rho, q_z = at_z - z, inward = normal_rho * q_rho + normal_z * q_z;
-    if (all(curvature == 0)) return {depth_below(inward, scale), -normal_rho, -normal_z};
+    const auto straight = curvature == 0;
+    if (all(straight)) return {depth_below(inward, scale), -normal_rho, -normal_z};
     const Real twice = inward + inward - curvature * (q_rho * q_rho + q_z * q_z);
     const Real g_rho = curvature * q_rho - normal_rho, g_z = curvature * q_z - normal_z;
     const Real squared = g_rho * g_rho + g_z * g_z, inverse = inverse_root(max(squared, Real(1e-24)));
-    return {depth_below(twice / (1 + squared * inverse), scale), g_rho * inverse, g_z * inverse};
+    // A line among arcs gives the same bits as alone: a result must not depend on the other voxels of a vector.
+    const Real distance = select(straight, inward, twice / (1 + squared * inverse));
+    return {depth_below(distance, scale), select(straight, -normal_rho, g_rho * inverse),
+            select(straight, -normal_z, g_z * inverse)};
   }
   /// Where points are beyond the starting point, towards the shank: the tangent is m rotated by -90 degrees.
   [[nodiscard]] HAPTICUT_FORMULA auto begins_before(Real at_rho, Real at_z) const {

@@ -27,6 +27,7 @@ struct SurfaceMaterial {
   Real damping;         ///< [s/m] chi
   Real cutting_ratio;   ///< [1] kappa
   Real energy;          ///< [J/m^3] u
+  Real per_energy;      ///< [m^3/J] 1/u
   Real threshold;       ///< [1] w0/l
   Real edge_length;     ///< [1] h_e/l
   Real size_length;     ///< [1] h_s/l
@@ -40,6 +41,7 @@ struct SurfaceMaterial {
             Real(m.damping),
             Real(m.cutting_ratio),
             Real(m.cutting_energy),
+            Real(1 / m.cutting_energy),
             Real(m.cutting_depth * per_edge),
             Real(m.edge_length * per_edge),
             Real(m.size_length * per_edge),
@@ -123,5 +125,26 @@ struct SurfaceMotion {
     s.inverse_slip = inverse_root(squared + Real(kRegular * kRegular));
     s.slip = squared * s.inverse_slip;
     return s;
+  }
+};
+
+/// The lips that take a chip. Within half a degree of the feed a lip passes along the surface, and fewer count: h_e and
+/// h_s are scaled with the speed towards the surface or away from it.
+template <class Real>
+struct ChippingLips {
+  static constexpr float kGrazing = 0.01F;  ///< [1] part of the feed towards a surface from which on all lips count
+  static constexpr float kMinFeed = 1e-6F;  ///< [m/s] of a head that only presses
+
+  float passing;   ///< [1] lips that pass in the time
+  float per_feed;  ///< [s/m] of the feed without its ripple
+
+  HAPTICUT_FORMULA explicit ChippingLips(const HeadMotion& m)
+      : passing(m.tooth_rate * m.duration * m.level_of_detail),
+        per_feed(1 / std::max((m.velocity - m.ripple).norm(), kMinFeed)) {}
+
+  /// [1]
+  /// @param mean_rate  [m/s] w_dot without its ripple
+  [[nodiscard]] HAPTICUT_FORMULA Real at(Real mean_rate) const {
+    return Real(passing) * min(Real(1), abs(mean_rate) * Real(per_feed / kGrazing) + Real(kMinFeed * per_feed));
   }
 };

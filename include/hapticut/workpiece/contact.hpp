@@ -95,11 +95,11 @@ constexpr auto names_of(Of<Quadrature>) {
 /// Whether the head may reach into a block; false only if it certainly does not.
 template <class Springs>
 [[nodiscard]] bool may_touch(const Springs& springs, const GridInHead& grid, const VoxelIndex& block_origin,
-                             float voxel_size) {
+                             float voxel_size, float motion = 0) {
   constexpr float kHalf = (kBlockEdge - 1) / 2.0F;
   const Vec3 c = grid.position(block_origin) + grid.voxel_steps * Vec3::Constant(double(kHalf));
   // Farthest quadrature point from the block's centre: 3.5 voxels to the outermost centre and half a voxel beyond it.
-  const float reach = 1.7320508F * (kHalf + 0.5F) * voxel_size;
+  const float reach = 1.7320508F * (kHalf + 0.5F) * voxel_size + motion;
   const auto rho = float(std::sqrt(c.x() * c.x() + c.y() * c.y()));
   return springs.margin(rho, float(c.z())) > -reach;
 }

@@ -148,6 +148,11 @@ class Workpiece {
   /// The block that starts at `origin`, with write access to its fills.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] CuttableBlock cuttable_block(const VoxelIndex& origin) noexcept;
 
+  /// A number that no workpiece has had before whenever blocks get memory or lose it, or material comes back; emptied
+  /// voxels and smaller fills leave it as it is. As long as it is the same, pointers of a BlockView stay valid, and a
+  /// voxel that was empty is empty.
+  [[nodiscard]] std::uint64_t layout() const noexcept;
+
   /// Saves a block for `undo_block`. Must be called before fills are written into CuttableBlock::fill.
   /// @realtime no allocation, no lock; O(512) once a mark, then O(1)
   void remember(const BlockView& block) noexcept;

@@ -89,13 +89,19 @@ TEST(FoundationLaw, DampsSmoothlyAndNeverBeyondWhatCrushes) {
 }
 
 // A lip that passes along a wall takes no chip; a lip that a resting hand presses does.
-TEST(ChipChord, CountsThinChipsWhereTheFeedGoesIntoTheSurface) {
-  using Chord = ChipChord<double>;
-  EXPECT_EQ(Chord::chip_factor(2e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::chip_factor(-1e-3, 2e-3), 1);
-  EXPECT_EQ(Chord::chip_factor(0, 0), 1);
-  EXPECT_NEAR(Chord::chip_factor(1e-5, 2e-3), 0.5, 1e-3);
-  EXPECT_LT(Chord::chip_factor(0, 2e-3), 1e-3);
+TEST(ChippingLips, CountWhereTheFeedGoesIntoTheSurface) {
+  HeadMotion motion = {};
+  motion.velocity = motion.ripple = Eigen::Vector3f::Zero();
+  motion.tooth_rate = 600, motion.duration = 0.01F;
+  const auto lips = [&](double speed) { return formulas::ChippingLips<double>(motion).at(speed); };
+  EXPECT_FLOAT_EQ(float(lips(0)), 6.0F) << "of a head that only presses";
+  motion.velocity = {2e-3F, 0, 0};
+  EXPECT_FLOAT_EQ(float(lips(2e-3)), 6.0F);
+  EXPECT_FLOAT_EQ(float(lips(-1e-3)), 6.0F);
+  EXPECT_NEAR(lips(1e-5), 3, 0.01);
+  EXPECT_LT(lips(0), 6e-3);
+  motion.velocity.x() += 1, motion.ripple = {1, 0, 0};
+  EXPECT_NEAR(lips(1e-5), 3, 0.01) << "the feed is without its ripple";
 }
 
 }  // namespace

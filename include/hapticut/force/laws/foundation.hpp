@@ -70,7 +70,7 @@ class FoundationLaw final : public ForceLaw {
     using Chord = ChipChord<float>;
     HAPTICUT_ASSERT(b.sub_voxel);
     const float l = m.voxel_size, volume = l * l * l, time = m.duration * m.level_of_detail;
-    const float feed = (m.velocity - m.ripple).norm();
+    const formulas::ChippingLips<float> chipping(m);
     const formulas::AxisSlip<float> axis(m);
     Sums sums = {};
     for (int n = 0; n < b.lanes(); ++n) {
@@ -86,7 +86,7 @@ class FoundationLaw final : public ForceLaw {
       const float kappa = m.spin != 0 ? material.cutting_ratio : 0.0F;
       const float work = 0.5F * kappa * material.stiffness * damping.factor * surface.slip * time;
       const float mean_rate = surface.rate - dot(normal, Triple{m.ripple.x(), m.ripple.y(), m.ripple.z()});
-      const float lips = m.tooth_rate * time * Chord::chip_factor(mean_rate, feed);
+      const float lips = chipping.at(mean_rate);
       const float moved = surface.rate * (m.duration / l);
       float approach = std::max(0.0F, surface.rate * (time / l));
       // 1. The filled part.
@@ -98,7 +98,7 @@ class FoundationLaw final : public ForceLaw {
       float yielding = 0;
       if (m.crushes) {
         const float limit = damping.crushing_depth(material.crushing_depth);
-        const float recedes = m.cuts() ? Chord::recession_at(limit, material, lips, work / material.energy) : 0.0F;
+        const float recedes = m.cuts() ? Chord::recession_at(limit, material, lips, work * material.per_energy) : 0.0F;
         const auto crushing = formulas::PartCrushing<float>::of(part, approach, limit, recedes);
         kept = {section, far, crushing.top, crushing.height, crushing.fill};
         approach = crushing.approach, yielding = crushing.yielding;
@@ -107,7 +107,7 @@ class FoundationLaw final : public ForceLaw {
       float energy = material.energy;
       auto cut = CutDepth<float>::of(kept.top, material.threshold);
       if (m.cuts() && m.tooth_rate > 0) {
-        const auto chord = Chord::of(material, lips, work / energy, kept.top, far, mean_rate * (time / l));
+        const auto chord = Chord::of(material, lips, work * material.per_energy, kept.top, far, mean_rate * (time / l));
         energy = chord.energy, cut = chord.cut;
       }
       // 4. Springs of the part.

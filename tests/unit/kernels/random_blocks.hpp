@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <random>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "kernels/kernels.hpp"
+#include "kernels/targets/which.hpp"
+#include "support/profiles.hpp"
+
+/// @file
+/// Random blocks, all heads, and each instruction set of this machine.
+namespace hapticut::kernels_test {
+
+using units::deg;
+using units::mm;
+
+inline constexpr double kVoxel = 0.1 * mm;
+
+/// The content of a block, as a workpiece gives it.
+struct RandomBlock {
+  std::array<MaterialId, kBlockVoxels> material;
+  std::array<std::uint64_t, 8> solid;
+  std::array<float, kBlockVoxels> fill;
+  std::array<std::int32_t, kBlockVoxels> centroid;
+  BlockView view;
+
+  RandomBlock(std::mt19937& random, bool uniform, bool full, bool surface) {
+    std::uniform_real_distribution<float> unit(0, 1);
+    const auto first = MaterialId(1 + random() % 3);
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      material[std::size_t(n)] = uniform ? first : MaterialId(1 + random() % 3);
+      fill[std::size_t(n)] = unit(random) < 0.5F ? 1.0F : unit(random);
+      const Vec3 offset(double(unit(random)) - 0.5, double(unit(random)) - 0.5, double(unit(random)) - 0.5);
+      centroid[std::size_t(n)] = std::int32_t(CentroidOffset::from_offset(offset).packed());
+    }
+    for (std::uint64_t& word : solid)
+      word = (std::uint64_t(random()) << 32 | random()) | (std::uint64_t(random()) << 7);
+    for (int n = 0; n < kBlockVoxels; ++n)
+      if (!BlockMask::has(solid.data(), n)) fill[std::size_t(n)] = 0;
+    view.uniform_material = uniform && full ? first : kEmpty;
+    if (!uniform || !full) {
+      view.material = material.data();
+      view.solid = solid.data();
+      view.fill = fill.data();
+    }
+    if (surface) view.centroid = centroid.data();
+  }
+};
+
+inline ContactMaterials three_materials(float damping) {
+  ContactMaterials materials = {};
+  materials[0].cutting_energy = 1;
+  materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F, 0.0F, 0.0F, 1.2e-4F, 0.3F, 0.25F, 0.0F};
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // chips matter only with a tooth rate
+                  2e-4F, 0.2F,        0.2F, 500.0F};
+  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F, ContactMaterial::kNeverCrushed, 0.6F, 0.1F, 0.0F};
+  return materials;
+}
+
+/// Profiles with lines and arcs that occur in all_profiles() only in heads that need their table: two lines of which
+/// the nearer counts, a hollow arc, two arcs about points off the axis, a nearly straight arc, and a nearly flat arc
+/// about the axis.
+inline std::vector<Profile> plain_profiles() {
+  constexpr EdgeKind kSmooth = EdgeKind::smooth;
+  return {test::flat_profile(0.5 * mm, 1 * mm),
+          {0, {{0.6 * mm, 1.2 * mm, -2 * mm}, {0, 1.2 * mm, 0, kSmooth}}},
+          flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2 * mm).profile(),
+          {0, {{0.5 * mm, 1 * mm, 60 * mm}, {0, 1 * mm, 0, kSmooth}}},
+          {0,
+           {{0.5 * mm, (60 - std::sqrt(60 * 60 - 0.25)) * mm, 60 * mm},
+            {0.5 * mm, 1 * mm, 0, kSmooth},
+            {0, 1 * mm, 0, kSmooth}}}};
+}
+
+inline std::vector<ToolHead> all_heads() {
+  std::vector<ToolHead> heads = {SphereHead{0.6 * mm},
+                                 ConeHead{30 * deg, 1 * mm},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::nearest},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::bottom_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
+  for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
+  for (const Profile& profile : plain_profiles()) {
+    heads.emplace_back(ProfileHead(profile));
+    EXPECT_NE(std::get<ProfileHead>(heads.back().shape()).table().everywhere, 0U) << "it is not plain";
+  }
+  return heads;
+}
+
+class KernelTarget : public testing::TestWithParam<std::int64_t> {
+ protected:
+  void SetUp() override {
+    hwy::SetSupportedTargetsForTest(GetParam());
+    hwy::GetChosenTarget().Update(GetParam());
+  }
+  void TearDown() override {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+inline std::vector<std::int64_t> targets_of_this_machine() {
+  std::vector<std::int64_t> targets;
+  for (std::int64_t all = hwy::SupportedTargets() & ~std::int64_t(HAPTICUT_LEFT_OUT); all != 0; all &= all - 1)
+    targets.push_back(all & -all);
+  return targets;
+}
+
+}  // namespace hapticut::kernels_test
