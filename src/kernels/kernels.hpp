@@ -34,9 +34,8 @@
 /// Three properties make it fast:
 ///
 /// 1. Lists. Only half of the lanes of the strips near a cutting head are inside it. So the voxels of a block that may
-/// be
-///    inside are listed without gaps, for several evaluations (NearBlocks); those in contact are then collected without
-///    gaps once more. Results do not depend on which other voxels were listed.
+///    be inside are listed without gaps, for several evaluations (NearBlocks); those in contact are then collected
+///    without gaps once more. Results do not depend on which other voxels were listed.
 /// 2. Columns. The law runs in chunks of 112 voxels, whose numbers stay in the first cache.
 /// 3. Stages. Each step of the law is a short loop of its own over the columns, so that the processor never waits for a
 ///    long chain of roots and divisions. A stage does not know the head, so it is compiled once.

@@ -27,7 +27,7 @@ std::span<const FoundBlock> NearBlocks::find(Workpiece& workpiece, const kernels
   const HeadBox box = job.head.bounding_box();
   found_.clear();
   job.head.visit_springs<float>([&](const auto& springs) {
-    if (layout_ != workpiece.layout() || listed_ != lists || !is_near(box, X_VT, size)) {
+    if (layout_ != workpiece.layout() || (lists && !listed_) || !is_near(box, X_VT, size)) {
       near_.clear();
       for_each_block_origin(reach_of(box, X_VT, size, bounds, beyond + kMotion), [&](const VoxelIndex& origin) {
         if (!may_touch(springs, job.grid, origin, float(size), float(kMotion * size))) return;
