@@ -9,6 +9,9 @@
 // The set that the compiler assumes (with -mavx2, say) is the baseline, and is compiled there.
 #if HWY_TARGET == HAPTICUT_TARGET && \
     (defined(HAPTICUT_TARGET_IS_BASELINE) || (HWY_BASELINE_TARGETS & HAPTICUT_TARGET) == 0)
+#if !defined(__OPTIMIZE__) && !defined(HAPTICUT_TARGET_IS_BASELINE)
+#error "the kernels of this instruction set are wrong without optimisation: compile this file with -O1 or more"
+#endif
 #include "kernels/points-inl.hpp"
 #include "kernels/press-inl.hpp"
 #endif
