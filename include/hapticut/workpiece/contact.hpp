@@ -93,6 +93,7 @@ constexpr auto names_of(Of<Quadrature>) {
 }
 
 /// Whether the head may reach into a block; false only if it certainly does not.
+/// @param motion  [m] of any point of the head, at most
 template <class Springs>
 [[nodiscard]] bool may_touch(const Springs& springs, const GridInHead& grid, const VoxelIndex& block_origin,
                              float voxel_size, float motion = 0) {
