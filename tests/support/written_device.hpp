@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -51,11 +52,12 @@ class WrittenDevice : public PolledDevice {
   [[nodiscard]] bool is_simulated() const override { return true; }
 };
 
-/// No force until the time `from`, when the guard is armed, and then 1 N.
+/// No force until the time `from`, when the guard is armed, and then 1 N. The tool is free for 50 ms in every 300 ms:
+/// where the machine paused the loop, the guard waits for that.
 inline DeviceCallback pushing(double from = 0.1) {
   return [=](const DeviceState& state) {
     DeviceCommand command;
-    if (state.time > from) command.wrench.force.x() = 1;
+    if (state.time > from && std::fmod(state.time - from, 0.3) < 0.25) command.wrench.force.x() = 1;
     return command;
   };
 }

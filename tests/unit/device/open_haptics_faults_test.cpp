@@ -83,17 +83,21 @@ TEST_F(OpenHapticsFaults, ALateCallFindsNoRunAndNoDevice) {
   EXPECT_EQ(again.report.ticks, 300U) << "a late call of one run is no tick of another";
 }
 
-/// A callback that hangs at its 200th tick, while there is a force, until `released`.
+/// A callback that hangs at its 200th tick, while there is a force, until `released`. From tick 300 on it frees the
+/// tool and presses again, 50 ticks each, until a force of 1 N is rendered: where the machine pauses in between, the
+/// watchdog rightly asks for a free tool once more.
 struct Hang {
   std::atomic<bool> hangs{false}, released{false};
+  bool renders_again = false;
   DeviceCommand operator()(const DeviceState& state) {
     if (state.sequence == 200) {
       hangs = true;
       while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       hangs = false;
     }
-    const bool free = state.sequence <= 50 || (state.sequence >= 300 && state.sequence < 350);
-    return {{Vec3(free ? 0 : 1, 0, 0), Vec3::Zero()}, state.sequence >= 600};
+    const bool free = state.sequence <= 50 || (state.sequence >= 300 && state.sequence % 100 < 50);
+    renders_again = state.sequence >= 300 && test::rendered(0).x() == 1;
+    return {{Vec3(free ? 0 : 1, 0, 0), Vec3::Zero()}, renders_again || state.sequence >= 20000};
   }
 };
 
@@ -130,7 +134,7 @@ TEST_F(OpenHapticsFaults, ReleasesTheHandWhileACallbackHangsAndEndsTheRunAfterIt
       });
       EXPECT_TRUE(happens([&] { return hang.hangs.load(); }));
       EXPECT_TRUE(happens([&] { return test::rendered(first).isZero(0) && test::rendered(second).isZero(0); }));
-      EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0);
+      EXPECT_TRUE(happens([&] { return hdsim_get_counters(first).force_output_enabled == 0; }));
       std::this_thread::sleep_for(std::chrono::duration<double>(2 * options.silence));
       EXPECT_FALSE(ended) << "the callback still uses objects of the caller";
       hang.released = true;
@@ -161,8 +165,8 @@ TEST_F(OpenHapticsFaults, RendersForceAgainWithAFreeToolAfterAHangThatTheWatchdo
   hang.released = true;
   runner.join();
   EXPECT_TRUE(committed(0, before).force.isZero(0)) << "the force of the tick that hung is too old";
-  EXPECT_EQ(report.ticks, 600U) << report.end;
-  EXPECT_EQ(committed(0, 550).force.x(), 1);
+  for (long n = before; n < 299; ++n) ASSERT_TRUE(committed(0, n).force.isZero(0)) << "the tool is not free yet: " << n;
+  EXPECT_TRUE(hang.renders_again) << report.end;
 }
 
 TEST_F(OpenHapticsFaults, DetectsAPositionThatStaysAtTheOrigin) {
