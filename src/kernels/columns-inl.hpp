@@ -181,12 +181,11 @@ struct FrictionVectors : TermVectors<FrictionSums> {
   /// @param spring  [N/m^4] k_v times the volume in contact
   template <class Of>
   HWY_INLINE void add(const Of& number, Wide push, Wide spring, const Place& r, const Place& normal) {
-    const Wide limit = number(&ContactMaterial::static_friction) * push,
-               tangential = number(&ContactMaterial::tangential_stiffness);
-    add_to(Sum::kDynamic, number(&ContactMaterial::dynamic_friction) * push);
-    add_to(Sum::kAnchor, tangential * limit);
-    add_to(Sum::kSpring, select(tangential == 0 && push > 0, spring, 0));
-    add_limits(limit, r, normal);
+    const auto point = formulas::PointFriction<Wide>::of(number(&ContactMaterial::static_friction),
+                                                         number(&ContactMaterial::dynamic_friction),
+                                                         number(&ContactMaterial::tangential_stiffness), push, spring);
+    add_to(Sum::kDynamic, point.dynamic), add_to(Sum::kAnchor, point.anchor), add_to(Sum::kSpring, point.spring);
+    add_limits(point.limit, r, normal);
   }
 
  private:

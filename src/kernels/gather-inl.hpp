@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The voxels of a block inside the head, gathered without gaps; included once per instruction set.
+// The voxels of a block that may be inside the head, gathered without gaps; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_GATHER_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_GATHER_INL_HPP
 #undef HAPTICUT_KERNELS_GATHER_INL_HPP

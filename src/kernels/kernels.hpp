@@ -40,8 +40,8 @@
 /// 3. Stages. Each step of the law is a short loop of its own over the columns, so that the processor never waits for a
 ///    long chain of roots and divisions. A stage does not know the head, so it is compiled once.
 ///
-/// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
-/// NEON. A row is the unit of the kernels for laws at points, whose vectors have at most eight lanes.
+/// Voxels are found strip by strip: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with NEON. A
+/// row is the unit of the kernels for laws at points, whose vectors have at most eight lanes.
 ///
 ///     blocks -> Gather -> ReachedVoxels -> Press::collect -> Columns -> Stages::run                         -> sums
 ///               strips near the head,      in contact:       numbers    material, motion, 2. crushing,         new
@@ -134,6 +134,7 @@ struct ContactOutcome {
 namespace hapticut::kernels {
 struct ContactSums : ContactOutcome {  // the scalar reference sums the results
   ByMaterial<double> removed = {};     ///< [voxels] filled volume that was removed, by MaterialId
+  double helped = 0;                   ///< [J] LawTotals::helped
 };
 struct StiffnessSums {  // likewise
   Stiffness sum = Stiffness::Zero();
@@ -163,8 +164,8 @@ struct PressTask {
   BlockChange change;           ///< the result
 };
 
-/// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` in one pass, which stores a sample once, in a list.
-/// The step runs this kernel unless it has another law.
+/// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` together, as stages over columns of samples. The step
+/// runs this kernel unless it has another law.
 /// @param sums       of the sub-step, to add to; `outcome_of` converts them
 /// @param stiffness  sums to add to; null: not needed
 /// @param friction   sums to add to, of a standing head; null: not needed

@@ -33,7 +33,7 @@ class Press {
         stages_(stages),
         voxel_size_(job.motion.voxel_size),
         min_width_(job.motion.min_width),
-        stands_(job.motion.spin == 0 && !job.motion.cuts() && !job.motion.crushes) {}
+        stands_(job.motion.spin == 0 && !job.motion.crushes) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     bool may_cut = true;
@@ -45,10 +45,7 @@ class Press {
         may_cut = task.may_cut;
         stages_.allow(may_cut);
       }
-      if (stands_ && Springs::kCentral)
-        collect(whole_.press(gather_, task.block, list_), tasks, int(n));
-      else
-        collect(task.reached.voxels != nullptr ? task.reached : gather_.find(task.block, list_), tasks, int(n));
+      collect(found(task), tasks, int(n));
     }
     run_stages(tasks);
     whole_.flush();
@@ -56,6 +53,12 @@ class Press {
   }
 
  private:
+  /// The voxels of a block that may be in contact. Whole voxels in a standing ball are evaluated on the way.
+  HWY_INLINE ReachedVoxels found(const PressTask& task) {
+    if constexpr (Springs::kCentral)
+      if (stands_) return whole_.press(gather_, task.block, list_);
+    return task.reached.voxels != nullptr ? task.reached : gather_.find(task.block, list_);
+  }
   /// Stage sample_contact: collects the listed voxels that are in contact, with their springs, section and filled part.
   HWY_INLINE void collect(const ReachedVoxels& reached, std::span<PressTask> tasks, int number) {
     const Floats d;
@@ -77,16 +80,16 @@ class Press {
         listed = whole_.press_lanes(reached.material, r, spring, fill, listed);
       const Place n = {r.x * spring.radial, r.y * spring.radial, spring.axial};
       const Section section(formulas::largest_component(axes_, n), min_width_);
-      const Wide far = distance_of(spring) * per_edge - Wide(0.5F) * section.span();
-      const Wide height = section.height_of(fill), top = far + height;
-      const unsigned inside = bits_of(hn::And((top > 0 && fill > 0).m, listed));
+      const Part part = Part::of(section, distance_of(spring) * per_edge, fill);
+      const unsigned inside = bits_of(hn::And((part.top > 0 && fill > 0).m, listed));
       if (inside == 0) continue;
       const auto keep = [&](Columns::Name name, Wide value)
                             HWY_ATTR { store_lanes(value.v, inside, c.of[name] + c.count); };
       keep(Columns::kX, r.x), keep(Columns::kY, r.y), keep(Columns::kZ, r.z);
       keep(Columns::kNormalX, n.x), keep(Columns::kNormalY, n.y), keep(Columns::kNormalZ, n.z);
       keep(Columns::kP, section.p), keep(Columns::kQ, section.q), keep(Columns::kPerArea, section.per_area);
-      keep(Columns::kFar, far), keep(Columns::kTop, top), keep(Columns::kHeight, height), keep(Columns::kFill, fill);
+      keep(Columns::kFar, part.far), keep(Columns::kTop, part.top), keep(Columns::kHeight, part.height);
+      keep(Columns::kFill, fill);
       if constexpr (Springs::kSmooth) {
         keep(Columns::kSmooth, spring.smooth);
         c.smooth = c.smooth || any(spring.smooth > 0 && Where{mask_of(inside)});

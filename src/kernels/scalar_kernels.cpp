@@ -44,6 +44,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   hapticut::sum_resultant(contact, sums.resultant);
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
   sums.energies += totals.energies;
+  sums.helped += totals.helped;
   if (friction != nullptr) friction->sum.add(contact, motion, job.materials);
   if (totals.may_remove && job.writes_fills)
     task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
@@ -83,7 +84,8 @@ ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double
   all.resultant.moment_T *= weight;
   all.resultant.area *= weight;
   // Voxels that were not evaluated store the work, and lose nothing.
-  all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed);
+  all.energies.elastic +=
+      (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed + sums.helped);
   all.energies.damping *= weight;
   return all;
 }

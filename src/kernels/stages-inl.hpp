@@ -44,8 +44,6 @@ class Stages {
     cuts_ = may_write && m_.cuts();
     crushes_ = may_write && m_.crushes;
   }
-  [[nodiscard]] HWY_INLINE bool removes() const { return cuts_ || crushes_; }
-  [[nodiscard]] HWY_INLINE bool writes() const { return removes() && job_.writes_fills; }
 
   /// Evaluates the collected voxels: all, or those of a chunk.
   HWY_NOINLINE void run(std::span<PressTask> tasks, int count) {
@@ -68,7 +66,7 @@ class Stages {
     add_forces();
     if (stiffness_ != nullptr) add_stiffness();
     if (friction_ != nullptr) add_friction();
-    if (writes()) write_fills(tasks);
+    if ((cuts_ || crushes_) && job_.writes_fills) write_fills(tasks);
     c_.count += left;
     if (left > 0)
       c_.remove_chunk();
@@ -82,7 +80,6 @@ class Stages {
  private:
   /// Motion of the surface, damping, and the work of the slip.
   HWY_NOINLINE void move() {
-    const Wide per_edge = m_.duration / m_.voxel_size, time = m_.duration * m_.level_of_detail;
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
       Wide factor = 1;
@@ -97,12 +94,12 @@ class Stages {
         rate = surface.rate;
         c_.put(C::kInverseSlip, n, surface.inverse_slip);
         c_.put(C::kWork, n,
-               Wide(0.5F) * c_.get(C::kRatio, n) * c_.get(C::kStiffness, n) * factor * surface.slip * time);
+               surface.work(c_.get(C::kRatio, n), c_.get(C::kStiffness, n), factor, m_.duration * m_.level_of_detail));
       } else {
         rate = dot(normal, velocity_at(r, m_.velocity, m_.angular_velocity));
       }
-      c_.put(C::kMoved, n, rate * per_edge);
-      c_.put(C::kApproach, n, max(0, rate * per_edge * m_.level_of_detail));
+      const auto advance = formulas::HeadAdvance<Wide>::of(m_, rate);
+      c_.put(C::kMoved, n, advance.moved), c_.put(C::kApproach, n, advance.approach);
     }
   }
 
@@ -115,8 +112,11 @@ class Stages {
   }
 
   // 2. Crushing.
+  [[nodiscard]] HWY_INLINE formulas::Damping<Wide> damping(int n) const {
+    return formulas::Damping<Wide>::of_factor(c_.get(C::kFactor, n));
+  }
   [[nodiscard]] HWY_INLINE Wide crushing_limit(int n) const {
-    return formulas::Damping<Wide>{c_.get(C::kFactor, n), 0}.crushing_depth(c_.get(C::kCrushing, n));
+    return damping(n).crushing_depth(c_.get(C::kCrushing, n));
   }
   [[nodiscard]] HWY_NOINLINE bool some_are_deep() const {
     Where deep = Wide(0) > 0;
@@ -126,8 +126,9 @@ class Stages {
   HWY_NOINLINE void crush() {
     for (int n = 0; n < c_.count; n += kStep) {
       const Material material = c_.material(n);
-      const Wide limit = crushing_limit(n), rate = c_.get(C::kWork, n) * material.per_energy;
-      const Wide recedes = cuts_ ? Chord::recession_at(limit, material, lips(n), rate) : Wide(0);
+      const Wide limit = crushing_limit(n);
+      Wide recedes = 0;
+      if (cuts_) recedes = Chord::recession_at(limit, material, lips(n), c_.get(C::kWork, n) * material.per_energy);
       const auto p = formulas::PartCrushing<Wide>::of(part(n), c_.get(C::kApproach, n), limit, recedes);
       c_.put(C::kKeptTop, n, p.top), c_.put(C::kKeptHeight, n, p.height), c_.put(C::kKeptFill, n, p.fill);
       c_.put(C::kApproach, n, p.approach), c_.put(C::kYielding, n, p.yielding);
@@ -139,8 +140,7 @@ class Stages {
   [[nodiscard]] HWY_INLINE Wide lips(int n) const { return lips_.at(mean_rate(n)); }
   /// [m/s] Speed along the normal without its ripple.
   [[nodiscard]] HWY_INLINE Wide mean_rate(int n) const {
-    const Place ripple = {m_.ripple.x(), m_.ripple.y(), m_.ripple.z()};
-    return c_.get(C::kMoved, n) * (m_.voxel_size / m_.duration) - dot(c_.normal(n), ripple);
+    return formulas::HeadAdvance<Wide>{c_.get(C::kMoved, n), 0}.mean_rate(m_, c_.normal(n));
   }
   HWY_NOINLINE void take_chips() {
     const Wide per_edge = m_.duration * m_.level_of_detail / m_.voxel_size;
@@ -181,7 +181,7 @@ class Stages {
       const auto p = formulas::PartRecession<Wide>::of(kept, cut, energy, c_.get(C::kWork, n), c_.get(C::kApproach, n),
                                                        material.stiffness * m_.voxel_size, release, m_.at_end());
       c_.put(C::kReceded, n, p.receded), c_.put(C::kRate, n, p.rate), c_.put(C::kPrice, n, p.price);
-      c_.put(C::kCutEnergy, n, energy), c_.put(C::kRubbing, n, max(0, c_.get(C::kDepth, n) - p.cutting));
+      c_.put(C::kCutEnergy, n, energy), c_.put(C::kRubbing, n, p.rubbing(c_.get(C::kDepth, n)));
     }
   }
 
@@ -192,8 +192,9 @@ class Stages {
       const Wide fill = c_.get(kept_.fill, n), price = c_.get(C::kPrice, n), energy = c_.get(C::kCutEnergy, n);
       const auto p = formulas::PartDecay<Wide>::of(fill, {0, c_.get(C::kReceded, n), c_.get(C::kRate, n), price});
       c_.put(C::kLeft, n, p.left), c_.put(C::kSpring, n, c_.get(C::kRubbing, n) + p.cut);
-      credited = credited + price * max(0, p.credit), refused = refused - price * min(0, p.credit);
-      cutting = cutting + energy * (fill - p.left), helped = helped + (energy - price) * (fill - p.left);
+      const auto cost = formulas::PartCost<Wide>::of(fill, p, energy, price);
+      credited = credited + cost.credited, refused = refused + cost.refused;
+      cutting = cutting + cost.cutting, helped = helped + cost.helped;
     }
     sums_.add(Term::kCutting, cutting), sums_.add(Term::kCredited, credited);
     sums_.add(Term::kRubbing, refused), sums_.add(Term::kHelped, helped);
@@ -223,18 +224,14 @@ class Stages {
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
       const Wide elastic = c_.get(C::kStiffness, n) * c_.get(C::kSpring, n), push = elastic * c_.get(C::kFactor, n);
-      const Place along = {push * normal.x, push * normal.y, push * normal.z};
-      Place reaction = along;
+      Place reaction = {push * normal.x, push * normal.y, push * normal.z};
       if (spins_) {
-        const Wide drag = c_.get(C::kRatio, n) * push * c_.get(C::kInverseSlip, n);
+        pushed = {pushed.x + reaction.x, pushed.y + reaction.y, pushed.z + reaction.z};
         const Surface surface = Surface::of(m_, axis_, r, normal);
-        const Wide into = drag * surface.rate;
-        reaction = {along.x + (drag * surface.velocity.x - into * normal.x),
-                    along.y + (drag * surface.velocity.y - into * normal.y),
-                    along.z + (drag * surface.velocity.z - into * normal.z)};
+        const auto whole = formulas::VoxelReaction<Wide>::of(surface, normal, push, c_.get(C::kRatio, n));
+        reaction = whole.force;
         rubbing = rubbing + 2 * c_.get(C::kWork, n) * c_.get(C::kRubbing, n);
-        couple = couple + drag * surface.beyond;
-        pushed = {pushed.x + along.x, pushed.y + along.y, pushed.z + along.z};
+        couple = couple + whole.drag * surface.beyond;
       }
       force = {force.x + reaction.x, force.y + reaction.y, force.z + reaction.z};
       const Place arm = cross(r, reaction);
@@ -253,12 +250,11 @@ class Stages {
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
       const Material material = c_.material(n);
-      const Wide factor = c_.get(C::kFactor, n), opening = min(factor, 1);
-      const formulas::Damping<Wide> damping = {factor, job_.damped ? opening * opening : Wide(0)};
+      const auto damping = this->damping(n);
       const formulas::PartSprings<Wide> springs = {c_.get(C::kDepth, n), c_.get(C::kVolume, n), 0};
       const Wide slope = Stiffness::slope_of(m_, material, damping, springs, c_.get(C::kSpring, n),
                                              crushed_ ? c_.get(C::kYielding, n) : Wide(0), c_.get(kept_.top, n));
-      const Wide push = material.stiffness * c_.get(C::kSpring, n) * factor;
+      const Wide push = material.stiffness * c_.get(C::kSpring, n) * damping.factor;
       const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, push,
                                    spins_ ? material.cutting_ratio : Wide(0));
       stiffness_->add(k.spring, r);

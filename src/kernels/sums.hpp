@@ -11,10 +11,10 @@
 namespace hapticut::kernels {
 
 /// Sums over the blocks of a sub-step, lane by lane, in as many lanes as a vector of the machine has, sixteen at most.
-/// The lane of a voxel follows from its place in the list of gathered voxels. It is always the same on one kind of
+/// The lane of a voxel follows from its place among the voxels in contact. It is always the same on one kind of
 /// processor, but may differ between kinds.
 struct ContactSums {
-  enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
+  enum Term {  // forces in [N/m^3], torques in [N/m^2], energies in [J/m^3], to be multiplied by a voxel's volume
     kForceX,   // of the reaction on the material: minus the force on the tool
     kForceY,
     kForceZ,

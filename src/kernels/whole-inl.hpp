@@ -53,23 +53,21 @@ class Whole {
   /// Evaluates the strips of a block of one material that are so inside a ball.
   /// @return bit n: strip n was evaluated
   HWY_INLINE std::uint32_t press_strips(const Gather<Springs>& gather, const BlockView& block) {
-    if constexpr (Springs::kCentral) {
-      if (job_.damped || m_.lead > 0 || stiffness_ != nullptr || friction_ != nullptr) return 0;
-      if (block.material != nullptr || block.fill != nullptr) return 0;
-      const Wide k = job_.materials[block.uniform_material].stiffness;
-      const Eigen::Vector3f path = m_.velocity * m_.duration;
-      const Where all = Wide(1) > 0;
-      const std::uint32_t done = gather.for_each_within(
-          block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
-            const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
-            const Wide advance = rate_of(r, radial, axial, path, path);
-            sums_.add_push(r, radial, axial, sums_.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
-            note_depth(depth, r, radial, axial, all);
-          });
-      sums_.voxels += kStripLanes * std::popcount(done);
-      return done;
-    }
-    return 0;
+    static_assert(Springs::kCentral);
+    if (job_.damped || m_.lead > 0 || stiffness_ != nullptr || friction_ != nullptr) return 0;
+    if (block.material != nullptr || block.fill != nullptr) return 0;
+    const Wide k = job_.materials[block.uniform_material].stiffness;
+    const Eigen::Vector3f path = m_.velocity * m_.duration;
+    const Where all = Wide(1) > 0;
+    const std::uint32_t done = gather.for_each_within(
+        block, deep_, [&](const Place& r) HWY_ATTR __attribute__((always_inline)) {
+          const auto [depth, radial, axial, smooth] = springs_.at(r.x, r.y, r.z);
+          const Wide advance = rate_of(r, radial, axial, path, path);
+          sums_.add_push(r, radial, axial, sums_.add_spring(k, depth, advance, 0.5F, m_.voxel_size));
+          note_depth(depth, r, radial, axial, all);
+        });
+    sums_.voxels += kStripLanes * std::popcount(done);
+    return done;
   }
 
   /// Evaluates the voxels of a vector that are so, or collects them.
@@ -78,7 +76,6 @@ class Whole {
   /// @return the lanes that are left
   HWY_INLINE Mask press_lanes(MaterialId id, const Place& r, const SpringVectors<Wide>& spring, Wide fill,
                               Mask listed) {
-    if (job_.damped && job_.materials[id].crushing_depth < ContactMaterial::kNeverCrushed) return listed;
     const Wide advance = rate_of(r, spring.radial, spring.axial, m_.velocity, m_.angular_velocity) * m_.duration;
     Mask deep = hn::And(listed, (fill >= 1 && spring.depth > abs(advance) + deep_enough_).m);
     if constexpr (Springs::kSmooth) deep = hn::AndNot((spring.smooth > 0).m, deep);

@@ -92,6 +92,8 @@ struct WideOf {
 #include "hapticut/formulas/part.inl"
 //
 #include "hapticut/formulas/stiffness.inl"
+//
+#include "hapticut/formulas/friction.inl"
 #undef HAPTICUT_FORMULA
 #define HAPTICUT_FORMULA inline
 

@@ -172,7 +172,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
  private:
   friend struct SimulationMemory;
-  static constexpr std::size_t kBlocksAtOnce = 32;  // blocks that share a list of voxels
+  static constexpr std::size_t kBlocksAtOnce = 32;  // blocks that share columns
 
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
   [[nodiscard]] Encounter meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,

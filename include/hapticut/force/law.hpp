@@ -43,7 +43,7 @@ struct ContactMaterial {
   float tangential_stiffness = 0;          ///< [N/m] k_t
   float sliding_ratio = 0;                 ///< [1] kappa of smooth surfaces: mu_d
   float land = 0;                          ///< [m] distance from a cutting edge within which smooth surfaces cut
-  static constexpr float kNeverCrushed = 1e3F, kNeverCut = 1e3F;
+  static constexpr float kNeverCrushed = 1e3F;
 
   /// [m^2] MeridianSpring::smooth up to which a surface cuts: that of the land, at least two voxels.
   [[nodiscard]] float square_of_land(float voxel_size) const {
@@ -116,6 +116,7 @@ struct LawTotals {
   LawEnergies energies;
   double spin_couple = 0;  ///< [N·m] about +z on the tool, in addition to the torque of the samples' forces
   bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so nothing is removed
+  double helped = 0;       ///< [J] paid for cutting by energy lost with the material (law G), in no other term
 };
 
 /// A filled fraction below this is removed at once, and its energy is credited.

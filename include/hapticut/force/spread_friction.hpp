@@ -10,6 +10,10 @@
 
 namespace hapticut {
 
+namespace formulas {
+#include "hapticut/formulas/friction.inl"
+}  // namespace formulas
+
 /// The contact as dry friction needs it: sums over its points of the normal force f, each with the coefficients of its
 /// own material.
 struct SpreadFriction {
@@ -30,18 +34,19 @@ struct SpreadFriction {
   /// @param normal  [N] >= 0
   /// @param spring  [N/m] along n, used when friction gives no stiffness
   void add(const Vec3& r, const Vec3& n, double normal, const DryFriction& friction, double spring = 0) {
-    const double limit = friction.static_friction * normal;
+    const auto point = formulas::PointFriction<double>::of(friction.static_friction, friction.dynamic_friction,
+                                                           friction.tangential_stiffness, normal, spring);
     Eigen::Matrix<double, 3, 6> P;  // (1 - n n^T) (1, -[r]x)
     P << Mat3::Identity(), Mat3::Zero();
     P.col(3) << 0, -r.z(), r.y();
     P.col(4) << r.z(), 0, -r.x();
     P.col(5) << -r.y(), r.x(), 0;
     P -= n * (n.transpose() * P).eval();
-    directions += limit * P.transpose() * P;
-    static_limit += limit;
-    dynamic_limit += friction.dynamic_friction * normal;
-    anchors += friction.tangential_stiffness * limit;
-    if (friction.tangential_stiffness == 0) springs += kTangentialShare * spring;
+    directions += point.limit * P.transpose() * P;
+    static_limit += point.limit;
+    dynamic_limit += point.dynamic;
+    anchors += point.anchor;
+    springs += kTangentialShare * point.spring;
   }
 
   /// Adds the samples of a block, about To and in T, after a law has evaluated it for a standing head.

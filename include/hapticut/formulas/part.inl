@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Text of hapticut/force/laws/foundation.hpp and of the kernels: the default law on the filled part of one voxel, step
-// by step. Lengths are in voxel edges, times in the time since the part was evaluated before: the sub-step, or several
-// with a level of detail.
+// by step. Step 1, the part, is in section.inl, step 3, chips, in chip.inl. Lengths are in voxel edges, times in the
+// time since the part was evaluated before: the sub-step, or several with a level of detail.
 
 constexpr float kMinPart = 1e-6F;         ///< [1] fill below which a cut voxel is empty
 constexpr float kMaxExponent = 1e18F;     ///< keeps the arithmetic finite
 constexpr float kMinEnergyShare = 1e-6F;  ///< [1] fraction of u that law G always pays
 constexpr float kMinLoss = 1e-5F;         ///< [1] relative loss below which the energy of removed material is neglected
-
-/// 1. The filled part of a voxel.
-template <class Real>
-struct FilledPart {
-  VoxelSection<Real> section;
-  Real far;     ///< [1] depth of the far corner
-  Real top;     ///< [1] depth of the plane that ends the part
-  Real height;  ///< [1] from the far corner to that plane
-  Real fill;    ///< [1] phi
-};
 
 /// 2. Crushing: material deeper than it can bear is removed before the force is computed.
 template <class Real>
@@ -85,6 +75,9 @@ struct PartRecession {
     p.receded = p.cutting * recession;
     return p;
   }
+  /// [1] Spring of the material that only rubs.
+  /// @param depth  [1] phi <w>
+  [[nodiscard]] HAPTICUT_FORMULA Real rubbing(Real depth) const { return max(Real(0), depth - cutting); }
 };
 
 /// 6. Decay of the fill.
@@ -101,6 +94,23 @@ struct PartDecay {
     const auto finished = left < Real(kMinPart) && exponent > 0;
     return {layer.receded * mean, select(finished, Real(0), left),
             (fill - left) - loss + select(finished, max(Real(0), left), Real(0))};
+  }
+};
+
+/// What the cut of a part costs, relative to the voxel's volume.
+template <class Real>
+struct PartCost {
+  Real cutting;   ///< [J/m^3] u/sigma_c of what was cut
+  Real helped;    ///< [J/m^3] paid of it by the energy that is lost with the material: law G
+  Real credited;  ///< [J/m^3] price of what was removed without work
+  Real refused;   ///< [J/m^3] work that rounding let remove nothing
+
+  /// @param energy  [J/m^3] u/sigma_c
+  /// @param price   [J/m^3] PartRecession::price
+  HAPTICUT_FORMULA static PartCost of(Real fill, const PartDecay<Real>& decay, Real energy, Real price) {
+    const Real cut = fill - decay.left;
+    return {energy * cut, (energy - price) * cut, price * max(Real(0), decay.credit),
+            -price * min(Real(0), decay.credit)};
   }
 };
 
@@ -122,7 +132,8 @@ struct PartEnergies {
                                           Real spring, Real volume, Real moved, float lead, Real bears) {
     const auto& section = part.section;
     PartEnergies e;
-    const Real height = any(left < kept.fill) ? section.height_of(left) : kept.height;
+    Real height = kept.height;
+    if (const auto cut = left < kept.fill; any(cut)) height = select(cut, section.height_of(left), height);
     e.after = section.energy(height, height + part.far + moved * Real(0.5F - lead));
     e.after = select(left > 0, e.after, Real(0));
     e.before = e.after - spring * moved;
@@ -132,9 +143,12 @@ struct PartEnergies {
       // The excess force of a contact that is evaluated at the end was not stored before.
       const Real harder = volume * moved * moved * Real(lead);
       const Real earlier = section.energy(part.height, part.height + part.far - moved * Real(0.5F + lead));
-      e.lost = select(loses, max(Real(0), earlier - e.before - harder), Real(0));
-      const auto crushed = part.top > kept.top;
-      e.lost = select(crushed, Real(0.5) * bears * bears * (part.fill - kept.fill), e.lost);
+      // Nothing was deeper in the sub-step. At a corner, material may have been at another surface before.
+      const Real deepest = max(Real(0), part.top + max(moved * Real(0.5F - lead), moved * Real(-0.5F - lead)));
+      const Real most = Real(0.5) * deepest * deepest * (part.fill - left);
+      const Real cut = max(Real(0), min(most, earlier - e.before - harder));
+      const Real crushed = Real(0.5) * bears * bears * (part.fill - kept.fill);
+      e.lost = select(loses, select(part.top > kept.top, crushed, cut), Real(0));
       e.before = e.before + e.lost;
     }
     return e;

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Text of hapticut/workpiece/cut_voxel.hpp and of the kernels: a voxel that the head's surface crosses.
 
-/// Integrals of a law over the filled part of one voxel, for an edge length l = 1, relative to the volume of the voxel.
-template <class Real>
-struct DepthIntegrals {
-  Real depth;    ///< integral of max(w, 0)
-  Real cutting;  ///< integral of w where w > w0
-  Real volume;   ///< integral of 1 where w > 0
-  Real energy;   ///< integral of max(w, 0)^2 / 2
-};
-
 /// The depth from which on material is cut.
 template <class Real>
 struct CutDepth {
@@ -71,42 +62,31 @@ struct VoxelSection {
     return (whole * whole - x_p * x_p - x_q * x_q) * per_area * Real(0.5);
   }
 
-  // Integrals over the last part, of length `depth`, of the part below a height. A(v) (p q) = v - max(v - p, 0) - max(v
-  // - q, 0) below the near corner. Written so that nothing cancels where the layer in contact is thin.
+  // Integrals over the filled part below a height whose top has a depth > 0, for an edge length l = 1, relative to the
+  // volume of the voxel. A(v) (p q) = v - max(v - p, 0) - max(v - q, 0) below the near corner. Written so that nothing
+  // cancels where the layer in contact is thin.
 
-  /// [1] DepthIntegrals::depth
+  /// [1] Integral of max(w, 0)
   [[nodiscard]] HAPTICUT_FORMULA Real depth(Real height, Real depth) const {
     return depth_of_ramps(height, depth) * (per_area * Real(1.0 / 6));
   }
-  /// [1] DepthIntegrals::volume
+  /// [1] Integral of 1 where w > 0
   [[nodiscard]] HAPTICUT_FORMULA Real volume(Real height, Real depth) const {
     return volume_of_ramps(height, depth) * (per_area * Real(0.5));
   }
-  /// [1] DepthIntegrals::cutting
+  /// [1] Integral of w where w > w0
   /// @param beyond  CutDepth::beyond
   [[nodiscard]] HAPTICUT_FORMULA Real cutting(Real height, Real threshold, Real beyond) const {
     const Real depth = Real(1.0 / 6) * depth_of_ramps(height, beyond);
     if (all(threshold == 0)) return depth * per_area;
     return (depth + Real(0.5) * threshold * volume_of_ramps(height, beyond)) * per_area;
   }
-  /// [1] DepthIntegrals::energy; zero where the depth is not positive
+  /// [1] Integral of max(w, 0)^2/2; zero where the depth is not positive
   [[nodiscard]] HAPTICUT_FORMULA Real energy(Real height, Real depth) const {
     const Real d = max(Real(0), depth);
     const Real squares = square_of_ramp(height, d) - square_of_ramp(max(Real(0), height - p), d) -
                          square_of_ramp(max(Real(0), height - q), d);
     return squares * (per_area * Real(1.0 / 24));
-  }
-
-  /// @param height  [1] of the filled part, from `height_of`
-  /// @param depth   [1] > 0, of the top of the filled part
-  /// @param cut     [1] cut depth for that top
-  [[nodiscard]] HAPTICUT_FORMULA DepthIntegrals<Real> integrals(Real height, Real depth,
-                                                                const CutDepth<Real>& cut) const {
-    return {this->depth(height, depth), cutting(height, cut.threshold, cut.beyond(depth)), volume(height, depth),
-            energy(height, depth)};
-  }
-  [[nodiscard]] HAPTICUT_FORMULA DepthIntegrals<Real> integrals(Real height, Real depth) const {
-    return integrals(height, depth, CutDepth<Real>::of(depth, Real(0)));
   }
 
  private:
@@ -133,5 +113,21 @@ struct VoxelSection {
   HAPTICUT_FORMULA static Real square_of_ramp(Real x, Real d) {
     const Real m = min(x, d), rest = d - m;
     return m * m * (m * (4 * x - m) + rest * (6 * rest + 8 * m));
+  }
+};
+
+/// The filled part of a voxel, beyond a plane across n. Lengths are in voxel edges.
+template <class Real>
+struct FilledPart {
+  VoxelSection<Real> section;
+  Real far;     ///< [1] depth of the far corner
+  Real top;     ///< [1] depth of the plane that ends the part
+  Real height;  ///< [1] from the far corner to that plane
+  Real fill;    ///< [1] phi
+
+  /// @param center  [1] depth of the voxel's centre
+  HAPTICUT_FORMULA static FilledPart of(const VoxelSection<Real>& section, Real center, Real fill) {
+    const Real far = center - Real(0.5) * section.span(), height = section.height_of(fill);
+    return {section, far, far + height, height, fill};
   }
 };

@@ -45,15 +45,14 @@ struct PartStiffness {
   HAPTICUT_FORMULA static PartStiffness of(const HeadMotion& m, const SurfaceMotion<Real>& surface,
                                            const Triple<Real>& n, Real slope, Real push, Real kappa) {
     const Triple<Real>& v = surface.velocity;
-    const Real drag = kappa * surface.inverse_slip, along = 1 - drag * surface.rate;
-    const Triple<Real> q = {along * n.x + drag * v.x, along * n.y + drag * v.y, along * n.z + drag * v.z};
+    const auto unit = VoxelReaction<Real>::of(surface, n, Real(1), kappa);
     const Triple<Real> across = cross(n, v);
     const Real square = dot(across, across), min_square = Real(kMinSlip * kMinSlip), into = dot(n, v);
     const Real damper =
-        select(square > min_square, drag * push / (max(square, min_square) * Real(m.time_to_move())), Real(0));
+        select(square > min_square, unit.drag * push / (max(square, min_square) * Real(m.time_to_move())), Real(0));
     const Real regular = Real(SurfaceMotion<Real>::kRegular * SurfaceMotion<Real>::kRegular);
     const Real slow = select(square <= Real(kSlowSlip * kSlowSlip), damper * regular / (square + regular), Real(0));
     const Triple<Real> slip = {v.x - into * n.x, v.y - into * n.y, v.z - into * n.z};
-    return {{slope, q, n}, {damper, across, across}, {slow, slip, slip}};
+    return {{slope, unit.force, n}, {damper, across, across}, {slow, slip, slip}};
   }
 };

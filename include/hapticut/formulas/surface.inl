@@ -9,8 +9,9 @@ struct Damping {
   Real slope;   ///< [1] its change with chi w_dot
 
   /// @param x  [1] chi w_dot
-  HAPTICUT_FORMULA static Damping of(Real x) {
-    const Real factor = (1 + max(x, Real(0))) / (1 - min(x, Real(0))), opening = min(factor, Real(1));
+  HAPTICUT_FORMULA static Damping of(Real x) { return of_factor((1 + max(x, Real(0))) / (1 - min(x, Real(0)))); }
+  HAPTICUT_FORMULA static Damping of_factor(Real factor) {
+    const Real opening = min(factor, Real(1));
     return {factor, opening * opening};
   }
   /// [m] Depth at which a column's pressure k_v g_d w^2/2 is the strength; deeper material is crushed.
@@ -125,6 +126,45 @@ struct SurfaceMotion {
     s.inverse_slip = inverse_root(squared + Real(kRegular * kRegular));
     s.slip = squared * s.inverse_slip;
     return s;
+  }
+
+  /// [J/m^3] Half of the work of the slip per depth: kappa k_v g_d s/2 times the time, for `stiffness` = k_v l.
+  [[nodiscard]] HAPTICUT_FORMULA Real work(Real kappa, Real stiffness, Real damping, float time) const {
+    return Real(0.5F) * kappa * stiffness * damping * slip * Real(time);
+  }
+};
+
+/// The reaction of a voxel, which is minus the force on the tool: F_v = -f n - kappa f v_t/sqrt(s^2 + v_eps^2).
+template <class Real>
+struct VoxelReaction {
+  Triple<Real> force;  ///< [N/m^3]
+  Real drag;           ///< [N s/m^4] its tangential part per slip
+
+  /// @param push   [N/m^3] f, along the normal n
+  /// @param kappa  [1] 0: the spindle stands
+  HAPTICUT_FORMULA static VoxelReaction of(const SurfaceMotion<Real>& surface, const Triple<Real>& n, Real push,
+                                           Real kappa) {
+    const Triple<Real>& v = surface.velocity;
+    const Real drag = kappa * push * surface.inverse_slip, along = push - drag * surface.rate;
+    return {{along * n.x + drag * v.x, along * n.y + drag * v.y, along * n.z + drag * v.z}, drag};
+  }
+};
+
+/// How far the head moves into a voxel, in voxel edges.
+template <class Real>
+struct HeadAdvance {
+  Real moved;     ///< [1] in the sub-step
+  Real approach;  ///< [1] in the time, not negative
+
+  /// @param rate  [m/s] w_dot
+  HAPTICUT_FORMULA static HeadAdvance of(const HeadMotion& m, Real rate) {
+    const Real moved = rate * Real(m.duration / m.voxel_size);
+    return {moved, max(Real(0), moved * Real(m.level_of_detail))};
+  }
+  /// [m/s] w_dot without its ripple.
+  [[nodiscard]] HAPTICUT_FORMULA Real mean_rate(const HeadMotion& m, const Triple<Real>& n) const {
+    const Triple<Real> ripple = {Real(m.ripple.x()), Real(m.ripple.y()), Real(m.ripple.z())};
+    return moved * Real(m.voxel_size / m.duration) - dot(n, ripple);
   }
 };
 

@@ -166,11 +166,11 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
         const formulas::Triple<float> normal = {radial * x, radial * y, spring.n_axial};
         out.max_component[n] = formulas::largest_component(axes, normal);
         const VoxelSection<float> section(out.max_component[n], out.min_width);
-        const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
-        is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
-        out.top[n] = is_inside ? top : 0.0F;
-        out.immersed[n] = is_inside ? section.integrals(height, top / size).volume : 0.0F;
-        out.exposed[n] = section.area_at(section.span() / 2 - depth / size);
+        const auto part = formulas::FilledPart<float>::of(section, depth / size, fill);
+        is_inside = part.top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
+        out.top[n] = is_inside ? part.top * size : 0.0F;
+        out.immersed[n] = is_inside ? section.volume(part.height, part.top) : 0.0F;
+        out.exposed[n] = section.area_at(-part.far);
       }
       if (!is_inside) out.exposed[n] = 0;
       inside |= is_inside ? 1U << lane : 0U;

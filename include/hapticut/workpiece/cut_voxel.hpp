@@ -42,7 +42,6 @@ namespace formulas {
 }  // namespace formulas
 
 using formulas::CutDepth;
-using formulas::DepthIntegrals;
 using formulas::LayerRecession;
 using formulas::VoxelSection;
 

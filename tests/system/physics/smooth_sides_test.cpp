@@ -5,6 +5,8 @@
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/shank.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::smooth_sides_test {
@@ -116,6 +118,30 @@ TEST(SmoothSides, AClosedPathOverTheRimOfAHoleCostsNoWork) {
     EXPECT_LT(std::abs(last), 1e-3 * turnover);
     EXPECT_LT(std::abs(simulation.last_result().energy.entered), 1e-3 * turnover);
   }
+}
+
+/// The rim of a spinning cone passes material, which is at the cone's side first and at its base then. No energy enters
+/// that no force brought in.
+// Proves: energy ledger.
+TEST(SmoothSides, ARimThatPassesMaterialBooksNoEnergyFromNothing) {
+  const Vec3 step = Vec3(0.012, 0, -0.034) * mm;
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  double entered = 0, turnover = 0;
+  for (int phase = 0; phase < 20; ++phase) {
+    Simulation simulation(build_block({Vec3(0.5, -1, 2) * mm, Vec3(3, 1, 6) * mm}, 0.15 * mm, presets::enamel()),
+                          Tool(ConeHead{std::atan(0.61 / 5), 5 * mm}, RayHandle{0}, Spindle{16000 * units::rpm}),
+                          config);
+    Vec3 p = Vec3(-0.3, 0.0137 * phase, 0.0171 * phase) * mm;
+    for (int n = 0; n < 60; ++n) {
+      p += step;
+      simulation.step(Pose::from_translation(p), {step / kTick, Vec3::Zero()}, kTick);
+    }
+    const EnergyLedger& energy = simulation.last_result().energy;
+    EXPECT_GT(energy.cutting, 0.1);
+    entered += std::abs(energy.entered), turnover += energy.turnover;
+  }
+  EXPECT_LT(entered, 1e-3 * turnover);
 }
 
 }  // namespace

@@ -25,14 +25,15 @@ TEST_P(ReachedVoxelsOnTarget, ArePressedToTheSameBits) {
       const Pose pose = {rotation, middle - rotation * Vec3::Constant(3.5 * kVoxel) + 0.4 * mm * vector()};
       const double moved = 0.4 * kVoxel;
       const GridInHead here(pose, kVoxel), there({rotation, pose.translation + moved * vector().normalized()}, kVoxel);
-      const HeadMotion motion{(2e-2 * vector()).cast<float>(),
-                              Eigen::Vector3f::Zero(),
-                              Eigen::Vector3f::Zero(),
-                              Eigen::Vector3f::Zero(),
-                              trial % 5 == 0 ? 0.0F : 2000.0F,
-                              5e-3F,
-                              float(kVoxel),
-                              RemovalLaw::constant_energy};
+      HeadMotion motion{(2e-2 * vector()).cast<float>(),
+                        Eigen::Vector3f::Zero(),
+                        Eigen::Vector3f::Zero(),
+                        Eigen::Vector3f::Zero(),
+                        trial % 5 == 0 ? 0.0F : 2000.0F,
+                        5e-3F,
+                        float(kVoxel),
+                        trial % 7 == 0 ? RemovalLaw::elastic_release : RemovalLaw::constant_energy};
+      motion.crushes = trial % 3 == 1;
       const auto press = [&](const kernels::ReachedVoxels& reached) {
         std::array<float, kBlockVoxels> fill_after = {};
         kernels::PressTask task{block.view, fill_after.data(), true, reached, {}};

@@ -84,30 +84,27 @@ class FoundationLaw final : public ForceLaw {
       const Damping damping =
           Damping::of(material.damping * dot(normal, velocity_at(r, m.felt_velocity, m.felt_angular_velocity)));
       const float kappa = m.spin != 0 ? material.cutting_ratio : 0.0F;
-      const float work = 0.5F * kappa * material.stiffness * damping.factor * surface.slip * time;
-      const float mean_rate = surface.rate - dot(normal, Triple{m.ripple.x(), m.ripple.y(), m.ripple.z()});
-      const float lips = chipping.at(mean_rate);
-      const float moved = surface.rate * (m.duration / l);
-      float approach = std::max(0.0F, surface.rate * (time / l));
+      const float work = surface.work(kappa, material.stiffness, damping.factor, time);
+      const auto advance = formulas::HeadAdvance<float>::of(m, surface.rate);
+      const float mean_rate = advance.mean_rate(m, normal), lips = chipping.at(mean_rate);
       // 1. The filled part.
-      const VoxelSection<float> section(b.max_component[n], b.min_width);
-      const float far = b.depth[n] / l - section.span() / 2, top = b.top[n] / l;
-      const Part part = {section, far, top, top - far, b.fill[n]};
+      const auto part = Part::of(VoxelSection<float>(b.max_component[n], b.min_width), b.depth[n] / l, b.fill[n]);
       // 2. Crushing.
       Part kept = part;
-      float yielding = 0;
+      float approach = advance.approach, yielding = 0;
       if (m.crushes) {
         const float limit = damping.crushing_depth(material.crushing_depth);
         const float recedes = m.cuts() ? Chord::recession_at(limit, material, lips, work * material.per_energy) : 0.0F;
         const auto crushing = formulas::PartCrushing<float>::of(part, approach, limit, recedes);
-        kept = {section, far, crushing.top, crushing.height, crushing.fill};
+        kept = {part.section, part.far, crushing.top, crushing.height, crushing.fill};
         approach = crushing.approach, yielding = crushing.yielding;
       }
       // 3. Chips: energy and threshold of the cut.
       float energy = material.energy;
       auto cut = CutDepth<float>::of(kept.top, material.threshold);
       if (m.cuts() && m.tooth_rate > 0) {
-        const auto chord = Chord::of(material, lips, work * material.per_energy, kept.top, far, mean_rate * (time / l));
+        const auto chord =
+            Chord::of(material, lips, work * material.per_energy, kept.top, part.far, mean_rate * (time / l));
         energy = chord.energy, cut = chord.cut;
       }
       // 4. Springs of the part.
@@ -120,29 +117,31 @@ class FoundationLaw final : public ForceLaw {
                                                    m.removal == RemovalLaw::elastic_release, m.at_end());
         decay = formulas::PartDecay<float>::of(kept.fill, layer);
       }
-      const float rubbing = std::max(0.0F, springs.depth - layer.cutting), spring = rubbing + decay.cut;
+      const float rubbing = layer.rubbing(springs.depth), spring = rubbing + decay.cut;
       // 7. Energies before and after.
-      const auto energies = formulas::PartEnergies<float>::of(part, kept, decay.left, spring, springs.volume, moved,
-                                                              m.lead, material.crushing_depth);
+      const auto energies = formulas::PartEnergies<float>::of(part, kept, decay.left, spring, springs.volume,
+                                                              advance.moved, m.lead, material.crushing_depth);
+      const auto cost = formulas::PartCost<float>::of(kept.fill, decay, energy, layer.price);
 
       b.fill_after[n] = decay.left;
-      if (kept.top < top) b.top[n] = kept.top * l, b.immersed[n] = springs.volume;
+      const bool is_crushed = kept.top < part.top;
+      if (is_crushed) b.top[n] = kept.top * l, b.immersed[n] = springs.volume;
       const float elastic = material.stiffness * spring, push = elastic * damping.factor;
-      const float drag = kappa * push * surface.inverse_slip, along = push - drag * surface.rate;
-      b.force_x[n] = -volume * (along * normal.x + drag * surface.velocity.x);
-      b.force_y[n] = -volume * (along * normal.y + drag * surface.velocity.y);
-      b.force_z[n] = -volume * (along * normal.z + drag * surface.velocity.z);
+      const auto reaction = formulas::VoxelReaction<float>::of(surface, normal, push, kappa);
+      b.force_x[n] = -volume * reaction.force.x;
+      b.force_y[n] = -volume * reaction.force.y;
+      b.force_z[n] = -volume * reaction.force.z;
       // What cutting costs beyond its price is paid by the energy that is lost with the removed material.
-      const float stored = material.stiffness * l, cut_fill = kept.fill - decay.left;
-      const float lost = stored * energies.lost - (energy - layer.price) * cut_fill;
+      const float stored = material.stiffness * l;
       sums.add(kElasticBefore, n, stored * energies.before);
       sums.add(kElastic, n, stored * energies.after);
-      sums.add(kCutting, n, energy * cut_fill);
-      sums.add(kept.top < top ? kCrushed : kReleased, n, lost);
-      sums.add(kDamping, n, (push - elastic) * moved * l);
-      sums.add(kRubbing, n, 2 * work * rubbing - layer.price * std::min(0.0F, decay.credit));
-      sums.add(kCredited, n, layer.price * std::max(0.0F, decay.credit));
-      sums.add(kCouple, n, drag * surface.beyond);
+      sums.add(kCutting, n, cost.cutting);
+      sums.add(is_crushed ? kCrushed : kReleased, n, stored * energies.lost - cost.helped);
+      sums.add(kHelped, n, cost.helped);
+      sums.add(kDamping, n, (push - elastic) * advance.moved * l);
+      sums.add(kRubbing, n, 2 * work * rubbing + cost.refused);
+      sums.add(kCredited, n, cost.credited);
+      sums.add(kCouple, n, reaction.drag * surface.beyond);
 
       if (stiffness_T == nullptr || !(push > 0)) continue;
       const float slope = PartStiffness::slope_of(m, material, damping, springs, spring, yielding, kept.top);
@@ -183,7 +182,19 @@ class FoundationLaw final : public ForceLaw {
     sum += volume * double(dyad.strength) * with_moment(dyad.force) * with_moment(dyad.motion).transpose();
   }
 
-  enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCrushed, kCouple, kTerms };
+  enum Term {
+    kElasticBefore,
+    kElastic,
+    kCutting,
+    kReleased,
+    kDamping,
+    kRubbing,
+    kCredited,
+    kCrushed,
+    kHelped,
+    kCouple,
+    kTerms
+  };
   /// Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
   struct Sums {
     float of[kTerms][kLanes];
@@ -201,7 +212,8 @@ class FoundationLaw final : public ForceLaw {
       return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
                total(kRubbing), total(kCredited), total(kCrushed)},
               couple,
-              may_remove};
+              may_remove,
+              total(kHelped)};
     }
   };
 };
