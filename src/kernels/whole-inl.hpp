@@ -143,6 +143,8 @@ class Whole {
   }
   /// Evaluates the collected voxels: all, or those of a chunk.
   HWY_NOINLINE void run(int count) {
+    if (count % int(kWidth) != 0)  // the lanes after the last voxel; not a number would spoil the sums
+      for (auto& column : of_) hn::StoreU(hn::Zero(Floats()), Floats(), column + count);
     for (int first = 0; first < count; first += int(kWidth)) {
       const auto get = [&](int column) HWY_ATTR { return Wide::load(of_[column] + first); };
       const Mask lanes = hn::FirstN(Floats(), std::size_t(std::min(count - first, int(kWidth))));

@@ -42,7 +42,8 @@ std::span<const FoundBlock> NearBlocks::find(Workpiece& workpiece, const kernels
       const VoxelIndex& origin = block.view.origin;
       bool reached = true;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        reached = reached && origin[axis] <= reach.max[axis] && origin[axis] + kBlockEdge > reach.min[axis];
+        reached = reached && reach.min[axis] <= reach.max[axis] && origin[axis] <= reach.max[axis] &&
+                  origin[axis] + kBlockEdge > reach.min[axis];
       if (reached && may_touch(springs, job.grid, origin, float(size))) found_.push_back(block);
     }
   });

@@ -4,6 +4,9 @@
 
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/motors.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/grid_boxes.hpp"
 #include "support/random_pose.hpp"
 #include "support/workpieces.hpp"
@@ -41,6 +44,26 @@ const std::vector<Scene>& scenes() {
                                          {"flat", FlatHead{0.5 * mm, 1 * mm}},
                                          {"pear", pear_head(1.2 * mm, 2.4 * mm, 0.8 * mm)}};
   return all;
+}
+
+/// A block that is not full of voxels that were ever solid: it ends above the workpiece.
+TEST(NearBlocksBesideATip, AreThoseThatTheTipReaches) {
+  const auto make = [] {
+    return Simulation(build_block({Vec3(-1.6, -1.6, -2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, presets::dentin()),
+                      Tool(needle_head(1 * mm, 4 * mm), RayHandle{0}, common_spindle(40000 * units::rpm)));
+  };
+  Simulation plain = make(), asked = make();
+  const Vec3 velocity = Vec3(0, 0, -1.3e-3);
+  Pose X_WH = Pose::from_translation(Vec3(0.013, 0.021, 0.12) * mm);
+  for (int tick = 0; tick < 150; ++tick) {
+    X_WH.translation += kTick * velocity;
+    (void)asked.touches(Pose::from_translation(Vec3(9, 9, 9) * mm));
+    const StepResult &a = plain.step(X_WH, {velocity, Vec3::Zero()}, kTick),
+                     &b = asked.step(X_WH, {velocity, Vec3::Zero()}, kTick);
+    ASSERT_EQ(a.contact.voxels, b.contact.voxels) << "tick " << tick;
+    ASSERT_EQ(a.force, b.force) << "tick " << tick;
+  }
+  EXPECT_GT(plain.last_result().contact.voxels, 0);
 }
 
 class NearBlocks : public testing::TestWithParam<std::tuple<std::size_t, double>> {};

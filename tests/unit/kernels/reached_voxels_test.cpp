@@ -51,6 +51,51 @@ TEST_P(ReachedVoxelsOnTarget, ArePressedToTheSameBits) {
   EXPECT_GT(touched, 100);
 }
 
+/// Leaves numbers where the next function has its local variables.
+HWY_NOINLINE float leave_numbers(float number) {
+  volatile float local[32 * 1024];
+  for (volatile float& f : local) f = number;
+  return local[std::size(local) / 2];
+}
+
+TEST_P(ReachedVoxelsOnTarget, ArePressedToTheSameBitsWhateverIsInMemory) {
+  std::mt19937 random(23);
+  const ContactMaterials materials = three_materials(0);
+  int voxels = 0;
+  for (const ToolHead& head : all_heads())
+    for (int trial = 0; trial < 8; ++trial) {
+      const RandomBlock block(random, trial % 4 != 3, trial % 2 == 0, false);
+      const Vec3 middle = 0.5 * (head.bounding_box().min + head.bounding_box().max);
+      const GridInHead grid(Pose::from_translation(middle - Vec3::Constant((1.5 + 0.5 * trial) * kVoxel)), kVoxel);
+      HeadMotion motion{Eigen::Vector3f(0, 0, -1e-3F),
+                        Eigen::Vector3f::Zero(),
+                        Eigen::Vector3f::Zero(),
+                        Eigen::Vector3f::Zero(),
+                        0.0F,
+                        1e-3F,
+                        float(kVoxel),
+                        RemovalLaw::none};
+      const auto press = [&](float number) {
+        std::array<float, kBlockVoxels> fill_after = {};
+        kernels::PressTask task{block.view, fill_after.data(), true, {}, {}};
+        kernels::ContactSums sums;
+        kernels::StiffnessSums stiffness;
+        kernels::FrictionSums friction;
+        EXPECT_EQ(leave_numbers(number), number);
+        kernels::press_blocks({head, grid, motion, materials, false}, std::span(&task, 1), sums, &stiffness, &friction);
+        return std::tuple(sums.lanes, stiffness.lanes, friction.lanes, sums.voxels, fill_after);
+      };
+      for (const bool turns : {false, true}) {
+        motion.spin = turns ? 2000 : 0, motion.tooth_rate = turns ? 2000 : 0, motion.crushes = turns;
+        motion.removal = turns ? RemovalLaw::constant_energy : RemovalLaw::none;
+        const auto pressed = press(0);
+        ASSERT_EQ(press(3e38F), pressed) << "head " << head.shape().index() << ", trial " << trial << ", " << turns;
+        voxels += std::get<3>(pressed);
+      }
+    }
+  EXPECT_GT(voxels, 1000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Machine, ReachedVoxelsOnTarget, testing::ValuesIn(targets_of_this_machine()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
