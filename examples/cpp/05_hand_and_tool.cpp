@@ -7,6 +7,7 @@ using namespace hapticut;
 using namespace hapticut::units;
 
 int main() {
+  std::cout.precision(3);
   const Box box{Vec3(-12, -6, -4) * mm, Vec3(12, 6, 0) * mm};  // the top of the bone is at z = 0
   const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, common_spindle(40000 * rpm));
   SimulationConfig config;

@@ -43,6 +43,7 @@ int main(int argc, char** argv) try {
   }
   const RunReport report = loop.wait();
   const LoopSnapshot& end = loop.latest();
+  std::cout.precision(3);
   std::cout << report.ticks << " ticks (" << report.end << "), guard " << name_of(report.arming) << ", removed "
             << end.tool.removed_volume / mm3 << " mm^3, force up to " << end.max_applied << " N, " << blocks
             << " changed blocks\n";

@@ -43,6 +43,7 @@ int main(int argc, char** argv) try {
   wait_until(loop.latest().tick + 3000);
   const RunReport report = loop.stop();
   const LoopSnapshot& end = loop.latest();
+  std::cout.precision(3);
   std::cout << report.ticks << " ticks (" << report.end << "), guard " << name_of(report.arming) << ", tools changed "
             << report.events[std::size_t(SafetyEvent::model_swapped)] << ", removed " << before / mm3
             << " mm^3 with the large ball, " << (end.tool.removed_volume - before) / mm3

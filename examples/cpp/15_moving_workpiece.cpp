@@ -47,6 +47,7 @@ Simulation tooth() {
 }
 
 int main() {
+  std::cout.precision(3);
   Simulation moving = tooth(), still = tooth();
   const double dt = 1 * ms;
   const Pose X_TH = moving.tool().X_HT().inverse();

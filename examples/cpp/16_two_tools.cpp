@@ -31,6 +31,7 @@ double depth_of(const Simulation& simulation) {
 }
 
 int main() {
+  std::cout.precision(3);
   const Box box{Vec3(-4, -4, -3) * mm, Vec3(4, 4, 0) * mm};
   const Workpiece bone = build_block(box, 0.1 * mm, presets::trabecular_bone());
   Simulation drilling(bone.clone(), Tool(SphereHead{1 * mm}, RayHandle{0}, common_spindle(40000 * rpm)));

@@ -26,6 +26,7 @@ Workpiece both_in_one(double voxel) {
 }
 
 int main() {
+  std::cout.precision(3);
   const double voxel = 0.1 * mm, dt = 1 * ms;
   Simulation floor(build_block(kFloor, voxel, presets::dentin()), drill());
   Simulation wall(build_block(kWall, voxel, presets::dentin()), drill());

@@ -20,6 +20,7 @@ StepResult feed(Simulation& simulation, int first, int steps) {
 }
 
 int main() {
+  std::cout.precision(3);
   const Box box{Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
   Simulation simulation(build_block(box, 0.1 * mm, presets::dentin()),
                         Tool(SphereHead{0.8 * mm}, RayHandle{0}, common_spindle(40000 * rpm)));

@@ -32,6 +32,7 @@ Simulation bone(ContactTime contact_time) {
 }
 
 int main() {
+  std::cout.precision(3);
   Simulation simulation = bone(ContactTime::end);
   VirtualCoupling coupling(simulation, CouplingGains{});
   double gap = 0, push = 0;

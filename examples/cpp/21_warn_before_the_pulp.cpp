@@ -27,6 +27,7 @@ class PulpWatch final : public StepObserver {
 };
 
 int main() {
+  std::cout.precision(3);
   const Box box{Vec3(-4, -4, -6) * mm, Vec3(4, 4, 0) * mm};
   SimulationConfig config;
   config.contact_time = ContactTime::end;

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the C++ code of pages is code of compiled examples.
+"""Checks that the C++ code of pages is code of compiled examples, and that they print what the pages show.
 
     page_code.py [--root FOLDER]
 
 A page of PAGES names an example of examples/cpp and then shows lines of it. The example that the page named last must
-contain each block of C++ word for word, except for indentation.
+contain each block of C++ word for word, except for indentation. A block without a language is what the example prints:
+the expression in examples/CMakeLists.txt, which the test of the example compares with its output, must match it too.
 """
 import argparse
 import re
@@ -15,6 +16,7 @@ from pathlib import Path
 
 PAGES = {"docs/tutorial.md": 8, "docs/your-own-loop.md": 6, "docs/other-scenes.md": 8}  # page: minimum number of blocks
 EXAMPLE = re.compile(r"examples/cpp/\w+\.cpp")
+PRINTS = re.compile(r'hapticut_example\((\w+)\s+"([^"]*)"')
 
 
 def without_indentation(lines: list[str]) -> str:
@@ -27,8 +29,14 @@ def is_in(block: str, example: str) -> bool:
                for n in range(len(lines) - len(wanted) + 1))
 
 
+def outputs(root: Path) -> dict[str, str]:
+    """For each example the expression that its output must match."""
+    text = (root / "examples/CMakeLists.txt").read_text(encoding="utf-8")
+    return {f"examples/cpp/{name}.cpp": expression.replace("\\n", "\n") for name, expression in PRINTS.findall(text)}
+
+
 def check(root: Path, page: str, at_least: int) -> tuple[list[str], int]:
-    wrong, blocks, example, block, fence = [], 0, "", [], ""
+    wrong, blocks, example, block, fence, prints = [], 0, "", [], "", outputs(root)
     for number, line in enumerate((root / page).read_text(encoding="utf-8").splitlines(), 1):
         if line.startswith("```"):
             if fence == "cpp":
@@ -37,6 +45,8 @@ def check(root: Path, page: str, at_least: int) -> tuple[list[str], int]:
                     wrong.append(f"{page}:{number - len(block)} shows code before it names an example")
                 elif not is_in("\n".join(block), (root / example).read_text(encoding="utf-8")):
                     wrong.append(f"{page}:{number - len(block)} shows code that {example} does not have")
+            if fence == "text" and not re.search(prints[example], "\n".join(block), re.DOTALL):
+                wrong.append(f"{page}:{number - len(block)} shows what {example} does not print: {prints[example]}")
             fence = "" if fence else line[3:] or "text"
             block = []
         elif fence:

@@ -67,7 +67,8 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("cutting", &E::cutting, "J",
             "specific cutting energy times removed volume; thin chips cost a multiple of it, the part of their layer "
             "above its threshold"),
-      field("crushed", &E::crushed, "J", "compressive strength times crushed volume"),
+      field("crushed", &E::crushed, "J",
+            "compressive strength times crushed volume, less what came under the surface without being pressed there"),
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
       field("damping", &E::damping, "J",
             "Hunt-Crossley damping, and the excess work of springs that are evaluated at the end of a sub-step"),

@@ -89,8 +89,8 @@ enum class StepStatus : std::uint32_t {
   /// the tool. A script that must continue inside the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside.
   tool_waits = 1U << 15,
-  /// More than a tenth of the energy that removed material crushed it, because the head pressed harder than the
-  /// material's compressive_strength: a standing head does so, and one that turns too slowly for its feed. Less is
+  /// More than a tenth of the removed material, by its energy, was crushed, because the head appeared in it or pressed
+  /// harder than its compressive_strength: a standing head does so, and one that turns too slowly for its feed. Less is
   /// ordinary, as below the middle of a drill's point, and only EnergyLedger::crushed shows it. Cure: press less, or
   /// feed slower; start the spindle of a standing head.
   material_crushed = 1U << 16,
