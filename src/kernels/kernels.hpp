@@ -14,9 +14,9 @@
 #include "hapticut/workpiece/removal.hpp"
 
 /// The stages that work on one block, in the widest vector instructions of the machine, which are chosen when the
-/// program starts. They compute the same as the scalar functions of the same names in the public headers, within
-/// rounding. The scalar functions are the reference in the tests, and they run when the library was built without
-/// Highway.
+/// program starts. They compute the same as the scalar functions of the public headers, within rounding: press_blocks
+/// as FoundationLaw::evaluate, the others as those of their names. The scalar functions are the reference in the tests,
+/// and they run when the library was built without Highway.
 ///
 ///     a block: 8 x 8 x 8 voxels        a slab: the 64 voxels of one i; in memory k goes fastest, then j, then i
 ///
@@ -47,14 +47,15 @@
 ///               strips near the head,      in contact:       numbers    material, motion, 2. crushing,         new
 ///               voxels in it               springs, section  by column  3. chips, 4. springs, 5. recession,    fills
 ///                                                                       6. decay, 7. energies, forces
-///                                            '-> Whole: those wholly inside a standing head ----------------> sums
+///                                            '-> Whole: wholly inside a head that stands and removes nothing -> sums
+///                                                 (a ball's go there from Gather)
 ///
 /// Reading order. First the law, which contains the formulas and their reasons: force/laws/foundation.hpp, and the
 /// texts in hapticut/formulas that it includes; the kernels include the same. Then the main path:
 ///
 ///     kernels.hpp               input and output of the kernels
 ///     press-inl.hpp             the main path: from blocks to the columns
-///     gather-inl.hpp            which voxels of a block may be inside the head: find_voxels
+///     gather-inl.hpp            which voxels of a block may be inside the head
 ///     stages-inl.hpp            the default law on the columns, step by step
 ///     columns-inl.hpp           the columns, and the sums in vectors
 ///     materials-inl.hpp         the materials in the columns

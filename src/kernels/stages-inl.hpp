@@ -14,13 +14,15 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// FoundationLaw::evaluate and sum_resultant, in the same order. Each stage is a short loop over the columns, without
-/// long chains of dependent operations, and a function of its own: a compiler that inlines everything into one function
-/// makes it slower. The stages do not know the head.
+/// FoundationLaw::evaluate and sum_resultant: the texts of the law in the same order from crushing on; the filled part
+/// is collected before, and the material is looked up before the motion. Each stage is a short loop over the columns,
+/// without long chains of dependent operations, and a function of its own: a compiler that inlines everything into one
+/// function makes it slower. The stages do not know the head.
 class Stages {
   using C = Columns;
   using Chord = formulas::ChipChord<Wide>;
   using Surface = formulas::SurfaceMotion<Wide>;
+  using Reaction = formulas::VoxelReaction<Wide>;
   using Term = ContactSums::Term;
   static constexpr int kStep = int(kWidth);
 
@@ -83,10 +85,7 @@ class Stages {
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
       Wide factor = 1;
-      if (job_.damped) {
-        const Wide felt = dot(normal, velocity_at(r, m_.felt_velocity, m_.felt_angular_velocity));
-        factor = formulas::Damping<Wide>::of(c_.get(C::kDamping, n) * felt).factor;
-      }
+      if (job_.damped) factor = formulas::Damping<Wide>::of(m_, c_.get(C::kDamping, n), r, normal).factor;
       c_.put(C::kFactor, n, factor);
       Wide rate;
       if (spins_) {
@@ -96,7 +95,7 @@ class Stages {
         c_.put(C::kWork, n,
                surface.work(c_.get(C::kRatio, n), c_.get(C::kStiffness, n), factor, m_.duration * m_.level_of_detail));
       } else {
-        rate = dot(normal, velocity_at(r, m_.velocity, m_.angular_velocity));
+        rate = Surface::rate_of(m_, r, normal);
       }
       const auto advance = formulas::HeadAdvance<Wide>::of(m_, rate);
       c_.put(C::kMoved, n, advance.moved), c_.put(C::kApproach, n, advance.approach);
@@ -128,7 +127,7 @@ class Stages {
       const Material material = c_.material(n);
       const Wide limit = crushing_limit(n);
       Wide recedes = 0;
-      if (cuts_) recedes = Chord::recession_at(limit, material, lips(n), c_.get(C::kWork, n) * material.per_energy);
+      if (cuts_) recedes = Chord::recession_at(limit, material, lips(n), c_.get(C::kWork, n));
       const auto p = formulas::PartCrushing<Wide>::of(part(n), c_.get(C::kApproach, n), limit, recedes);
       c_.put(C::kKeptTop, n, p.top), c_.put(C::kKeptHeight, n, p.height), c_.put(C::kKeptFill, n, p.fill);
       c_.put(C::kApproach, n, p.approach), c_.put(C::kYielding, n, p.yielding);
@@ -143,11 +142,10 @@ class Stages {
     return formulas::HeadAdvance<Wide>{c_.get(C::kMoved, n), 0}.mean_rate(m_, c_.normal(n));
   }
   HWY_NOINLINE void take_chips() {
-    const Wide per_edge = m_.duration * m_.level_of_detail / m_.voxel_size;
     for (int n = 0; n < c_.count; n += kStep) {
       const Material material = c_.material(n);
-      const auto chord = Chord::of(material, lips(n), c_.get(C::kWork, n) * material.per_energy, c_.get(kept_.top, n),
-                                   c_.get(C::kFar, n), mean_rate(n) * per_edge);
+      const auto chord = Chord::of(material, lips(n), c_.get(C::kWork, n), c_.get(kept_.top, n), c_.get(C::kFar, n),
+                                   lips_.advance(mean_rate(n)));
       c_.put(C::kCutEnergy, n, chord.energy);
       c_.put(C::kCutFrom, n, chord.cut.threshold), c_.put(C::kExcess, n, chord.cut.excess);
     }
@@ -179,7 +177,7 @@ class Stages {
       auto cut = formulas::CutDepth<Wide>::of(kept.top, material.threshold);
       if (chips_) energy = c_.get(C::kCutEnergy, n), cut = {c_.get(C::kCutFrom, n), c_.get(C::kExcess, n)};
       const auto p = formulas::PartRecession<Wide>::of(kept, cut, energy, c_.get(C::kWork, n), c_.get(C::kApproach, n),
-                                                       material.stiffness * m_.voxel_size, release, m_.at_end());
+                                                       material.stored(m_.voxel_size), release, m_.at_end());
       c_.put(C::kReceded, n, p.receded), c_.put(C::kRate, n, p.rate), c_.put(C::kPrice, n, p.price);
       c_.put(C::kCutEnergy, n, energy), c_.put(C::kRubbing, n, p.rubbing(c_.get(C::kDepth, n)));
     }
@@ -205,39 +203,46 @@ class Stages {
     Wide before = 0, change = 0, lost = 0, crushed = 0;
     for (int n = 0; n < c_.count; n += kStep) {
       const Part part = this->part(n), kept = this->kept(n);
-      const Wide left = c_.get(C::kLeft, n), stored = c_.get(C::kStiffness, n) * m_.voxel_size;
+      const Wide left = c_.get(C::kLeft, n), stored = c_.material(n).stored(m_.voxel_size);
       const auto e = formulas::PartEnergies<Wide>::of(part, kept, left, c_.get(C::kSpring, n), c_.get(C::kVolume, n),
                                                       c_.get(C::kMoved, n), m_.lead, c_.get(C::kCrushing, n));
       before = before + stored * e.before, change = change + stored * (e.after - e.before);
       lost = lost + stored * e.lost;
       if (!crushed_) continue;
-      const Wide paid = cuts_ ? (c_.get(C::kCutEnergy, n) - c_.get(C::kPrice, n)) * (kept.fill - left) : Wide(0);
-      crushed = crushed + select(part.top > kept.top, stored * e.lost - paid, 0);
+      Wide helped = 0;
+      if (cuts_)
+        helped = formulas::PartCost<Wide>::helped_of(kept.fill - left, c_.get(C::kCutEnergy, n), c_.get(C::kPrice, n));
+      crushed = crushed + select(part.top > kept.top, stored * e.lost - helped, 0);
     }
     sums_.add(Term::kBefore, before), sums_.add(Term::kChange, change);
     sums_.add(Term::kLost, lost), sums_.add(Term::kCrushed, crushed);
   }
 
+  // The force, and what its work is.
+  [[nodiscard]] HWY_INLINE formulas::PartForce<Wide> force(int n) const {
+    return formulas::PartForce<Wide>::of(c_.get(C::kStiffness, n), c_.get(C::kSpring, n), c_.get(C::kFactor, n));
+  }
   HWY_NOINLINE void add_forces() {
     Place force = {0, 0, 0}, torque = {0, 0, 0}, pushed = {0, 0, 0}, moment = {0, 0, 0};
     Wide normals = 0, damping = 0, rubbing = 0, couple = 0;
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
-      const Wide elastic = c_.get(C::kStiffness, n) * c_.get(C::kSpring, n), push = elastic * c_.get(C::kFactor, n);
-      Place reaction = {push * normal.x, push * normal.y, push * normal.z};
+      const auto part = this->force(n);
+      const Wide push = part.push;
+      Place reaction = Reaction::of(normal, push).force;
       if (spins_) {
         pushed = {pushed.x + reaction.x, pushed.y + reaction.y, pushed.z + reaction.z};
         const Surface surface = Surface::of(m_, axis_, r, normal);
-        const auto whole = formulas::VoxelReaction<Wide>::of(surface, normal, push, c_.get(C::kRatio, n));
-        reaction = whole.force;
-        rubbing = rubbing + 2 * c_.get(C::kWork, n) * c_.get(C::kRubbing, n);
-        couple = couple + whole.drag * surface.beyond;
+        const auto turning = Reaction::of(surface, normal, push, c_.get(C::kRatio, n));
+        reaction = turning.force;
+        rubbing = rubbing + part.rubbed(c_.get(C::kWork, n), c_.get(C::kRubbing, n));
+        couple = couple + turning.couple(surface);
       }
       force = {force.x + reaction.x, force.y + reaction.y, force.z + reaction.z};
       const Place arm = cross(r, reaction);
       torque = {torque.x + arm.x, torque.y + arm.y, torque.z + arm.z};
       moment = {moment.x + push * r.x, moment.y + push * r.y, moment.z + push * r.z};
-      normals = normals + push, damping = damping + (push - elastic) * c_.get(C::kMoved, n) * m_.voxel_size;
+      normals = normals + push, damping = damping + part.damped(c_.get(C::kMoved, n), m_.voxel_size);
     }
     sums_.add(Term::kForceX, force), sums_.add(Term::kTorqueX, torque);
     sums_.add(Term::kPushX, pushed), sums_.add(Term::kMomentX, moment);
@@ -254,8 +259,7 @@ class Stages {
       const formulas::PartSprings<Wide> springs = {c_.get(C::kDepth, n), c_.get(C::kVolume, n), 0};
       const Wide slope = Stiffness::slope_of(m_, material, damping, springs, c_.get(C::kSpring, n),
                                              crushed_ ? c_.get(C::kYielding, n) : Wide(0), c_.get(kept_.top, n));
-      const Wide push = material.stiffness * c_.get(C::kSpring, n) * damping.factor;
-      const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, push,
+      const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, force(n).push,
                                    spins_ ? material.cutting_ratio : Wide(0));
       stiffness_->add(k.spring, r);
       if (!spins_) continue;
@@ -269,9 +273,8 @@ class Stages {
       const auto number = [&](float ContactMaterial::*of) HWY_ATTR {
         return materials_.each(n, [&](MaterialId id) { return job_.materials[id].*of; });
       };
-      const Wide stiffness = c_.get(C::kStiffness, n);
-      friction_->add(number, stiffness * c_.get(C::kSpring, n) * c_.get(C::kFactor, n),
-                     stiffness * (1 / m_.voxel_size) * c_.get(C::kVolume, n), c_.place(n), c_.normal(n));
+      friction_->add(number, force(n).push, c_.get(C::kStiffness, n) * (1 / m_.voxel_size) * c_.get(C::kVolume, n),
+                     c_.place(n), c_.normal(n));
     }
   }
 

@@ -12,7 +12,7 @@
 /// ploughs and removes nothing; h_s is the size effect of thin chips. At a pressure p and a slip s the interface
 /// therefore recedes by
 ///
-///     q = kappa s p/u = v + sqrt(h_s f_z v) + h_e f_z        v(q) = 0 up to q = h_e f_z, and then y^2,
+///     q = kappa s (p - p_e)/u = v + sqrt(h_s f_z v) + h_e f_z        v(q) = 0 up to q = h_e f_z, and then y^2,
 ///                                                            y = 2 (q - h_e f_z)/(b + sqrt(b^2 + 4 (q - h_e f_z))),
 ///                                                            b = sqrt(h_s f_z)
 ///
@@ -30,7 +30,7 @@
 ///
 /// When a head passes along a wall that it has finished, it takes no chip, and the constants of thin chips do not
 /// apply: the wall would press on the head for ever, with the pressure at which edges cut. So within half a degree of
-/// the feed, h_e and h_s are scaled with the speed towards the surface (`formulas::ChippingLips`).
+/// the feed, h_e and h_s are scaled with the speed towards the surface or away from it (`formulas::ChippingLips`).
 /// docs/decisions/0010-chips.md compares this with the alternatives.
 namespace hapticut {
 

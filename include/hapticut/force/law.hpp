@@ -69,7 +69,7 @@ struct HeadMotion {
   float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
   float tooth_rate = 0;  ///< [1/s] f_z, passing rate of the lips; 0 when no material's energy depends on chips
-  float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: the step has one sub-step
+  float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: as `duration`
   /// [m/s] Velocity less its mean over the last 20 ms; it does not affect the energy of chips.
   Eigen::Vector3f ripple = Eigen::Vector3f::Zero();
   bool crushes = false;  ///< material deeper than its crushing_depth is removed, whether the head turns or not

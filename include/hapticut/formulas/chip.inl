@@ -2,7 +2,8 @@
 // Text of hapticut/force/chip.hpp and of the kernels: cutting energy that depends on the chip.
 
 /// The energy and the threshold depth of the cut of a voxel, in place of u and w0. In any units of length and time;
-/// `material` has the lengths `threshold` (w0), `edge_length` and `size_length`, and the density `energy` (u).
+/// `material` has the lengths `threshold` (w0), `edge_length` and `size_length`, the density `energy` (u) and its
+/// inverse.
 template <class Real>
 struct ChipChord {
   Real energy;         ///< [J/m^3] u/sigma_c
@@ -11,37 +12,39 @@ struct ChipChord {
   static constexpr float kMinRoots = 1e-9F;  ///< [sqrt(m/s)] of y_1 + y_2
 
   /// @param tooth_rate  [1/s] f_z of the lips that take a chip (ChippingLips)
-  /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
+  /// @param work        [J/(m^4 s)] kappa k_v g_d s/2 >= 0
   /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
-  /// @param speed       [m/s] of the head towards the surface
+  /// @param speed       [m/s] of the head into the surface, without its ripple
   template <class Material>
-  HAPTICUT_FORMULA static ChipChord of(const Material& material, Real tooth_rate, Real rate, Real top, Real bottom,
+  HAPTICUT_FORMULA static ChipChord of(const Material& material, Real tooth_rate, Real work, Real top, Real bottom,
                                        Real speed) {
-    const Roots root_of_speed(material, tooth_rate, rate);
+    const Roots root_of_speed(material, tooth_rate, work);
     const Real at_top = root_of_speed.at(top);
     // [1] 1 when half of the voxel or more is below the layer
     const Real outside = min(Real(1), -2 * bottom / (top - bottom));
     Real other = outside * sqrt(max(Real(0), speed));
     if (const auto below = bottom > 0; any(below)) other = select(below, root_of_speed.at(bottom), other);
     const Real dearer = 1 + root_of_speed.b / max(at_top + other, Real(kMinRoots));  // 1/sigma_c
+    const Real rate = root_of_speed.rate;
     const Real excess = select(rate > 0, at_top * at_top * dearer / rate, Real(0));
     return {material.energy * dearer, {sqrt(max(Real(0), top * top - excess)), excess}};
   }
 
   /// [m/s] Speed v(q) at which a column recedes whose top is at a depth; without chips where `tooth_rate` is 0.
   template <class Material>
-  HAPTICUT_FORMULA static Real recession_at(Real depth, const Material& material, Real tooth_rate, Real rate) {
-    const Real root = Roots(material, tooth_rate, rate).at(depth);
+  HAPTICUT_FORMULA static Real recession_at(Real depth, const Material& material, Real tooth_rate, Real work) {
+    const Real root = Roots(material, tooth_rate, work).at(depth);
     return root * root;
   }
 
  private:
   /// sqrt(v(q)) at depths of the layer.
   struct Roots {
-    Real rate, edge, square, b, w0_squared;
+    Real rate;  // [1/(m s)] k_d without chips
+    Real edge, square, b, w0_squared;
     template <class Material>
-    HAPTICUT_FORMULA Roots(const Material& material, Real tooth_rate, Real cut_rate)
-        : rate(cut_rate),
+    HAPTICUT_FORMULA Roots(const Material& material, Real tooth_rate, Real work)
+        : rate(work * material.per_energy),
           edge(material.edge_length * tooth_rate),
           square(material.size_length * tooth_rate),
           b(sqrt(square)),

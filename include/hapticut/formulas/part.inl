@@ -109,9 +109,11 @@ struct PartCost {
   /// @param price   [J/m^3] PartRecession::price
   HAPTICUT_FORMULA static PartCost of(Real fill, const PartDecay<Real>& decay, Real energy, Real price) {
     const Real cut = fill - decay.left;
-    return {energy * cut, (energy - price) * cut, price * max(Real(0), decay.credit),
+    return {energy * cut, helped_of(cut, energy, price), price * max(Real(0), decay.credit),
             -price * min(Real(0), decay.credit)};
   }
+  /// @param cut  [1] fill that was cut
+  HAPTICUT_FORMULA static Real helped_of(Real cut, Real energy, Real price) { return (energy - price) * cut; }
 };
 
 /// 7. Energies stored before and after, relative to k_v l^2 and the voxel's volume.
@@ -153,4 +155,27 @@ struct PartEnergies {
     }
     return e;
   }
+};
+
+/// The normal force of a part, and the work of it that is not stored, relative to the voxel's volume.
+template <class Real>
+struct PartForce {
+  Real elastic;  ///< [N/m^3] of the springs
+  Real push;     ///< [N/m^3] f: with damping
+
+  /// @param stiffness  [N/m^3] k_v l
+  /// @param spring     [1] its mean over the time: what rubs and what is cut
+  /// @param damping    [1] g_d
+  HAPTICUT_FORMULA static PartForce of(Real stiffness, Real spring, Real damping) {
+    const Real elastic = stiffness * spring;
+    return {elastic, elastic * damping};
+  }
+  /// [J/m^3] Work of the damping.
+  [[nodiscard]] HAPTICUT_FORMULA Real damped(Real moved, float voxel_size) const {
+    return (push - elastic) * moved * Real(voxel_size);
+  }
+  /// [J/m^3] Work of the drag on what only rubs.
+  /// @param work     [J/m^3] as in PartRecession
+  /// @param rubbing  [1] PartRecession::rubbing
+  HAPTICUT_FORMULA static Real rubbed(Real work, Real rubbing) { return 2 * work * rubbing; }
 };

@@ -8,6 +8,12 @@ struct Damping {
   Real factor;  ///< [1] g_d
   Real slope;   ///< [1] its change with chi w_dot
 
+  /// Of the motion that the device measures.
+  /// @param r  [m] the voxel's centre, from To
+  /// @param n  [1] the normal there
+  HAPTICUT_FORMULA static Damping of(const HeadMotion& m, Real chi, const Triple<Real>& r, const Triple<Real>& n) {
+    return of(chi * dot(n, velocity_at(r, m.felt_velocity, m.felt_angular_velocity)));
+  }
   /// @param x  [1] chi w_dot
   HAPTICUT_FORMULA static Damping of(Real x) { return of_factor((1 + max(x, Real(0))) / (1 - min(x, Real(0)))); }
   HAPTICUT_FORMULA static Damping of_factor(Real factor) {
@@ -35,6 +41,9 @@ struct SurfaceMaterial {
   Real crushing_depth;  ///< [1] w_c/l
 
   static constexpr float kNeverCut = 1e6F;  ///< [1] w0/l of a surface that does not cut
+
+  /// [J/m^3] k_v l^2: twice what springs store at a depth of one edge
+  [[nodiscard]] HAPTICUT_FORMULA Real stored(float voxel_size) const { return stiffness * Real(voxel_size); }
 
   HAPTICUT_FORMULA static SurfaceMaterial of(const ContactMaterial& m, float voxel_size) {
     const float per_edge = 1 / voxel_size;
@@ -111,13 +120,17 @@ struct SurfaceMotion {
   Real slip;              ///< [m/s] s^2/sqrt(s^2 + v_eps^2)
   Real beyond;            ///< [m^2/s^2] square of the slip less that of the voxel's centre (AxisSlip)
 
+  /// [m/s] w_dot, for a place r and its normal n
+  HAPTICUT_FORMULA static Real rate_of(const HeadMotion& m, const Triple<Real>& r, const Triple<Real>& n) {
+    return dot(n, velocity_at(r, m.velocity, m.angular_velocity));
+  }
   /// @param r  [m] the voxel's centre, from To
   /// @param n  [1] the normal there
   HAPTICUT_FORMULA static SurfaceMotion of(const HeadMotion& m, const AxisSlip<Real>& axis, const Triple<Real>& r,
                                            const Triple<Real>& n) {
     SurfaceMotion s;
     s.velocity = velocity_at(r, m.velocity, m.angular_velocity);
-    s.rate = dot(n, s.velocity);
+    s.rate = rate_of(m, r, n);
     s.velocity.x = s.velocity.x - Real(m.spin) * r.y;
     s.velocity.y = s.velocity.y + Real(m.spin) * r.x;  // across n on a body of revolution
     const Real of_center = max(Real(0), dot(s.velocity, s.velocity) - s.rate * s.rate);
@@ -148,6 +161,13 @@ struct VoxelReaction {
     const Real drag = kappa * push * surface.inverse_slip, along = push - drag * surface.rate;
     return {{along * n.x + drag * v.x, along * n.y + drag * v.y, along * n.z + drag * v.z}, drag};
   }
+  /// Under a spindle that stands.
+  HAPTICUT_FORMULA static VoxelReaction of(const Triple<Real>& n, Real push) {
+    return {{push * n.x, push * n.y, push * n.z}, Real(0)};
+  }
+  /// [W/m^3] Power of the drag with what the slip exceeds that of the voxel's centre by; a couple about the axis takes
+  /// it.
+  [[nodiscard]] HAPTICUT_FORMULA Real couple(const SurfaceMotion<Real>& surface) const { return drag * surface.beyond; }
 };
 
 /// How far the head moves into a voxel, in voxel edges.
@@ -176,10 +196,12 @@ struct ChippingLips {
   static constexpr float kMinFeed = 1e-6F;  ///< [m/s] of a head that only presses
 
   float passing;   ///< [1] lips that pass in the time
+  float per_edge;  ///< [s/m] the time over the voxel's edge
   float per_feed;  ///< [s/m] of the feed without its ripple
 
   HAPTICUT_FORMULA explicit ChippingLips(const HeadMotion& m)
       : passing(m.tooth_rate * m.duration * m.level_of_detail),
+        per_edge(m.duration * m.level_of_detail / m.voxel_size),
         per_feed(1 / std::max((m.velocity - m.ripple).norm(), kMinFeed)) {}
 
   /// [1]
@@ -187,4 +209,6 @@ struct ChippingLips {
   [[nodiscard]] HAPTICUT_FORMULA Real at(Real mean_rate) const {
     return Real(passing) * min(Real(1), abs(mean_rate) * Real(per_feed / kGrazing) + Real(kMinFeed * per_feed));
   }
+  /// [1] What the head advances in the time at this rate, in voxel edges.
+  [[nodiscard]] HAPTICUT_FORMULA Real advance(Real mean_rate) const { return mean_rate * Real(per_edge); }
 };

@@ -32,8 +32,8 @@ namespace formulas {
 ///
 ///     force = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
 ///
-/// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> and <w>_0 are the means
-/// over that part of the depth and of the depth beyond w0. Material shallower than w0 is not cut:
+/// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> is the mean of
+/// max(w, 0) over that part, and <w>_0 that of w where w > w0, and else 0. Material shallower than w0 is not cut:
 ///
 ///     f = k_v g_d phi l^3 (<w> - <w>_0 + r <w>_0)      phi <- phi e^-x      x = 2 k_d r <w>_0 dt
 ///
@@ -81,8 +81,7 @@ class FoundationLaw final : public ForceLaw {
       const Triple r = {b.x[n], b.y[n], b.z[n]}, normal = {b.normal_x[n], b.normal_y[n], b.normal_z[n]};
       const auto surface = formulas::SurfaceMotion<float>::of(m, axis, r, normal);
       const Material material = material_at(m, materials, b, n);
-      const Damping damping =
-          Damping::of(material.damping * dot(normal, velocity_at(r, m.felt_velocity, m.felt_angular_velocity)));
+      const auto damping = Damping::of(m, material.damping, r, normal);
       const float kappa = m.spin != 0 ? material.cutting_ratio : 0.0F;
       const float work = surface.work(kappa, material.stiffness, damping.factor, time);
       const auto advance = formulas::HeadAdvance<float>::of(m, surface.rate);
@@ -94,7 +93,7 @@ class FoundationLaw final : public ForceLaw {
       float approach = advance.approach, yielding = 0;
       if (m.crushes) {
         const float limit = damping.crushing_depth(material.crushing_depth);
-        const float recedes = m.cuts() ? Chord::recession_at(limit, material, lips, work * material.per_energy) : 0.0F;
+        const float recedes = m.cuts() ? Chord::recession_at(limit, material, lips, work) : 0.0F;
         const auto crushing = formulas::PartCrushing<float>::of(part, approach, limit, recedes);
         kept = {part.section, part.far, crushing.top, crushing.height, crushing.fill};
         approach = crushing.approach, yielding = crushing.yielding;
@@ -103,8 +102,7 @@ class FoundationLaw final : public ForceLaw {
       float energy = material.energy;
       auto cut = CutDepth<float>::of(kept.top, material.threshold);
       if (m.cuts() && m.tooth_rate > 0) {
-        const auto chord =
-            Chord::of(material, lips, work * material.per_energy, kept.top, part.far, mean_rate * (time / l));
+        const auto chord = Chord::of(material, lips, work, kept.top, part.far, chipping.advance(mean_rate));
         energy = chord.energy, cut = chord.cut;
       }
       // 4. Springs of the part.
@@ -113,39 +111,39 @@ class FoundationLaw final : public ForceLaw {
       formulas::PartRecession<float> layer = {0, 0, 0, energy};
       formulas::PartDecay<float> decay = {0, kept.fill, 0};
       if (m.cuts()) {
-        layer = formulas::PartRecession<float>::of(kept, cut, energy, work, approach, material.stiffness * l,
+        layer = formulas::PartRecession<float>::of(kept, cut, energy, work, approach, material.stored(l),
                                                    m.removal == RemovalLaw::elastic_release, m.at_end());
         decay = formulas::PartDecay<float>::of(kept.fill, layer);
       }
+      const auto cost = formulas::PartCost<float>::of(kept.fill, decay, energy, layer.price);
       const float rubbing = layer.rubbing(springs.depth), spring = rubbing + decay.cut;
       // 7. Energies before and after.
       const auto energies = formulas::PartEnergies<float>::of(part, kept, decay.left, spring, springs.volume,
                                                               advance.moved, m.lead, material.crushing_depth);
-      const auto cost = formulas::PartCost<float>::of(kept.fill, decay, energy, layer.price);
 
       b.fill_after[n] = decay.left;
       const bool is_crushed = kept.top < part.top;
       if (is_crushed) b.top[n] = kept.top * l, b.immersed[n] = springs.volume;
-      const float elastic = material.stiffness * spring, push = elastic * damping.factor;
-      const auto reaction = formulas::VoxelReaction<float>::of(surface, normal, push, kappa);
+      const auto force = formulas::PartForce<float>::of(material.stiffness, spring, damping.factor);
+      const auto reaction = formulas::VoxelReaction<float>::of(surface, normal, force.push, kappa);
       b.force_x[n] = -volume * reaction.force.x;
       b.force_y[n] = -volume * reaction.force.y;
       b.force_z[n] = -volume * reaction.force.z;
       // What cutting costs beyond its price is paid by the energy that is lost with the removed material.
-      const float stored = material.stiffness * l;
+      const float stored = material.stored(l);
       sums.add(kElasticBefore, n, stored * energies.before);
       sums.add(kElastic, n, stored * energies.after);
       sums.add(kCutting, n, cost.cutting);
       sums.add(is_crushed ? kCrushed : kReleased, n, stored * energies.lost - cost.helped);
       sums.add(kHelped, n, cost.helped);
-      sums.add(kDamping, n, (push - elastic) * advance.moved * l);
-      sums.add(kRubbing, n, 2 * work * rubbing + cost.refused);
+      sums.add(kDamping, n, force.damped(advance.moved, l));
+      sums.add(kRubbing, n, force.rubbed(work, rubbing) + cost.refused);
       sums.add(kCredited, n, cost.credited);
-      sums.add(kCouple, n, reaction.drag * surface.beyond);
+      sums.add(kCouple, n, reaction.couple(surface));
 
-      if (stiffness_T == nullptr || !(push > 0)) continue;
+      if (stiffness_T == nullptr || !(force.push > 0)) continue;
       const float slope = PartStiffness::slope_of(m, material, damping, springs, spring, yielding, kept.top);
-      const auto stiffness = PartStiffness::of(m, surface, normal, slope, push, kappa);
+      const auto stiffness = PartStiffness::of(m, surface, normal, slope, force.push, kappa);
       for (const auto& dyad : {stiffness.spring, stiffness.turned, stiffness.slowed})
         add_dyad(dyad, r, double(volume), *stiffness_T);
     }
