@@ -45,7 +45,9 @@ def check(root: Path, page: str, at_least: int) -> tuple[list[str], int]:
                     wrong.append(f"{page}:{number - len(block)} shows code before it names an example")
                 elif not is_in("\n".join(block), (root / example).read_text(encoding="utf-8")):
                     wrong.append(f"{page}:{number - len(block)} shows code that {example} does not have")
-            if fence == "text" and not re.search(prints[example], "\n".join(block), re.DOTALL):
+            if fence == "text" and example not in prints:
+                wrong.append(f"{page}:{number - len(block)} shows output before it names an example that has any")
+            elif fence == "text" and not re.search(prints[example], "\n".join(block), re.DOTALL):
                 wrong.append(f"{page}:{number - len(block)} shows what {example} does not print: {prints[example]}")
             fence = "" if fence else line[3:] or "text"
             block = []
