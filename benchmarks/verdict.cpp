@@ -32,7 +32,7 @@ using units::rpm;
 constexpr double kPress = 2;      // [N] of the hand
 constexpr double kGlide = 3e-3;   // [m/s] of the hand
 constexpr double kPlunge = 2e-3;  // [m/s] of the hand, at most
-constexpr double kDepth = 1e-3;   // [m] of a groove; the deepest that the hand presses a coupled tool
+constexpr double kDepth = 1e-3;   // [m] of a groove; a coupled tool that is deeper is not pressed further
 constexpr int kTicks = 3000;      // measured
 
 double thread_seconds() {
@@ -91,6 +91,7 @@ Times times_of(const Scene& scene) {
   double lowest = -std::numeric_limits<double>::infinity();  // [m] where the hand stops
   double depth = 0, pressed = 0;                             // [m], [N] of the tool
   int steps = 0, newtons = 0;
+  // One tick. Behind the coupling the hand follows the tool, so that it presses with kPress at most.
   const auto move = [&](double glide, double plunge) {
     const double z = std::max(hand.z() - plunge * dt, lowest);
     const Twist velocity{Vec3(glide, 0, (z - hand.z()) / dt), Vec3::Zero()};

@@ -219,7 +219,7 @@ class Stages {
   }
 
   // The force, and what its work is.
-  [[nodiscard]] HWY_INLINE formulas::PartForce<Wide> force(int n) const {
+  [[nodiscard]] HWY_INLINE formulas::PartForce<Wide> part_force(int n) const {
     return formulas::PartForce<Wide>::of(c_.get(C::kStiffness, n), c_.get(C::kSpring, n), c_.get(C::kFactor, n));
   }
   HWY_NOINLINE void add_forces() {
@@ -227,22 +227,22 @@ class Stages {
     Wide normals = 0, damping = 0, rubbing = 0, couple = 0;
     for (int n = 0; n < c_.count; n += kStep) {
       const Place r = c_.place(n), normal = c_.normal(n);
-      const auto part = this->force(n);
-      const Wide push = part.push;
+      const auto pressed = part_force(n);
+      const Wide push = pressed.push;
       Place reaction = Reaction::of(normal, push).force;
       if (spins_) {
         pushed = {pushed.x + reaction.x, pushed.y + reaction.y, pushed.z + reaction.z};
         const Surface surface = Surface::of(m_, axis_, r, normal);
         const auto turning = Reaction::of(surface, normal, push, c_.get(C::kRatio, n));
         reaction = turning.force;
-        rubbing = rubbing + part.rubbed(c_.get(C::kWork, n), c_.get(C::kRubbing, n));
+        rubbing = rubbing + pressed.rubbed(c_.get(C::kWork, n), c_.get(C::kRubbing, n));
         couple = couple + turning.couple(surface);
       }
       force = {force.x + reaction.x, force.y + reaction.y, force.z + reaction.z};
       const Place arm = cross(r, reaction);
       torque = {torque.x + arm.x, torque.y + arm.y, torque.z + arm.z};
       moment = {moment.x + push * r.x, moment.y + push * r.y, moment.z + push * r.z};
-      normals = normals + push, damping = damping + part.damped(c_.get(C::kMoved, n), m_.voxel_size);
+      normals = normals + push, damping = damping + pressed.damped(c_.get(C::kMoved, n), m_.voxel_size);
     }
     sums_.add(Term::kForceX, force), sums_.add(Term::kTorqueX, torque);
     sums_.add(Term::kPushX, pushed), sums_.add(Term::kMomentX, moment);
@@ -259,7 +259,7 @@ class Stages {
       const formulas::PartSprings<Wide> springs = {c_.get(C::kDepth, n), c_.get(C::kVolume, n), 0};
       const Wide slope = Stiffness::slope_of(m_, material, damping, springs, c_.get(C::kSpring, n),
                                              crushed_ ? c_.get(C::kYielding, n) : Wide(0), c_.get(kept_.top, n));
-      const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, force(n).push,
+      const auto k = Stiffness::of(m_, Surface::of(m_, axis_, r, normal), normal, slope, part_force(n).push,
                                    spins_ ? material.cutting_ratio : Wide(0));
       stiffness_->add(k.spring, r);
       if (!spins_) continue;
@@ -273,7 +273,7 @@ class Stages {
       const auto number = [&](float ContactMaterial::*of) HWY_ATTR {
         return materials_.each(n, [&](MaterialId id) { return job_.materials[id].*of; });
       };
-      friction_->add(number, force(n).push, c_.get(C::kStiffness, n) * (1 / m_.voxel_size) * c_.get(C::kVolume, n),
+      friction_->add(number, part_force(n).push, c_.get(C::kStiffness, n) * (1 / m_.voxel_size) * c_.get(C::kVolume, n),
                      c_.place(n), c_.normal(n));
     }
   }
