@@ -206,6 +206,7 @@ struct FrictionVectors : TermVectors<FrictionSums> {
 /// Those sums that a caller asks for.
 class AskedVectors {
  public:
+  // The implicit one is not compiled for the instruction set. NOLINTNEXTLINE(modernize-use-equals-default)
   HWY_INLINE AskedVectors() {}
   HWY_INLINE void ask(StiffnessSums* stiffness, FrictionSums* friction) {
     stiffness_totals_ = stiffness, friction_totals_ = friction;

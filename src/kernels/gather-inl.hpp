@@ -25,13 +25,13 @@ class Gather {
 
   /// @param motion  [m] of any point of the head, at most, until the voxels are evaluated
   HWY_INLINE Gather(const Springs& springs, const ContactJob& job, float motion)
-      : job_(job),
-        near_(springs.grown(kVoxelReach * job.motion.voxel_size + motion)),
+      : near_(springs.grown(kVoxelReach * job.motion.voxel_size + motion)),
         strips_near_(springs.grown((kHalfStrip + kVoxelReach) * job.motion.voxel_size + motion)),
         strips_inside_(springs.grown(-(kHalfStrip + kVoxelReach) * job.motion.voxel_size)),
         steps_(job.grid.voxel_steps.template cast<float>()),
         firsts_(steps_, Eigen::Vector3f::Zero()),
-        middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)) {
+        middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)),
+        job_(job) {
     for (std::size_t part = 0; part < kParts; ++part) {
       const Vec lane = hn::Iota(Floats(), float(part * kWidth));
       const Vec j = hn::IfThenElseZero(lane >= broadcast(8.0F), broadcast(1.0F));
@@ -187,12 +187,12 @@ class Gather {
     return strips;
   }
 
-  const ContactJob& job_;
   const Bound near_;                         // of the centres of voxels that may reach into the head
   const Bound strips_near_, strips_inside_;  // of the middles of strips that have such voxels, and that have no others
+  Place lane_offsets_[kParts];               // [m] of the lanes of a strip, from the strip's first voxel
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
-  Place lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel
+  const ContactJob& job_;
 };
 
 }  // namespace strips

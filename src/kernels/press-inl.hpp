@@ -23,17 +23,17 @@ class Press {
  public:
   HWY_INLINE Press(const Springs& springs, const ContactJob& job, Columns& columns, Stages& stages,
                    StiffnessVectors* stiffness, FrictionVectors* friction)
-      : springs_(springs),
+      : gather_(springs, job, 0),
+        springs_(springs),
         job_(job),
-        gather_(springs, job, 0),
-        steps_((job.grid.voxel_steps).template cast<float>()),
-        axes_((job.grid.voxel_steps / double(job.motion.voxel_size)).template cast<float>()),
-        whole_(springs, job, stages, axes_, stiffness, friction),
         columns_(columns),
         stages_(stages),
+        steps_((job.grid.voxel_steps).template cast<float>()),
+        axes_((job.grid.voxel_steps / double(job.motion.voxel_size)).template cast<float>()),
         voxel_size_(job.motion.voxel_size),
         min_width_(job.motion.min_width),
-        stands_(job.motion.spin == 0 && !job.motion.crushes) {}
+        stands_(job.motion.spin == 0 && !job.motion.crushes),
+        whole_(springs, job, stages, axes_, stiffness, friction) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     bool may_cut = true;
@@ -129,17 +129,17 @@ class Press {
     return formulas::distance_below(spring.depth, select(spring.smooth > 0, Wide(kSmoothScale), 1));
   }
 
+  alignas(64) std::uint16_t list_[ReachedVoxels::kCapacity];
+  const Gather<Springs> gather_;
   const Springs& springs_;
   const ContactJob& job_;
-  const Gather<Springs> gather_;
-  const Eigen::Matrix3f steps_;  // [m] of the grid, in T
-  const Eigen::Matrix3f axes_;   // of the grid, in T
-  Whole<Springs> whole_;
-  alignas(64) std::uint16_t list_[ReachedVoxels::kCapacity];
   Columns& columns_;
   Stages& stages_;
+  const Eigen::Matrix3f steps_;  // [m] of the grid, in T
+  const Eigen::Matrix3f axes_;   // of the grid, in T
   const float voxel_size_, min_width_;
   const bool stands_;  // and removes nothing
+  Whole<Springs> whole_;
 };
 
 template <class Springs>

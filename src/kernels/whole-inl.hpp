@@ -100,7 +100,8 @@ class Whole {
     Wide torque_x = 0, torque_y = 0, normals = 0, twice_after = 0, change = 0, damping = 0, depth = 0;
     int voxels = 0;
 
-    HWY_INLINE Sums() {}  // not the implicit one, which is not compiled for the instruction set
+    // The implicit one is not compiled for the instruction set. NOLINTNEXTLINE(modernize-use-equals-default)
+    HWY_INLINE Sums() {}
 
     /// @param k        [N/m^4] zero in lanes that do not count
     /// @param w        [m] depth of the centres, which advances by `advance` in the sub-step
@@ -199,6 +200,8 @@ class Whole {
     deepest_ = hn::GetLane(hn::MaxOfLanes(Floats(), sums_.depth.v));
   }
 
+  static constexpr int kColumns = 6;
+  alignas(64) float of_[kColumns][Columns::kCapacity];  // position, depth, radial and axial
   const Springs& springs_;
   const ContactJob& job_;
   const HeadMotion& m_;
@@ -208,12 +211,10 @@ class Whole {
   const Eigen::Matrix3f& axes_;        // of the grid, in T
   const float deep_enough_;  // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
   const typename Gather<Springs>::Bound deep_;  // of the centres of such voxels; exact for a ball
+  int count_ = 0;                               // of collected voxels
+  MaterialId id_ = kEmpty;                      // of all of them
+  float deepest_ = 0;                           // [m] of all voxels so far
   Sums sums_;
-  static constexpr int kColumns = 6;
-  alignas(64) float of_[kColumns][Columns::kCapacity];  // position, depth, radial and axial
-  int count_ = 0;                                       // of collected voxels
-  MaterialId id_ = kEmpty;                              // of all of them
-  float deepest_ = 0;                                   // [m] of all voxels so far
 };
 
 }  // namespace strips

@@ -37,10 +37,12 @@ struct WideOf {
   using Condition = WhereOf<D>;
   Vector v;
   WideOf() = default;
+  // In a formula, a number is one in each lane. NOLINTBEGIN(google-explicit-constructor)
   HWY_INLINE WideOf(Vector of) : v(of) {}
   HWY_INLINE WideOf(float same) : v(hn::Set(D(), same)) {}
   HWY_INLINE WideOf(double same) : WideOf(float(same)) {}
   HWY_INLINE WideOf(int same) : WideOf(float(same)) {}
+  // NOLINTEND(google-explicit-constructor)
   HWY_INLINE static WideOf load(const float* from) { return hn::Load(D(), from); }
   HWY_INLINE void store(float* to) const { hn::Store(v, D(), to); }
 
