@@ -37,7 +37,7 @@ struct WideOf {
   using Condition = WhereOf<D>;
   Vector v;
   WideOf() = default;
-  // In a formula, a number is one in each lane. NOLINTBEGIN(google-explicit-constructor)
+  // Formulas mix numbers and vectors. NOLINTBEGIN(google-explicit-constructor)
   HWY_INLINE WideOf(Vector of) : v(of) {}
   HWY_INLINE WideOf(float same) : v(hn::Set(D(), same)) {}
   HWY_INLINE WideOf(double same) : WideOf(float(same)) {}
