@@ -14,6 +14,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/tool/catalogue.hpp"

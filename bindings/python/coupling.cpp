@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/simulation/coupling.hpp: the virtual coupling between hand and tool
 #include "hapticut/simulation/coupling.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 
 #include <memory>
 #include <type_traits>

@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/safety/device_limits.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "structs.hpp"
 

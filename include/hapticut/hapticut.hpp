@@ -49,6 +49,7 @@
 
 // The loop: steps in a separate thread, with commands to it and snapshots from it. Other headers: change_feed.hpp
 // (changed blocks, for a display), workspace_map.hpp (WorkspaceMap, from the device to W).
+#include "hapticut/loop/coupling_gains.hpp"     // coupling_gains(device)
 #include "hapticut/loop/realtime_loop.hpp"      // RealtimeLoop
 #include "hapticut/loop/simulation_model.hpp"   // SimulationModel
 #include "hapticut/loop/spindle_interlock.hpp"  // SpindleInterlock, for a loop of your own

@@ -36,6 +36,7 @@
 #include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/force/effects/delta_filter.hpp"
 #include "hapticut/force/effects/gravity.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 #include "hapticut/force/effects/vibration.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"

@@ -9,7 +9,7 @@
 #include "core/interruption.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/simulation/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
 namespace {

@@ -8,6 +8,7 @@
 #include "c/structs.hpp"
 #include "c/words_of_c.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "loop/hand_map.hpp"
 
 namespace hapticut::c {

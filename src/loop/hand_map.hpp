@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/loop/workspace_map.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/builders.hpp"
 

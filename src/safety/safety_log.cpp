@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <boost/lockfree/spsc_queue.hpp>
 
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 namespace hapticut {
 namespace {

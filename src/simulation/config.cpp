@@ -6,6 +6,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
+#include "hapticut/safety/device_limits.hpp"
 #include "simulation/head_stiffness.hpp"
 
 namespace hapticut {

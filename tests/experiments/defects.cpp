@@ -8,6 +8,7 @@
 #include "experiments/vocabulary.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/safety/device_limits.hpp"
 #include "hapticut/safety/guard.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 

@@ -6,6 +6,7 @@
 #include "gestures/scripted_loops.hpp"
 #include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/safety/guard.hpp"
 
 namespace hapticut::gestures {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gestures/report.hpp"
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/simulation/simulation.hpp"
 

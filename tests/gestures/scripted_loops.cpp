@@ -2,6 +2,7 @@
 #include "gestures/scripted_loops.hpp"
 
 #include <utility>
+#include "hapticut/loop/coupling_gains.hpp"
 
 namespace hapticut::gestures {
 namespace {

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device",
+ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "force", "safety", "kernels", "simulation", "realtime", "device",
          "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "view", "c", "cli"]
 OF_THE_TESTS = {("cli", "experiments")}  # `hapticut validate` runs them
 LONGEST = 400

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/motors.hpp"

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 
 namespace hapticut::test {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/safety/guard.hpp"
 
 namespace hapticut {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 namespace hapticut {
 

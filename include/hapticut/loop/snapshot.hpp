@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/workpiece/material_set.hpp"
 

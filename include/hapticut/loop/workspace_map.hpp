@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/simulation/coupling.hpp"
 
 namespace hapticut {

@@ -7,8 +7,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 #include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/safety/passivity.hpp"
 #include "hapticut/safety/pose_gate.hpp"
 #include "hapticut/safety/requests.hpp"
@@ -16,7 +17,6 @@
 #include "hapticut/safety/thermal_budget.hpp"
 #include "hapticut/safety/tick_clock.hpp"
 #include "hapticut/safety/watchdog.hpp"
-#include "hapticut/simulation/output_limits.hpp"
 
 namespace hapticut {
 

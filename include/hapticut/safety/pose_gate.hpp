@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/safety/safety_log.hpp"
 
 namespace hapticut {

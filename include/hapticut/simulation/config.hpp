@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"

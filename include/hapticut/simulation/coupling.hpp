@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 /// The virtual coupling. It lets the hand feel hard bone although the device renders only a soft spring.
@@ -55,15 +54,6 @@ constexpr auto fields_of(Of<CouplingGains>) {
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const CouplingGains& gains);
-
-/// Gains for a device, from what it says that it renders: its stiffness; critical damping of the tool, but no more than
-/// the damping of the device; and limits at its peak force and torque. The tool's inertia is scaled with its mass.
-/// @param mass  [kg] of the simulated tool; by default 0.05, or less if the device's damping would be below 0.7 of the
-/// critical damping
-/// @throws Error when the device states no stiffness; when a tool of this mass would ring, with less than half of the
-/// critical damping (the message gives the largest mass that does not ring); or when the default mass would be below a
-/// gram
-[[nodiscard]] CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<double> mass = {});
 
 /// Where the work of the hand went on its way to the tool, since the hand took the tool. All terms are accumulated,
 /// except `spring` and `kinetic`, which are the energies stored at the end of the last tick.

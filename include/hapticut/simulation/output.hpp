@@ -5,12 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/force/effects/delta_filter.hpp"
 #include "hapticut/force/effects/gravity.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 #include "hapticut/force/effects/vibration.hpp"
-#include "hapticut/simulation/output_limits.hpp"
 
 /// Effects that are added to the force of the model, and limits of the output to the hand. They do not enter the energy
 /// ledger, which describes the model.

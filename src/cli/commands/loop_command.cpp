@@ -16,6 +16,7 @@
 #include "cli/view/hand_map.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "settings/simulation_settings.hpp"
 #include "settings/tool_settings.hpp"

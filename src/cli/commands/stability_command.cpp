@@ -21,6 +21,7 @@
 #include "hapticut/analysis/pressed_ball.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/force/stiffness.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 
 namespace hapticut::cli {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hapticut/simulation/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut::cli {
 namespace {

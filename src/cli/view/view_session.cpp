@@ -10,6 +10,7 @@
 #include "cli/view/hand_map.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 
 namespace hapticut::cli {

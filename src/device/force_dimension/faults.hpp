@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 namespace hapticut::force_dimension {
 

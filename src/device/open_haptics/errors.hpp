@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 namespace hapticut::open_haptics {
 

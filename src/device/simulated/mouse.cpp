@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/simulation/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
 namespace {

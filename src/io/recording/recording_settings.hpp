@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/material.hpp"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hapticut/analysis/closed_loop.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"

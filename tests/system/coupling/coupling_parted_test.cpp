@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"

@@ -9,6 +9,7 @@
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hapticut/analysis/closed_loop.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"

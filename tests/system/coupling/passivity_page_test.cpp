@@ -11,6 +11,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "support/places.hpp"
 

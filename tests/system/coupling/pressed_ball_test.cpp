@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/analysis/faults.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 
 namespace hapticut {
 void PrintTo(const DeviceModel& model, std::ostream* out) { *out << model.name; }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"

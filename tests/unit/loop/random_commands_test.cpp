@@ -13,6 +13,7 @@
 
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/safety/guard.hpp"
+#include "hapticut/safety/device_limits.hpp"
 
 #include <gtest/gtest.h>
 

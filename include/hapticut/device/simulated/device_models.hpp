@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
-#include "hapticut/simulation/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 /// @file
 /// Mechanical models of devices and of the hand that holds them. The mock device and the closed loop in simulated time

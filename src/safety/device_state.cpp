@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/device_state.hpp"
 
 namespace hapticut {
 

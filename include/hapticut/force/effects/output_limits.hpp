@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -37,7 +35,7 @@ constexpr auto fields_of(Of<OutputLimits>) {
 }
 
 /// @throws Error naming the field, its value and the allowed range
-void validate(const OutputLimits& limits);
+inline void validate(const OutputLimits& limits) { require_fields_within(limits, "OutputLimits::"); }
 
 /// [N/s] The minimum growth limit that does not turn a wall of stiffness K, hit at speed v, into a source of energy:
 /// 1.25 K v.
@@ -51,14 +49,6 @@ void validate(const OutputLimits& limits);
   const double needed = min_force_growth(stiffness, max_contact_speed);
   return needed > 0 ? needed : max_force / 10e-3;
 }
-
-/// The limits of a device's output, for SimulationConfig::effects in a custom loop: the peak force and torque of the
-/// device, and the minimum growth at which the stiffest wall that it promises stays passive (min_force_growth). A
-/// RealtimeLoop does not need them, because SafetyGuard enforces the same limits and more. If the device has no motors
-/// for torque, the torque is not limited.
-/// @param max_contact_speed  [m/s] > 0 at which the tool meets a surface
-/// @throws Error when the device renders no force
-[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_speed = 0.5);
 
 /// Shortens a vector to a maximum length. Its direction is kept.
 /// @realtime no allocation, no lock; O(1)
