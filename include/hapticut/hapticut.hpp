@@ -19,8 +19,8 @@
 #include "hapticut/tool/motors.hpp"     // common_spindle(speed), MotorKind
 #include "hapticut/tool/tool.hpp"       // Tool; SphereHead, ConeHead, ...; RayHandle, LHandle; Spindle
 
-// A workpiece: bodies of materials. Other headers: block.hpp, contact.hpp, cut_voxel.hpp (for voxels of your own),
-// openvdb.hpp (OpenVDB grids).
+// A workpiece: bodies of materials. Other headers: block.hpp, openvdb.hpp (OpenVDB grids). For voxels of your
+// own, `contact/`.
 #include "hapticut/workpiece/builders.hpp"          // Box, build_block, build_sphere, ...
 #include "hapticut/workpiece/material_presets.hpp"  // presets::dentin(), find_preset
 #include "hapticut/workpiece/workpiece.hpp"         // Workpiece, Material, MaterialTable

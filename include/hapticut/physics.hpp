@@ -23,11 +23,11 @@
 #include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"
 //
+#include "hapticut/contact/changes.hpp"
+#include "hapticut/contact/contact.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/workpiece/block.hpp"
 #include "hapticut/workpiece/block_mask.hpp"
-#include "hapticut/workpiece/changes.hpp"
-#include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 #include "hapticut/workpiece/material.hpp"
 //
 #include "hapticut/force/contact_materials.hpp"

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <span>
 
+#include "hapticut/contact/contact.hpp"
+#include "hapticut/contact/removal.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/force/spread_friction.hpp"
 #include "hapticut/tool/head.hpp"
-#include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/removal.hpp"
 
 /// The stages that work on one block, in the widest vector instructions of the machine, which are chosen when the
 /// program starts. They compute the same as the scalar functions of the public headers, within rounding: press_blocks

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "hapticut/contact/removal.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/spread_friction.hpp"
-#include "hapticut/workpiece/removal.hpp"
 
 namespace hapticut::kernels {
 

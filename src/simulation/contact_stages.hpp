@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "hapticut/contact/removal.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/simulation/config.hpp"
@@ -15,7 +16,6 @@
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/material_set.hpp"
-#include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "kernels/kernels.hpp"
 #include "simulation/near_blocks.hpp"

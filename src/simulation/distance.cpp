@@ -5,10 +5,10 @@
 #include <cstring>
 #include <limits>
 
+#include "hapticut/contact/contact.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/tool/head_outline.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
-#include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 #include "simulation/reach.hpp"
 #include "simulation/simulation_state.hpp"
 

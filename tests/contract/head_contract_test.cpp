@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "hapticut/contact/contact.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/workpiece/contact.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"

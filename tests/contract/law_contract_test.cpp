@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "hapticut/workpiece/cut_voxel.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 #include "support/cut_scene.hpp"
 #include "support/cutting.hpp"
 #include "support/laws.hpp"

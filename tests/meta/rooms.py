@@ -4,7 +4,7 @@
 
     rooms.py arrows    each room includes only rooms before it in the order ROOMS, which CONTRIBUTING.md lists too
     rooms.py lengths   no source in include, src, bindings, tests, examples and benchmarks has more than 400 lines
-    rooms.py physics   the headers of physics.hpp include only each other, headers of core, formulas, tool and force, and Eigen
+    rooms.py physics   the headers of physics.hpp include only each other, headers of core, formulas, tool, contact and force, and Eigen
     rooms.py laws      physics.hpp and hapticut.hpp include every header of force/laws
     rooms.py kernels   the reading order in kernels.hpp names exactly the files of src/kernels
     rooms.py abi       each header outside hapticut::physics with a source in src includes core/abi.hpp
@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "force", "safety", "kernels", "simulation", "realtime", "device",
+ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "contact", "force", "safety", "kernels", "simulation", "realtime", "device",
          "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "view", "c", "cli"]
 OF_THE_TESTS = {("cli", "experiments")}  # `hapticut validate` runs them
 LONGEST = 400
@@ -85,7 +85,7 @@ def physics():
         if name in seen:
             continue
         seen.add(name)
-        if name not in named and name.split("/")[1] not in ("core", "formulas", "tool", "force"):
+        if name not in named and name.split("/")[1] not in ("core", "formulas", "tool", "contact", "force"):
             mistakes.append(f"{by} includes {name}, which is no part of hapticut::physics")
             continue
         text = (include / name).read_text("utf-8")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hapticut/workpiece/cut_voxel.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 
 /// @file
 /// Cutting energy that depends on the chip. A lip that takes a chip of thickness h spends, per volume,

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "hapticut/contact/contact.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/whole_contact.hpp"
-#include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 
 /// `ForceLaw::evaluate`: input and output of a force law. Each law has a file in `force/laws/`.
 namespace hapticut {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "hapticut/contact/contact.hpp"
 #include "hapticut/core/spatial.hpp"
-#include "hapticut/workpiece/contact.hpp"
 
 namespace hapticut {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "hapticut/contact/contact.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
-#include "hapticut/workpiece/contact.hpp"
 
 namespace hapticut {
 

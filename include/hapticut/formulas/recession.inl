@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of hapticut/workpiece/cut_voxel.hpp and of the kernels: how a layer becomes thinner while it is cut.
+// Text of hapticut/contact/cut_voxel.hpp and of the kernels: how a layer becomes thinner while it is cut.
 
 /// tanh(y)/y = p/q with polynomials of s = y^2, within 2e-7 for all y. r = (q - p)/s gives (1 - tanh(y)/y)/s = r/q
 /// without cancellation. The coefficients minimise the largest relative error up to s = kFar.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of hapticut/workpiece/cut_voxel.hpp and of the kernels: a voxel that the head's surface crosses.
+// Text of hapticut/contact/cut_voxel.hpp and of the kernels: a voxel that the head's surface crosses.
 
 /// The depth from which on material is cut.
 template <class Real>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of hapticut/workpiece/cut_voxel.hpp and of the kernels: vectors in space.
+// Text of hapticut/contact/cut_voxel.hpp and of the kernels: vectors in space.
 
 /// A vector in T.
 template <class Real>

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "hapticut/contact/removal.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/material.hpp"
-#include "hapticut/workpiece/removal.hpp"
 
 /// Objects that replace parts of a simulation between two steps of a running loop. They are made beforehand, in another
 /// thread, with all the memory that they need. The exchange only swaps pointers. Afterwards the prepared object holds

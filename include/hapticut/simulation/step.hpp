@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "hapticut/contact/removal.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/simulation/energy.hpp"
-#include "hapticut/workpiece/removal.hpp"
 
 namespace hapticut {
 

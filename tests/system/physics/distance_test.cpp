@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "hapticut/build/molar.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 #include "support/cutting.hpp"
 #include "support/named_material.hpp"
 #include "support/random_pose.hpp"

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/force/chip.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/law.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 
 namespace hapticut {
 

@@ -6,11 +6,11 @@
 #include <bit>
 #include <cmath>
 
+#include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/block.hpp"
-#include "hapticut/workpiece/cut_voxel.hpp"
 
 /// @file
 /// Stage `sample_contact`: the material of one block inside the head, as a structure of arrays that fits the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/cut_voxel.hpp"
+#include "hapticut/contact/cut_voxel.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

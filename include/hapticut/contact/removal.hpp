@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "hapticut/contact/changes.hpp"
 #include "hapticut/core/reserve.hpp"
-#include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "hapticut/workpiece/contact.hpp"
+#include "hapticut/contact/contact.hpp"
 
 namespace hapticut {
 
