@@ -119,6 +119,10 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/hapticut-config.cmake.i
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/hapticut-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/hapticut-config.cmake" "${PROJECT_BINARY_DIR}/hapticut-config-version.cmake"
               "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindHapticutHDF5.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/FindOpenHaptics.cmake" "${PROJECT_SOURCE_DIR}/src/device/force_dimension/FindForceDimension.cmake"
         DESTINATION "${HAPTICUT_CMAKE_DIR}")
+foreach(_driver IN LISTS HAPTICUT_DRIVERS)
+  install(DIRECTORY "${_driver}/include/hapticut" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  file(GLOB _finders "${_driver}/Find*.cmake")
+  install(FILES ${_finders} DESTINATION "${HAPTICUT_CMAKE_DIR}")
+endforeach()
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/itk/FindHDF5.cmake" DESTINATION "${HAPTICUT_CMAKE_DIR}/itk")

@@ -41,7 +41,8 @@ function(hapticut_device_adapter component name sdk)
   if(HAPTICUT_${name})
     add_library(hapticut_${component} ${sources})
     add_library(hapticut::${component} ALIAS hapticut_${component})
-    target_include_directories(hapticut_${component} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(hapticut_${component} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+      PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/drivers)
     target_link_libraries(hapticut_${component} PUBLIC hapticut PRIVATE ${sdk} $<BUILD_INTERFACE:hapticut_build_flags>)
     set_target_properties(hapticut_${component} PROPERTIES POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION}
       SOVERSION 0)

@@ -172,7 +172,7 @@ address() {
 # Only tests of data exchange between threads; the library is built without its optional parts.
 threads() {
   check "configure: threads" cmake --preset threads &&
-    check "build: threads" build threads -t test_realtime test_loop test_islands test_device test_force_dimension test_device_contract test_safety test_view &&
+    check "build: threads" build threads -t test_realtime test_loop test_islands test_device test_force_dimension test_open_haptics test_device_contract test_safety test_view &&
     run_tests threads threads
 }
 
@@ -185,7 +185,7 @@ lint_is_clean() {
   cmake --build --preset lint -t hapticut_commit || return
   mapfile -t rooms < <(grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
     while IFS= read -r file; do printf '%s\n' "${file#"$PWD/"}"; done |
-    grep -E '^(build/lint/)?src/.*[.]c(pp|xx)$|_under_test[.]dir/Unity/' | grep -v '^src/.*/tests/')
+    grep -E '^(build/lint/)?(src|drivers)/.*[.]c(pp|xx)$|_under_test[.]dir/Unity/' | grep -v '^drivers/.*/tests/')
   [ ${#rooms[@]} -gt 0 ] || { echo "build/lint/compile_commands.json names no source of this folder"; return 1; }
   printf '%s\0' "${rooms[@]}" | xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet "--checks=$not_in_rooms"
 }

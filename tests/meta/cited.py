@@ -15,7 +15,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("include", "src", "tests", "docs", "bindings", "examples", "benchmarks")
+FOLDERS = ("include", "src", "drivers", "tests", "docs", "bindings", "examples", "benchmarks")
 ENDINGS = {".hpp", ".inl", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
 
 ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)
@@ -96,7 +96,7 @@ def check_files(root: Path) -> tuple[list[str], int]:
             name = found[1]
             cited += 1
             places = (root / name, root / "docs" / name, root / "include" / name, root / "bindings/python" / name,
-                      root / path.parent / name)
+                      root / path.parent / name, *(own / name for own in root.glob("*/*/include")))
             if name not in WRITTEN_BY_THE_BUILD and not any(place.exists() for place in places):
                 wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which does not exist")
         for found in LINK.finditer(text) if path.suffix == ".md" else ():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every header of include/ and src/ compiles alone, except those that are included repeatedly: -inl.hpp and
+"""Checks that every header of include/, src/ and drivers/ compiles alone, except those that are included repeatedly: -inl.hpp and
 .inl.
 
     headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
@@ -40,11 +40,14 @@ class Headers:
 
     def __init__(self):
         self.path = {}
-        for folder in ("include", "src"):
-            for path in sorted([*(ROOT / folder).rglob("*.hpp"), *(ROOT / folder).rglob("*.inl")]):
-                if "tests" in path.relative_to(ROOT).parts:
-                    continue  # tests of a device, next to its adapter
-                self.path[str(path.relative_to(ROOT / folder))] = path
+        public = [ROOT / "include", *sorted((ROOT / "drivers").glob("*/include"))]
+        for folder in [*public, ROOT / "src", ROOT / "drivers"]:
+            for path in sorted([*folder.rglob("*.hpp"), *folder.rglob("*.inl")]):
+                inside = path.relative_to(folder).parts
+                if folder not in public and ("tests" in inside or "include" in inside):
+                    continue  # tests of a driver, and its public header
+                self.path[str(path.relative_to(folder))] = path
+        self.public = {name for name, path in self.path.items() if name.startswith("hapticut/")}
         self.names = [name for name in self.path if not name.endswith(("-inl.hpp", ".inl"))]
         self.closures = {}
 
@@ -63,7 +66,7 @@ class Headers:
     def mistakes(self):
         """Mistakes of public headers: they include a header that is not installed or does not exist."""
         for name in self.names:
-            if self.path[name].is_relative_to(ROOT / "include"):
+            if name in self.public:
                 for other in self.includes(name):
                     if not other.startswith("hapticut/"):
                         yield f'include/{name} includes "{other}", which is not installed'

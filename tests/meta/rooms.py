@@ -3,7 +3,7 @@
 """Checks the rooms (folders) of the library: includes go one way only, and no file is longer than 400 lines.
 
     rooms.py arrows    each room includes only rooms before it in the order ROOMS, which CONTRIBUTING.md lists too
-    rooms.py lengths   no source in include, src, bindings, tests, examples and benchmarks has more than 400 lines
+    rooms.py lengths   no source in include, src, drivers, bindings, tests, examples and benchmarks has more than 400 lines
     rooms.py physics   the headers of physics.hpp include only each other, headers of core, formulas, tool, contact and force, and Eigen
     rooms.py laws      physics.hpp and hapticut.hpp include every header of force/laws
     rooms.py kernels   the reading order in kernels.hpp names exactly the files of src/kernels
@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "contact", "force", "safety", "kernels", "simulation", "realtime", "device",
-         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "view", "c", "cli"]
+         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "view", "c", "drivers", "cli"]
 OF_THE_TESTS = {("cli", "experiments")}  # `hapticut validate` runs them
 LONGEST = 400
 
@@ -29,22 +29,29 @@ def sources(*folders):
 
 def room_of(path):
     parts = path.relative_to(ROOT).parts
+    if parts[0] == "drivers":
+        return "drivers"
     parts = parts[2:] if parts[0] == "include" else parts[1:]
     return parts[0] if len(parts) > 1 else None
 
 
+def room_of_target(name):
+    return "drivers" if (ROOT / "drivers" / name).is_dir() else name
+
+
 def arrows():
     mistakes, seen = [], set()
-    for path in sources("include", "src"):
+    for path in sources("include", "src", "drivers"):
         room = room_of(path)
         if "tests" in path.relative_to(ROOT).parts:
-            continue  # tests of a device, next to its adapter
+            continue  # tests of a driver, next to it
         if room is None:
             continue  # an index header: hapticut.hpp, analysis.hpp
         if room not in ROOMS:
             mistakes.append(f"{path.relative_to(ROOT)}: the room {room} has no place in the order of rooms")
             continue
         for target in re.findall(r'^#include "(?:hapticut/)?(?!hapticut)(\w+)/', path.read_text(encoding="utf-8"), re.M):
+            target = room_of_target(target)
             if (room, target) in OF_THE_TESTS:
                 continue
             if target not in ROOMS:
@@ -62,7 +69,7 @@ def arrows():
 
 def lengths():
     mistakes, count = [], 0
-    for path in sources("include", "src", "bindings", "tests", "examples", "benchmarks"):
+    for path in sources("include", "src", "drivers", "bindings", "tests", "examples", "benchmarks"):
         lines = len(path.read_text(encoding="utf-8").splitlines())
         count += 1
         if lines > LONGEST:

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "device/force_dimension/tests/force_dimension.hpp"
+#include "force_dimension/tests/force_dimension.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
 #include "hapticut/device/simulated/playback.hpp"
+#include "open_haptics/tests/open_haptics.hpp"
 #include "support/device_under_test.hpp"
-#include "support/open_haptics.hpp"
 #include "support/written_device.hpp"
 
 /// The devices of the contract suite, with one factory each, and their list at the end. Your own device joins the

@@ -7,7 +7,7 @@ function(vendor_adapter_under_test name stand_in part)
   get_property(sources GLOBAL PROPERTY HAPTICUT_${part}_SOURCES)
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/drivers)
   target_link_libraries(${name} PUBLIC hapticut::hapticut ${stand_in} PRIVATE hapticut_build_flags)
 endfunction()
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/open_haptics/scheduler.hpp"
+#include "open_haptics/scheduler.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <thread>
 
-#include "device/open_haptics/errors.hpp"
 #include "hapticut/core/errors.hpp"
+#include "open_haptics/errors.hpp"
 
 namespace hapticut::open_haptics {
 namespace {

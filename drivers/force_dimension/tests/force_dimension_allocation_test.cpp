@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/force_dimension/tests/force_dimension.hpp"
+#include "force_dimension/tests/force_dimension.hpp"
 #include "support/allocation_count.hpp"
 
 namespace hapticut::force_dimension_allocation_test {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
-#include "support/open_haptics.hpp"
+#include "open_haptics/tests/open_haptics.hpp"
 
 namespace hapticut::open_haptics_faults_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "hapticut/core/errors.hpp"
-#include "support/open_haptics.hpp"
+#include "open_haptics/tests/open_haptics.hpp"
 
 namespace hapticut::open_haptics_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/force_dimension/models.hpp"
+#include "force_dimension/models.hpp"
 
 namespace hapticut::force_dimension {
 namespace {

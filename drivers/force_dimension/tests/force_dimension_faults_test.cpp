@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "device/force_dimension/tests/force_dimension.hpp"
+#include "force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::force_dimension_faults_test {

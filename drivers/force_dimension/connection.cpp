@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/force_dimension/connection.hpp"
+#include "force_dimension/connection.hpp"
 
 #include <dhdc.h>
 #include <drdc.h>
@@ -12,8 +12,8 @@
 #include <mutex>
 
 #include "device/careful_limits.hpp"
-#include "device/force_dimension/frames.hpp"
-#include "device/force_dimension/models.hpp"
+#include "force_dimension/frames.hpp"
+#include "force_dimension/models.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::force_dimension {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "device/force_dimension/tests/force_dimension.hpp"
+#include "force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
 
 // The library's header has a type of this name at global scope. If our header included it, this would not compile.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/force_dimension/faults.hpp"
+#include "force_dimension/faults.hpp"
 
 namespace hapticut::force_dimension {
 DeviceFault fault_of(ForceOff cause) noexcept {

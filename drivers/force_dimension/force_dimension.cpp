@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "device/angular_velocity_estimate.hpp"
-#include "device/force_dimension/connection.hpp"
 #include "device/ticks_in.hpp"
 #include "device/usages.hpp"
+#include "force_dimension/connection.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/realtime.hpp"
 

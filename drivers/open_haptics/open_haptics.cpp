@@ -11,13 +11,13 @@
 #include <thread>
 
 #include "device/angular_velocity_estimate.hpp"
-#include "device/open_haptics/connection.hpp"
-#include "device/open_haptics/errors.hpp"
-#include "device/open_haptics/scheduler.hpp"
 #include "device/ticks_in.hpp"
 #include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "open_haptics/connection.hpp"
+#include "open_haptics/errors.hpp"
+#include "open_haptics/scheduler.hpp"
 
 namespace hapticut {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/open_haptics/errors.hpp"
+#include "open_haptics/errors.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/open_haptics/connection.hpp"
+#include "open_haptics/connection.hpp"
 
 #include <clocale>
 
@@ -7,10 +7,10 @@
 #include <atomic>
 
 #include "device/careful_limits.hpp"
-#include "device/open_haptics/errors.hpp"
-#include "device/open_haptics/scheduler.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "open_haptics/errors.hpp"
+#include "open_haptics/scheduler.hpp"
 
 namespace hapticut::open_haptics {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "device/force_dimension/faults.hpp"
+#include "force_dimension/faults.hpp"
 #include "hapticut/device/force_dimension.hpp"
 
 /// @file
