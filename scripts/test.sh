@@ -185,7 +185,7 @@ lint_is_clean() {
   cmake --build --preset lint -t hapticut_commit || return
   mapfile -t rooms < <(grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
     while IFS= read -r file; do printf '%s\n' "${file#"$PWD/"}"; done |
-    grep -E '^(build/lint/)?(src|drivers)/.*[.]c(pp|xx)$|_under_test[.]dir/Unity/' | grep -v '^drivers/.*/tests/')
+    grep -E '^(build/lint/)?(src|drivers|apps)/.*[.]c(pp|xx)$|_under_test[.]dir/Unity/' | grep -v '^drivers/.*/tests/')
   [ ${#rooms[@]} -gt 0 ] || { echo "build/lint/compile_commands.json names no source of this folder"; return 1; }
   printf '%s\0' "${rooms[@]}" | xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet "--checks=$not_in_rooms"
 }

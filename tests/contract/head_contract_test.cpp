@@ -6,11 +6,11 @@
 #include <limits>
 #include <string>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/contact/contact.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
-#include "support/random_pose.hpp"
 #include "support/springs.hpp"
 
 namespace hapticut::head_contract_test {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/contact/cut_voxel.hpp"
 #include "support/cut_scene.hpp"
-#include "support/cutting.hpp"
 #include "support/laws.hpp"
-#include "support/random_pose.hpp"
 #include "support/refusal.hpp"
 
 namespace hapticut::law_contract_test {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
@@ -14,7 +15,6 @@
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 #include "support/solid_depth.hpp"
 
 /// @file

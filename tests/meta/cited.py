@@ -15,7 +15,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("include", "src", "drivers", "tests", "docs", "bindings", "examples", "benchmarks")
+FOLDERS = ("include", "src", "drivers", "apps", "tests", "docs", "bindings", "examples", "benchmarks")
 ENDINGS = {".hpp", ".inl", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
 
 ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every header of include/, src/ and drivers/ compiles alone, except those that are included repeatedly: -inl.hpp and
+"""Checks that every header of include/, src/, drivers/ and apps/ compiles alone, except those that are included repeatedly: -inl.hpp and
 .inl.
 
     headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
@@ -40,8 +40,8 @@ class Headers:
 
     def __init__(self):
         self.path = {}
-        public = [ROOT / "include", *sorted((ROOT / "drivers").glob("*/include"))]
-        for folder in [*public, ROOT / "src", ROOT / "drivers"]:
+        public = [ROOT / "include", *sorted(ROOT.glob("*/*/include"))]
+        for folder in [*public, ROOT / "src", ROOT / "drivers", ROOT / "apps"]:
             for path in sorted([*folder.rglob("*.hpp"), *folder.rglob("*.inl")]):
                 inside = path.relative_to(folder).parts
                 if folder not in public and ("tests" in inside or "include" in inside):

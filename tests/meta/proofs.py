@@ -5,7 +5,7 @@
     proofs.py [--list] [--root FOLDER]
 
 The terms are the words in bold of docs/forces.md. A test that proves terms names them in a comment above it:
-``// Proves: normal force; damping.`` An experiment of `hapticut validate` names them in its list in tests/experiments.
+``// Proves: normal force; damping.`` An experiment of `hapticut validate` names them in its list in apps/experiments.
 The closed forms (C) and the cures of defects (D) are rows of docs/model.md. The name of their test contains the number:
 `BallDepth.C1ForceIsThatOfTheCap`. An experiment has the number in the id of a check. --list prints the tests of each
 term and each number.
@@ -39,7 +39,7 @@ def proofs_of(root: Path) -> tuple[dict[str, list[str]], list[str]]:
     page = (root / "docs/forces.md").read_text(encoding="utf-8")
     terms = {" ".join(term.split()).lower(): [] for term in TERM.findall(page)}
     numbers: dict[str, list[str]] = {n: [] for n in ROW.findall((root / "docs/model.md").read_text(encoding="utf-8"))}
-    experiments = {path: path.read_text(encoding="utf-8") for path in sorted((root / "tests/experiments").glob("*.cpp"))}
+    experiments = {path: path.read_text(encoding="utf-8") for path in sorted((root / "apps/experiments").glob("*.cpp"))}
     tests = tests_of(root)
     claims = [(f"validate: {name}", terms) for text in experiments.values() for terms, name in EXPERIMENT.findall(text)]
     claims += [(name, claim) for name, comment in tests for claim in PROVES.findall(comment)]
@@ -50,7 +50,7 @@ def proofs_of(root: Path) -> tuple[dict[str, list[str]], list[str]]:
                 terms[term.lower()].append(name)
             else:
                 mistakes.append(f"{name} proves '{term}', which is not in bold in docs/forces.md")
-    held = [(number, f"tests/experiments/{path.name}") for path, text in experiments.items()
+    held = [(number, f"apps/experiments/{path.name}") for path, text in experiments.items()
             for number in CHECK.findall(text)]
     held += [(number, name) for name, _ in tests for number in numbers_in(name)]
     for number, name in dict.fromkeys(held):

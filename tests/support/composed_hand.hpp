@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/tool/tool.hpp"
-#include "support/random_pose.hpp"
 
 /// A hand with a sequence of actions drawn from a seed. Each action has a motion, a duration and a path of the tip. The
 /// hand sets the position of the tool, and controls how hard it presses by the force that it feels.

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <vector>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
@@ -18,7 +19,6 @@
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/composed_invariants.hpp"
-#include "support/random_pose.hpp"
 #include "support/sanitizers.hpp"
 
 /// Pieces, tools, gains and configurations drawn from a seed, for random sequences, and the number of sequences to run.

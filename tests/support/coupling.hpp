@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 #include "support/touch_gains.hpp"
 
 /// @file

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "experiments/setup/static_contact.hpp"
 #include "support/generators.hpp"
-#include "support/static_contact.hpp"
 
 /// @file
 /// A tool that moves through a block of two materials: the scene for properties of every cut.

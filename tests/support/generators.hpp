@@ -3,9 +3,9 @@
 
 #include <rapidcheck.h>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/tool.hpp"
-#include "support/random_pose.hpp"
 
 /// @file
 /// Random inputs for properties. Continuous numbers are drawn as thousandths of their range, so that shrinking works.

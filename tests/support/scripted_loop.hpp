@@ -7,10 +7,10 @@
 #include <string>
 #include <variant>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 #include "support/touch_gains.hpp"
 
 /// @file

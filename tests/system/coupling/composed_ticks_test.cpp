@@ -10,9 +10,9 @@
 #include <optional>
 #include <string_view>
 
+#include "experiments/setup/cutting.hpp"
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::composed_ticks_test {
 namespace {

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/catalogue_heads.hpp"
-#include "support/random_pose.hpp"
 
 namespace hapticut::coupling_hands_test {
 namespace {

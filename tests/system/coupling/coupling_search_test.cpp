@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/catalogue_heads.hpp"
-#include "support/cutting.hpp"
 #include "support/touch_gains.hpp"
 
 namespace hapticut::coupling_search_test {

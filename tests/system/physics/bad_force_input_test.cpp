@@ -3,7 +3,7 @@
 // cure, and change nothing.
 #include <gtest/gtest.h>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/refusal.hpp"
 

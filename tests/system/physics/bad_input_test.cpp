@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
-#include "support/cutting.hpp"
 #include "support/places.hpp"
 #include "support/refusal.hpp"
 

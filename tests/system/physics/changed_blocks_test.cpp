@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/units.hpp"
-#include "support/cutting.hpp"
 #include "support/scenes.hpp"
 
 namespace hapticut::changed_blocks_test {

@@ -2,9 +2,9 @@
 // Chips that are too thin for single precision (docs/decisions/0010-chips.md).
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::chips_test {
 namespace {

@@ -3,10 +3,10 @@
 // cylinder.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::contact_point_test {
 namespace {

@@ -3,9 +3,9 @@
 // spindle turns or not.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::crushing_test {
 namespace {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/force/deep_contact.hpp"
 #include "support/generators.hpp"
 #include "support/laws.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::deep_contact_test {
 namespace {

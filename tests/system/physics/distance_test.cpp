@@ -7,14 +7,14 @@
 #include <functional>
 #include <limits>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/random_pose.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/build/molar.hpp"
 #include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
-#include "support/cutting.hpp"
 #include "support/named_material.hpp"
-#include "support/random_pose.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::distance_test {
 namespace {

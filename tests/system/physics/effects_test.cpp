@@ -3,7 +3,7 @@
 // ledger does not contain them.
 #include <gtest/gtest.h>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 
 namespace hapticut::effects_test {
 namespace {

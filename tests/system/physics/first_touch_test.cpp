@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/simulation/coupling.hpp"
-#include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/named_material.hpp"
 

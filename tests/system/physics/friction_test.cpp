@@ -3,9 +3,9 @@
 // the cutting ratio when the spindle starts.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/force/limit_surface.hpp"
-#include "support/cutting.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::friction_test {
 namespace {

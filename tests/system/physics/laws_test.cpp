@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "support/laws.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::laws_test {
 namespace {

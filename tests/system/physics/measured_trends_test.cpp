@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 
 namespace hapticut::measured_trends_test {
 namespace {

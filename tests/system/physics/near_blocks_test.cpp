@@ -2,13 +2,13 @@
 // The step finds blocks and voxels once for several places of the head. What it found before must not matter.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/grid_boxes.hpp"
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/grid_boxes.hpp"
-#include "support/random_pose.hpp"
 #include "support/workpieces.hpp"
 
 namespace hapticut::near_blocks_test {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/islands/islands.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "support/allocation_count.hpp"
-#include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/named_material.hpp"
 #include "support/scenes.hpp"

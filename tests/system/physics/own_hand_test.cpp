@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/simulation/exchange.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 #include "support/refusal.hpp"
 
 namespace hapticut::own_hand_test {

@@ -3,9 +3,9 @@
 // itself.
 #include <gtest/gtest.h>
 
-#include "support/cutting.hpp"
-#include "support/random_pose.hpp"
-#include "support/static_contact.hpp"
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/random_pose.hpp"
+#include "experiments/setup/static_contact.hpp"
 
 namespace hapticut::profile_head_test {
 namespace {

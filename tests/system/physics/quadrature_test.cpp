@@ -3,9 +3,9 @@
 // (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/closed_forms.hpp"
-#include "support/cutting.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::quadrature_test {
 namespace {

@@ -2,12 +2,12 @@
 // Smooth surfaces: the side of a drill in its own hole, a pin pushed against the wall, a path around an edge.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/shank.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::smooth_sides_test {
 namespace {

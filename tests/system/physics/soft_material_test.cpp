@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/catalogue_heads.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::soft_material_test {
 namespace {

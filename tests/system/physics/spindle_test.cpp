@@ -2,12 +2,12 @@
 // The motor: its torque, its power, and the effect of its limits on the cut.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::spindle_test {
 namespace {

@@ -3,12 +3,12 @@
 // rows of `hapticut validate` (docs/decisions/0009-cut-voxels.md).
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/tool/catalogue.hpp"
-#include "support/cutting.hpp"
 #include "support/profiles.hpp"
 #include "support/refusal.hpp"
-#include "support/static_contact.hpp"
 
 namespace hapticut::sub_voxel_test {
 namespace {

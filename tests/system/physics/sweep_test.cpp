@@ -7,11 +7,11 @@
 #include <cmath>
 #include <string>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::sweep_test {
 namespace {

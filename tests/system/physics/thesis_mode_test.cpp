@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 #include "support/refusal.hpp"
 #include "support/touch_gains.hpp"
 

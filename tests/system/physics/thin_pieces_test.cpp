@@ -3,8 +3,8 @@
 // cross.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::thin_pieces_test {
 namespace {

@@ -2,9 +2,9 @@
 // A head on a rigid feed cuts less than it sweeps: the layer in which it presses stays on the wall (C43).
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::uncut_wall_test {
 namespace {

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/tool/catalogue.hpp"
-#include "support/cutting.hpp"
-#include "support/random_pose.hpp"
 #include "support/scenes.hpp"
 
 namespace hapticut::worst_case_test {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <set>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
-#include "support/random_pose.hpp"
 #include "support/refusal.hpp"
 #include "support/workpieces.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <limits>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
-#include "support/random_pose.hpp"
 
 namespace hapticut::spatial_test {
 namespace {

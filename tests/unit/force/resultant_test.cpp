@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "support/random_pose.hpp"
+#include "experiments/setup/random_pose.hpp"
 
 namespace hapticut::resultant_test {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
-#include "support/cutting.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 

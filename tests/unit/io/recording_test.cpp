@@ -10,6 +10,7 @@
 #include <limits>
 #include <thread>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
@@ -19,7 +20,6 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "io/recording/hdf5.hpp"
-#include "support/cutting.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "io/recording/hdf5.hpp"
-#include "support/cutting.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 

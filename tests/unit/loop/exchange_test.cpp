@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::exchange_test {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <variant>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/change_feed.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
@@ -11,7 +12,6 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
-#include "support/cutting.hpp"
 #include "support/scripted_loop.hpp"
 
 namespace hapticut::loop_allocation_test {

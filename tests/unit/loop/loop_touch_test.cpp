@@ -2,10 +2,10 @@
 // Distances and first touches while a loop drives the simulation.
 #include <gtest/gtest.h>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 #include "support/scripted_loop.hpp"
 
 namespace hapticut::loop_touch_test {

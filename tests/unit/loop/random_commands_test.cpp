@@ -11,13 +11,13 @@
 #include <utility>
 #include <variant>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::random_commands_test {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::realtime_loop_test {
 namespace {

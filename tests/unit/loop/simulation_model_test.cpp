@@ -11,11 +11,11 @@
 #include <string>
 #include <thread>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 #include "support/refusal.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scripted_loop.hpp"

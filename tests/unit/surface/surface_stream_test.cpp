@@ -7,12 +7,12 @@
 
 #include <random>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/build/molar.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/ball_cuts.hpp"
 #include "support/mesh_measures.hpp"
-#include "support/random_pose.hpp"
 #include "support/surface_pages.hpp"
 #include "support/workpieces.hpp"
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
-#include "support/random_pose.hpp"
 
 namespace hapticut::head_outline_test {
 namespace {

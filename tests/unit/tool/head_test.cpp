@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/profiles.hpp"
-#include "support/random_pose.hpp"
 #include "support/refusal.hpp"
 
 namespace hapticut::head_test {

@@ -5,14 +5,14 @@
 
 #include <limits>
 
+#include "experiments/setup/random_pose.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "hapticut/core/errors.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
 #include "support/profiles.hpp"
-#include "support/random_pose.hpp"
 #include "support/refusal.hpp"
-#include "support/static_contact.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
 #include "support/test_data.hpp"

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/head.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
-#include "support/random_pose.hpp"
 #include "support/springs.hpp"
 
 namespace hapticut::profile_test {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/random_pose.hpp"
 #include "support/workpieces.hpp"
 
 namespace hapticut::ray_test {

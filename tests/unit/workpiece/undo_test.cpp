@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "support/cutting.hpp"
 #include "support/refusal.hpp"
 
 namespace hapticut::undo_test {

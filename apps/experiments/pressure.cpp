@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "experiments/convergence.hpp"
+#include "experiments/setup/random_pose.hpp"
 #include "experiments/vocabulary.hpp"
 #include "hapticut/tool/catalogue.hpp"
-#include "support/random_pose.hpp"
 
 namespace hapticut::experiments {
 namespace pressure_identity {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/checks.hpp"
-#include "support/static_contact.hpp"
+#include "experiments/setup/static_contact.hpp"
 
 /// @file
 /// A standing head in a workpiece with a misaligned grid, and the order in which the error of its force falls with the

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "experiments/setup/grid_boxes.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
-#include "support/grid_boxes.hpp"
 
 /// @file
 /// A tool with a standing spindle, held still in a workpiece with a misaligned grid.

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "experiments/checks.hpp"
+#include "experiments/setup/cutting.hpp"
+#include "experiments/setup/static_contact.hpp"
 #include "experiments/tolerances.hpp"
 #include "hapticut/closed_forms.hpp"
 #include "hapticut/core/units.hpp"
-#include "support/cutting.hpp"
-#include "support/static_contact.hpp"
 
 /// @file
 /// Common names of the experiments: a head at rest in a half space, or fed along a line through a block.
