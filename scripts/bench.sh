@@ -62,7 +62,7 @@ build/release/benchmarks/bench_verdict | tee "$out/verdict.md"
 run step --benchmark_filter="$filter" --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
 run scenarios --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
 echo "measuring: loop" >&2
-build/release/src/cli/hapticut loop mock:spiral --seconds 60 --json "$out/loop.json" >"$out/loop.log" 2>&1 ||
+build/release/apps/cli/hapticut loop mock:spiral --seconds 60 --json "$out/loop.json" >"$out/loop.log" 2>&1 ||
   { tail -n 20 "$out/loop.log" >&2; exit 1; }
 
 {

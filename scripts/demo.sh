@@ -51,11 +51,11 @@ fi
 grep "^The page of hapticut view was not built" "$log" || true
 
 if $view; then
-  exec build/release/src/cli/hapticut view molar
+  exec build/release/apps/cli/hapticut view molar
 fi
 for name in skull molar; do
   echo
-  build/release/src/cli/hapticut drill --settings "examples/demo/$name.toml" --json "out/demo/$name.json" \
+  build/release/apps/cli/hapticut drill --settings "examples/demo/$name.toml" --json "out/demo/$name.json" \
     --steps-csv "out/demo/$name.csv" --save "out/demo/$name.vdb" --surface "out/demo/$name.stl" \
     --picture "out/demo/$name.png"
 done

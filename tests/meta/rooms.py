@@ -15,8 +15,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "contact", "force", "safety", "kernels", "simulation", "realtime", "device",
-         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "view", "c", "drivers", "experiments",
-         "cli"]
+         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "c", "drivers", "experiments",
+         "reports", "page", "cli"]
 LONGEST = 400
 
 
@@ -31,11 +31,15 @@ def room_of(path):
     parts = path.relative_to(ROOT).parts
     if parts[0] == "drivers":
         return "drivers"
+    if parts[0] == "apps":
+        return parts[1]
     parts = parts[2:] if parts[0] == "include" else parts[1:]
     return parts[0] if len(parts) > 1 else None
 
 
 def room_of_target(name):
+    if name == "view":
+        return "page"  # hapticut/view, public headers
     return "drivers" if (ROOT / "drivers" / name).is_dir() else name
 
 

@@ -159,8 +159,8 @@ case $case_name in
     expect_one_line_error "not a Debian system"
     ;;
   demo)
-    stand_in cmake 'mkdir -p build/release/src/cli
-cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
+    stand_in cmake 'mkdir -p build/release/apps/cli
+cp "'"$work"'/bin/hapticut" build/release/apps/cli/hapticut'
     stand_in hapticut ':'
     ln -s "$(command -v cp)" "$(command -v chmod)" "$work/bin/"
     printf '#!/bin/sh\necho "install-deps.sh $*" >>"%s"\n' "$calls" >"$project/scripts/install-deps.sh"

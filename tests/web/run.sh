@@ -3,7 +3,7 @@
 # Runs one test of the page: run.sh logic | FILE_test.mjs. If it cannot run, it says what is missing.
 set -eu
 if [ ! -d "$HAPTICUT_WEB/node_modules" ] || [ ! -f "$HAPTICUT_PAGE/index.html" ]; then
-  echo "SKIPPED: the page was not built, because npm fetched nothing; run npm ci in web and build again."
+  echo "SKIPPED: the page was not built, because npm fetched nothing; run npm ci in apps/page/web and build again."
   exit 0
 fi
 if [ "$1" = logic ]; then

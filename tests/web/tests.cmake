@@ -9,7 +9,7 @@ mark_as_advanced(HAPTICUT_CHROMIUM)
 # hapticut_page_test(name arguments of run.sh...): a test that skips with a message if the page or a browser is missing.
 function(hapticut_page_test name)
   add_test(NAME Page.${name} COMMAND "${CMAKE_COMMAND}" -E env "HAPTICUT_PROGRAM=$<TARGET_FILE:hapticut_cli>"
-    "HAPTICUT_WEB=${PROJECT_SOURCE_DIR}/web" "HAPTICUT_PAGE=${PROJECT_BINARY_DIR}/web/page"
+    "HAPTICUT_WEB=${PROJECT_SOURCE_DIR}/apps/page/web" "HAPTICUT_PAGE=${PROJECT_BINARY_DIR}/web/page"
     "HAPTICUT_CHROMIUM=${HAPTICUT_CHROMIUM}" "HAPTICUT_NODE=${HAPTICUT_NODE}"
     sh "${PROJECT_SOURCE_DIR}/tests/web/run.sh" ${ARGN})
   set_tests_properties(Page.${name} PROPERTIES LABELS page TIMEOUT 600 PROCESSORS 2

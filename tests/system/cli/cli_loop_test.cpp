@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "cli/reports/loop_report.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "reports/loop_report.hpp"
 #include "support/program.hpp"
 
 namespace hapticut::cli_loop_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device of the pointer in a page.
-#include "cli/view/pointer_hand.hpp"
+#include "page/session/pointer_hand.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page that replays a recording contains the recorded steps.
-#include "cli/view/replay_page.hpp"
+#include "page/session/replay_page.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "cli/view/view_scenes.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "page/session/view_scenes.hpp"
 
 /// @file
 /// A scene for tests of `hapticut view` without a browser.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panels of a page: effect of each control on the model in a loop, and its value afterwards.
-#include "cli/view/view_controls.hpp"
+#include "page/session/view_controls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <map>
 #include <set>
 
-#include "cli/view/watched_model.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
+#include "page/session/watched_model.hpp"
 #include "support/refusal.hpp"
 #include "support/scripted_loop.hpp"
 

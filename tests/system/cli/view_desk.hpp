@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "cli/view/view_session.hpp"
+#include "page/session/view_session.hpp"
 #include "system/cli/small_scene.hpp"
 #include "unit/view/view_client.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scenes of `hapticut view`, and the first material that a drill meets in the skull.
-#include "cli/view/view_scenes.hpp"
+#include "page/session/view_scenes.hpp"
 
 #include <gtest/gtest.h>
 

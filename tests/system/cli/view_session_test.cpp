@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene during drilling: the model executes the commands of a page, and the page gets the results.
-#include "cli/view/view_session.hpp"
+#include "page/session/view_session.hpp"
 
 #include <gtest/gtest.h>
 

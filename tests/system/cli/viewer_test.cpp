@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `hapticut view` without a browser: release of the hand, also while a scene loads, and the end of the program.
-#include "cli/view/viewer.hpp"
+#include "page/session/viewer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Data of the ticks of a model for a page.
-#include "cli/view/watched_model.hpp"
+#include "page/session/watched_model.hpp"
 
 #include <gtest/gtest.h>
 

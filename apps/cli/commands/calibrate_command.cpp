@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "cli/commands/command.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/calibration.hpp"
+#include "reports/delivery.hpp"
+#include "reports/json_file.hpp"
+#include "reports/table.hpp"
+#include "settings/csv_file.hpp"
+
+namespace hapticut::cli {
+
+using namespace settings;
+
+namespace {
+
+struct CalibrateSettings {
+  std::string file, json;
+  std::optional<ChipTerm> term;
+  [[nodiscard]] ChipTerm fitted() const { return term.value_or(ChipTerm::edge_length); }
+};
+
+constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm", "lips"};
+constexpr std::size_t kNeeded = 5;  // `lips` is optional: default 2, as for a twist drill
+
+std::string joined_columns() {
+  std::string all;
+  for (std::size_t n = 0; n < kNeeded; ++n) all += (all.empty() ? "" : ", ") + std::string(kColumns[n]);
+  return all + " and optionally " + kColumns[kNeeded];
+}
+
+/// The number in a column; 0 for an empty cell of a thrust or torque that was not measured.
+/// @throws Error that names file, line, column and value
+double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
+  if (cells[column].empty() && (column == 3 || column == 4)) return 0;
+  const std::optional<double> value = file.number(cells[column]);
+  // The speed of a spindle may be negative.
+  const bool may_be_negative = column == 1;
+  if (!value || !std::isfinite(*value) || *value == 0 || (*value < 0 && !may_be_negative))
+    file.fail(std::string(kColumns[column]) + " = \"" + cells[column] + "\"; must be a number " +
+              (may_be_negative ? "other than 0." : "> 0."));
+  return *value;
+}
+
+/// What to do with the constants, and what is missing to know them better.
+std::string advice_on(const Calibration& c) {
+  std::string advice =
+      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
+      "the tests in the tool.\n";
+  if (!c.edge_identified)
+    advice +=
+        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n";
+  else if (!c.checked)
+    advice +=
+        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n";
+  if (!c.ratio_identified) advice += "To identify the cutting ratio, add tests with thrust and torque.\n";
+  if (!c.chip_identified)
+    advice +=
+        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
+        "revolution.\n";
+  return advice;
+}
+
+/// @throws Error that names file, line and column
+std::vector<DrillingTest> read_tests(const std::string& path) {
+  CsvFile file(path, "file of drilling tests", "hapticut calibrate");
+  const std::vector<std::string>& names = file.read_names("be " + joined_columns());
+  const std::size_t columns = names.size();
+  if ((columns != kNeeded && columns != kColumns.size()) || !std::equal(names.begin(), names.end(), kColumns.begin()))
+    file.fail("the first line must name the columns " + joined_columns() + ", in this order.");
+  std::vector<DrillingTest> tests;
+  for (std::vector<std::string> cells; file.next(cells);) {
+    const auto value = [&](std::size_t column) { return number_at(file, cells, column); };
+    tests.push_back({value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3),
+                     value(4) * units::N_mm, columns > kNeeded ? value(5) : DrillingTest{}.lips});
+    if (tests.back().thrust == 0 && tests.back().torque == 0)
+      file.fail("thrust_N and torque_Nmm are both empty; enter at least one, or leave the line out.");
+  }
+  if (tests.empty()) file.fail("there is no drilling test; write one per line, below the names of the columns.");
+  return tests;
+}
+
+void run_calibrate(const CalibrateSettings& s) {
+  if (s.file.empty()) throw UsageError("the file of drilling tests is missing. Use: hapticut calibrate TESTS.csv.");
+  Delivery delivery({s.json});
+  const std::vector<DrillingTest> tests = read_tests(s.file);
+  const Calibration c = calibrate(tests, s.fitted());
+  Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +
+              (tests.size() == 1 ? " test" : " tests"));
+  table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3" +
+                                           (c.chip_identified ? "" : ": the tests do not identify it"));
+  table.add("cutting_ratio", rounded(c.cutting_ratio, 4) + (c.ratio_identified ? "" : ": assumed, not measured"));
+  const std::string not_known = c.edge_identified ? ""
+                                : c.edge_assumed  ? ", value of bone, because the tests do not identify it"
+                                                  : ": the tests do not identify it";
+  for (const auto& [term, value, unit] :
+       {std::tuple(ChipTerm::edge_length, c.edge_length, " m"), std::tuple(ChipTerm::size_length, c.size_length, " m"),
+        std::tuple(ChipTerm::edge_pressure, c.edge_pressure, " Pa")})
+    table.add(name_or_null(term), s.fitted() == term ? rounded(value, 4) + unit + not_known : "0");
+  table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
+                             rounded(100 * c.torque_residual, 3) + " % (root mean square)" +
+                             (c.checked ? "" : ", unchecked: as many constants as measured numbers"));
+  Json rows = Json::array();
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
+    const auto measured = [](double value) { return value > 0 ? Json(value) : Json(nullptr); };
+    rows.push_back({{"thrust_N", measured(t.thrust)},
+                    {"model_thrust_N", model.thrust},
+                    {"torque_Nmm", measured(t.torque / units::N_mm)},
+                    {"model_torque_Nmm", model.torque / units::N_mm}});
+  }
+  write_json(delivery, s.json,
+             {{"specific_cutting_energy", c.specific_cutting_energy},
+              {"cutting_ratio", c.cutting_ratio},
+              {"edge_pressure", c.edge_pressure},
+              {"edge_length", c.edge_length},
+              {"size_length", c.size_length},
+              {"ratio_identified", c.ratio_identified},
+              {"edge_identified", c.edge_identified},
+              {"edge_assumed", c.edge_assumed},
+              {"checked", c.checked},
+              {"chip_identified", c.chip_identified},
+              {"thrust_residual", c.thrust_residual},
+              {"torque_residual", c.torque_residual},
+              {"tests", rows}});
+  delivery.print(table.text() + advice_on(c));
+  delivery.finish();
+}
+
+}  // namespace
+
+Command calibrate_command() {
+  auto settings = std::make_shared<CalibrateSettings>();
+  return {"calibrate",
+          "Fit cutting energy, cutting ratio and the effect of edges or thin chips to drilling tests",
+          {path("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
+           choice("calibrate.term", "--term", settings->term,
+                  "third fitted constant: why the force does not vanish with the chip thickness [edge_length]"),
+           json_setting(settings->json)},
+          [settings] { run_calibrate(*settings); }};
+}
+
+}  // namespace hapticut::cli

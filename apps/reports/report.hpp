@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hapticut/workpiece/builders.hpp"
+#include "reports/drill.hpp"
+#include "reports/json_file.hpp"
+
+namespace hapticut::cli {
+
+/// A workpiece before cutting.
+struct WorkpieceSummary {
+  std::string source;
+  std::array<int, 3> dims = {0, 0, 0};  ///< [voxels] size of the bounding box of the solid, along the grid's axes
+  double voxel_size = 0;                ///< [m]
+  Vec3 size = Vec3::Zero();             ///< [m] of the bounding box of the solid, along the grid's axes
+  Pose X_WV;                            ///< pose of the grid: position of the centre of voxel (0, 0, 0)
+  Box box;                              ///< [m] bounding box of the solid, in W
+  std::size_t memory_bytes = 0;
+  std::vector<MaterialAmount> amounts;  ///< amounts by material
+};
+
+[[nodiscard]] WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece);
+
+/// A position in mm; a pose as `position_mm` and `rotation` (rows); a box as `min_mm` and `max_mm`.
+[[nodiscard]] Json in_mm(const Vec3& position);
+[[nodiscard]] Json to_json(const Pose& pose);
+[[nodiscard]] Json to_json(const Box& box);
+
+/// "1 x 2 x 3".
+[[nodiscard]] std::string dims_text(const std::array<int, 3>& dims);
+
+/// "1 x 2 x 3 mm".
+[[nodiscard]] std::string size_text(const Vec3& size);
+
+/// "1 2 3", in mm.
+[[nodiscard]] std::string position_text(const Vec3& position);
+
+/// "0 0 0 to 1 2 3 mm".
+[[nodiscard]] std::string box_text(const Box& box);
+
+/// `size_mm`, `dims`, `voxel_size_mm`, `pose`, `box`, `memory_bytes`, and `voxels`, `volume_mm3` and `center_mm` by
+/// material.
+[[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
+
+/// The warning of a run with RemovalLaw::none.
+inline constexpr const char* kRemovalIsOff = "removal is off (simulation.removal is none), so nothing was removed.";
+
+/// [1] The share of steps above their period from which on a report warns.
+inline constexpr double kOftenSlow = 0.01;
+
+/// Warnings about the numbers, as sentences; may be empty.
+[[nodiscard]] std::vector<std::string> warnings_of(const DrillResult& result, const Simulation& simulation);
+
+struct DrillReport {
+  WorkpieceSummary workpiece;
+  double rate;  ///< [Hz]
+  std::vector<std::string> warnings;
+};
+
+[[nodiscard]] Json to_json(const DrillReport& report, const DrillResult& result, const Simulation& simulation);
+[[nodiscard]] std::string to_table(const DrillReport& report, const DrillResult& result, const Simulation& simulation);
+
+}  // namespace hapticut::cli
