@@ -76,7 +76,9 @@ endif()
 
 # Dependencies of each component: `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
-set(HAPTICUT_NEEDS_IO "HapticutHDF5|HapticutHDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
+set(HAPTICUT_NEEDS_IO "HapticutHDF5|HapticutHDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev"
+    "LibArchive|LibArchive_FOUND|libarchive-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
+set(HAPTICUT_NEEDS_IMPORT "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
 set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev" "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
@@ -93,8 +95,13 @@ set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_F
 # Libraries that need only the core and are found with it.
 set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat islands sound analysis)
 
-# Optional parts of hapticut::io; the target exists with and without them.
-set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)
+# Optional parts of hapticut::import; the target exists with and without them.
+set(HAPTICUT_PARTS_OF_IMPORT ITK ASSIMP)
+
+# The component without which a component is off.
+set(HAPTICUT_BASE_OF_IMPORT IO)
+set(HAPTICUT_BASE_OF_ITK IMPORT)
+set(HAPTICUT_BASE_OF_ASSIMP IMPORT)
 
 set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIOGDCM
     ITKImageFunction ITKImageGrid ITKDistanceMap)
@@ -104,7 +111,7 @@ set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIOGDCM
 macro(hapticut_component name purpose)
   if("${name}" STREQUAL "PYTHON")
     set(_default OFF)  # `pip install .` turns it on
-  elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO|ITK|ASSIMP)$")
+  elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO|IMPORT|ITK|ASSIMP)$")
     set(_default AUTO)
   else()
     set(_default OFF)
@@ -113,12 +120,13 @@ macro(hapticut_component name purpose)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
   set(HAPTICUT_${name} FALSE)
   set(_missing "")
-  set(_without_io FALSE)
-  if("${name}" IN_LIST HAPTICUT_PARTS_OF_IO AND NOT HAPTICUT_IO)
+  set(_base "${HAPTICUT_BASE_OF_${name}}")
+  set(_without_base FALSE)
+  if(_base AND NOT HAPTICUT_${_base})
     if(HAPTICUT_WITH_${name} AND NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
-      message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON adds to HAPTICUT_WITH_IO, which is off: set HAPTICUT_WITH_IO=ON")
+      message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON adds to HAPTICUT_WITH_${_base}, which is off: set HAPTICUT_WITH_${_base}=ON")
     endif()
-    set(_without_io TRUE)
+    set(_without_base TRUE)
   elseif(HAPTICUT_WITH_${name})
     foreach(_need IN LISTS HAPTICUT_NEEDS_${name})
       string(REPLACE "|" ";" _need "${_need}")
@@ -149,8 +157,8 @@ macro(hapticut_component name purpose)
   endif()
   if(HAPTICUT_${name})
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose})")
-  elseif(_without_io)
-    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, part of IO, which is off)")
+  elseif(_without_base)
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, needs ${_base}, which is off)")
   elseif(_missing)
     list(JOIN _missing " " _missing)
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, to turn it on: sudo apt-get install ${_missing})")

@@ -42,7 +42,7 @@ fi
 mkdir -p out/demo
 log=out/demo/build.log
 echo "building (see $log)"
-if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_VIEW=ON -DHAPTICUT_KERNELS=NATIVE &&
+if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_IMPORT=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_VIEW=ON -DHAPTICUT_KERNELS=NATIVE &&
   cmake --build --preset release -j "$jobs" -t hapticut_cli hapticut_page; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   echo "demo.sh: the build failed; the output is in $log." >&2

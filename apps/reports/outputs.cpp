@@ -9,15 +9,15 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/surface/extract_surface.hpp"
+#include "import/mesh/mesh_extensions.hpp"
+#include "import/volume/density_file.hpp"
 #include "io/atomic_file.hpp"
-#include "io/mesh/mesh_extensions.hpp"
-#include "io/volume/density_file.hpp"
 #include "reports/json_file.hpp"
-#ifdef HAPTICUT_HAS_IO
-#include "hapticut/io/mesh/meshes.hpp"
+#ifdef HAPTICUT_HAS_IMPORT
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 #include "hapticut/io/picture/picture.hpp"
-#include "hapticut/io/volume/volumes.hpp"
-#include "io/mesh/mesh_formats.hpp"
+#include "import/mesh/mesh_formats.hpp"
 #include "io/picture/blank_picture.hpp"
 #endif
 
@@ -47,11 +47,12 @@ std::string wrong_extension(const std::string& path, const std::vector<std::stri
 
 /// Checks that this program can write a file of this format.
 void require_writer([[maybe_unused]] const std::string& path) {
-#ifndef HAPTICUT_HAS_IO
+#ifndef HAPTICUT_HAS_IMPORT
   if (path.empty() || has_extension(path, {".vdb"})) return;
-  throw Error("cannot write '" + path +
-              "', because this program was built without its io component and writes only .vdb files. Build it with "
-              "HAPTICUT_WITH_IO=ON.");
+  throw Error(
+      "cannot write '" + path +
+      "', because this program was built without its import component and writes only .vdb files. Build it with "
+      "HAPTICUT_WITH_IMPORT=ON.");
 #endif
 }
 
@@ -120,7 +121,7 @@ std::string warning_of_empty_outputs(const OutputSettings& outputs, const Workpi
   return sentences;
 }
 
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 namespace {
 
 /// Writes one empty voxel, because a volume cannot be without any.

@@ -11,10 +11,11 @@
 #include "warned.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
-#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/import/mesh/profile_from_mesh.hpp"
+#include "hapticut/import/volume/volume_filters.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 #include "hapticut/io/picture/picture.hpp"
-#include "hapticut/io/volume/volume_filters.hpp"
-#include "hapticut/io/volume/volumes.hpp"
 #endif
 
 namespace hapticut::python {
@@ -105,6 +106,15 @@ void bind_meshes(py::module_& m) {
         py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj"), Released());
   m.def("write_obj", py::overload_cast<const std::vector<NamedMesh>&, const Path&, double>(&write_obj),
         py::arg("objects"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj#2"), Released());
+
+  py::class_<RecognizedProfile> recognized_class(m, "RecognizedProfile", doc("RecognizedProfile"));
+  pickled_by_members(recognized_class, &RecognizedProfile::profile, &RecognizedProfile::X_MT,
+                     &RecognizedProfile::deviation);
+  recognized_class.def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))
+      .def_readonly("X_MT", &RecognizedProfile::X_MT, doc("RecognizedProfile::X_MT"))
+      .def_readonly("deviation", &RecognizedProfile::deviation, doc("RecognizedProfile::deviation"));
+  m.def("profile_from_mesh", &profile_from_mesh, py::arg("mesh"), py::arg("towards_shank") = Vec3(Vec3::UnitZ()),
+        py::arg("tolerance") = 0.02, doc("profile_from_mesh"), Released());
 
   using P = PictureOptions;
   bind_struct<P>(m, "PictureOptions", field("width", &P::width), field("height", &P::height),

@@ -4,8 +4,8 @@
 
 #include "bindings.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/mesh_of_revolution.hpp"
 #include "hapticut/tool/motors.hpp"
-#include "hapticut/tool/profile_mesh.hpp"
 #include "hapticut/tool/shank.hpp"
 #include "interruption.hpp"
 #include "structs.hpp"
@@ -110,14 +110,6 @@ void bind_heads(py::module_& m) {
   m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
         py::arg("point_angle") = kCommonDrillPoint, doc("twist_drill_head"));
 
-  py::class_<RecognizedProfile> recognized_class(m, "RecognizedProfile", doc("RecognizedProfile"));
-  pickled_by_members(recognized_class, &RecognizedProfile::profile, &RecognizedProfile::X_MT,
-                     &RecognizedProfile::deviation);
-  recognized_class.def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))
-      .def_readonly("X_MT", &RecognizedProfile::X_MT, doc("RecognizedProfile::X_MT"))
-      .def_readonly("deviation", &RecognizedProfile::deviation, doc("RecognizedProfile::deviation"));
-  m.def("profile_from_mesh", &profile_from_mesh, py::arg("mesh"), py::arg("towards_shank") = Vec3(Vec3::UnitZ()),
-        py::arg("tolerance") = 0.02, doc("profile_from_mesh"), py::call_guard<ReleasedLock>());
   m.def("mesh_of_revolution", &mesh_of_revolution, py::arg("profile"), py::arg("sides"), doc("mesh_of_revolution"));
 }
 

@@ -4,8 +4,8 @@
 /// Headers for a first program, in groups, in the order in which a program uses them, with what each is for. All of
 /// them are part of hapticut::hapticut, the core. Each group lists the other headers of its folder, which are included
 /// separately, as are the components: `build/` (scans, meshes, the molar), `surface/`, `heat/`, `islands/` (loose
-/// pieces), `sound/`, `io/`, `settings/`, `analysis.hpp`, `view/` and `c/`. `physics.hpp` and `closed_forms.hpp` do not
-/// need the library.
+/// pieces), `sound/`, `io/`, `import.hpp` (volumes and meshes of other programs), `settings/`, `analysis.hpp`, `view/`
+/// and `c/`. `physics.hpp` and `closed_forms.hpp` do not need the library.
 
 // Basics. Other headers: description.hpp (fields of structs, for tables and files), errors.hpp (Error), mesh.hpp,
 // volume.hpp.
@@ -13,8 +13,8 @@
 #include "hapticut/core/spatial.hpp"     // Vec3, Mat3, Pose, Twist, Wrench
 #include "hapticut/core/units.hpp"       // units::mm, rpm, ...
 
-// A tool: a head on a handle, and its spindle. Other headers: profile.hpp (heads of any profile), profile_mesh.hpp
-// (heads from meshes), shank.hpp, cutter.hpp (Cutter, CutterKind).
+// A tool: a head on a handle, and its spindle. Other headers: profile.hpp (heads of any profile),
+// mesh_of_revolution.hpp, shank.hpp, cutter.hpp (Cutter, CutterKind).
 #include "hapticut/tool/catalogue.hpp"  // round_head, tapered_head, ...: heads of burs by their size
 #include "hapticut/tool/motors.hpp"     // common_spindle(speed), MotorKind
 #include "hapticut/tool/tool.hpp"       // Tool; SphereHead, ConeHead, ...; RayHandle, LHandle; Spindle

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "hapticut/io/volume/value_type.hpp"
+#include "hapticut/io/value_type.hpp"
 
 /// @file
 /// Converts between value types of files and C++ types, for volumes, meshes and the columns of recordings.

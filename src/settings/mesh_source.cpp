@@ -8,8 +8,8 @@
 
 #include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/mesh/meshes.hpp"
-#include "io/mesh/mesh_extensions.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 
 namespace hapticut::settings {
 namespace {

@@ -9,9 +9,9 @@
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
 #include "settings/setting.hpp"
-#ifdef HAPTICUT_HAS_IO
-#include "hapticut/io/mesh/meshes.hpp"
-#include "hapticut/tool/profile_mesh.hpp"
+#ifdef HAPTICUT_HAS_IMPORT
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/import/mesh/profile_from_mesh.hpp"
 #endif
 
 namespace hapticut::settings {
@@ -63,16 +63,16 @@ class ProfileFile {
 
 Profile profile_in(const std::filesystem::path& path) {
   if (path.extension() == ".csv") return ProfileFile(CsvFile(path, "profile", "--profile")).read();
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   const std::vector<NamedMesh> objects = read_mesh(path);
   if (objects.size() != 1)
     throw Error(path.string() + ": there are " + std::to_string(objects.size()) +
                 " objects; a head is one object. Keep the one that cuts.");
   return profile_from_mesh(objects.front().mesh).profile;
 #else
-  throw Error(
-      path.string() +
-      ": only profiles in CSV files can be read; this program was built without the component io, which reads meshes.");
+  throw Error(path.string() +
+              ": only profiles in CSV files can be read; this program was built without the component import, which "
+              "reads meshes.");
 #endif
 }
 

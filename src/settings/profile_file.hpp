@@ -18,8 +18,8 @@ namespace hapticut::settings {
 ///
 /// The first point is the tip; its radius and kind are ignored. Empty lines and lines that begin with # are skipped.
 ///
-/// Any other file is read by read_mesh, if the program was built with the component io. The mesh must be one object, a
-/// body of revolution, with its shank towards +z; its unit is the default of read_mesh.
+/// Any other file is read by read_mesh, if the program was built with the component import. The mesh must be one
+/// object, a body of revolution, with its shank towards +z; its unit is the default of read_mesh.
 /// @throws Error `file:line: ...`, or what profile_from_mesh throws
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
 

@@ -8,8 +8,8 @@
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/build/volume_operations.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/volume/volume_filters.hpp"
-#include "hapticut/io/volume/volumes.hpp"
+#include "hapticut/import/volume/volume_filters.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 
 namespace hapticut::settings {
 namespace {

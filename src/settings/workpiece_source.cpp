@@ -9,10 +9,10 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "io/mesh/mesh_extensions.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 #include "settings/required.hpp"
 #include "settings/workpiece_settings.hpp"
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 #include "settings/mesh_source.hpp"
 #include "settings/volume_source.hpp"
 #endif
@@ -182,7 +182,7 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
                 suggestion(std::filesystem::path(s.source).filename().string(), built_in_workpieces()) +
                 " Check the name: in a settings file it is relative to that file, in a flag to the working folder.");
   if (extension_in_lower_case(s.source) == ".vdb") return read_vdb(s);
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   if (is_mesh_file(s.source)) {
     refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm", "large"});
     return naming_source(s, [&] { return make_workpiece_from_mesh(s); });
@@ -193,9 +193,10 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
                      "raw_dims",          "raw_type",      "raw_big_endian",   "raw_skip_bytes", "large"});
   return naming_source(s, [&] { return make_workpiece_from_volume(s); });
 #else
-  throw Error("'" + s.source +
-              "' cannot be read, because this program was built without its io component and reads only .vdb files. "
-              "Build it with HAPTICUT_WITH_IO=ON.");
+  throw Error(
+      "'" + s.source +
+      "' cannot be read, because this program was built without its import component and reads only .vdb files. "
+      "Build it with HAPTICUT_WITH_IMPORT=ON.");
 #endif
 }
 

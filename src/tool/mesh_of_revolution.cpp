@@ -3,7 +3,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/tool/profile_mesh.hpp"
+#include "hapticut/tool/mesh_of_revolution.hpp"
 #include "tool/meridian.hpp"
 
 namespace hapticut {

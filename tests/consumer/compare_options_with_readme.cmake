@@ -10,7 +10,7 @@ foreach(row IN LISTS rows)
   set(row_of_${option} "${row}")
 endforeach()
 
-file(GLOB_RECURSE files "${SOURCE}/cmake/*.cmake" "${SOURCE}/src/*.cmake" "${SOURCE}/src/CMakeLists.txt" "${SOURCE}/tests/CMakeLists.txt"
+file(GLOB_RECURSE files "${SOURCE}/cmake/*.cmake" "${SOURCE}/drivers/*.cmake" "${SOURCE}/apps/*.cmake" "${SOURCE}/src/CMakeLists.txt" "${SOURCE}/tests/CMakeLists.txt"
   "${SOURCE}/bindings/python/CMakeLists.txt" "${SOURCE}/benchmarks/CMakeLists.txt" "${SOURCE}/examples/CMakeLists.txt")
 list(FILTER files EXCLUDE REGEX "/build/")
 set(existing "")

@@ -3,7 +3,7 @@
 #   cmake -DWITHOUT=part,... -DHIDDEN=part,... -DOPTIONS=-D...,... -DKERNELS=... -DSOURCE=... -DBUILD=...
 #     -DCXX=... -DCC=... -DLAUNCHER=... -P configuration.cmake
 #
-# WITHOUT  parts whose option is OFF, e.g. IO,ITK,ASSIMP
+# WITHOUT  parts whose option is OFF, e.g. IO,IMPORT,ITK,ASSIMP
 # HIDDEN   parts whose packages CMake does not find, as on a machine without them: their option is AUTO. A second
 #          configuration finds them, as after `apt-get install`.
 # OPTIONS  further options of the configuration
@@ -25,7 +25,7 @@ set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
 set(hidden_folders "")
 set(options -DHAPTICUT_WITH_TESTS=OFF -DHAPTICUT_WITH_BENCHMARKS=OFF -DHAPTICUT_WITH_EXAMPLES=OFF
     "-DHAPTICUT_KERNELS=${KERNELS}" ${OPTIONS})
-foreach(part SIMD IO ITK ASSIMP SETTINGS C VIEW CLI)
+foreach(part SIMD IO IMPORT ITK ASSIMP SETTINGS C VIEW CLI)
   set(value ON)
   if(part IN_LIST HIDDEN)
     set(value AUTO)
@@ -74,7 +74,7 @@ endif()
 
 # --- programs that use it ---------------------------------------------------------------------------------------------
 set(absent "")
-foreach(part IO ITK ASSIMP C VIEW)
+foreach(part IO IMPORT ITK ASSIMP C VIEW)
   if(NOT has_${part})
     string(TOLOWER "${part}" part)
     list(APPEND absent "${part}")
@@ -82,7 +82,7 @@ foreach(part IO ITK ASSIMP C VIEW)
 endforeach()
 list(JOIN absent "," absent)
 set(components "build,surface,heat,islands,sound,analysis")
-foreach(part IO SETTINGS C)
+foreach(part IO IMPORT SETTINGS C)
   if(has_${part})
     string(TOLOWER "${part}" part)
     list(APPEND components "${part}")

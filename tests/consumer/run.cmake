@@ -101,7 +101,7 @@ elseif(CASE STREQUAL "c")
       message(FATAL_ERROR "the program built by CMake prints ${by_cmake}, the program built with pkg-config ${output}")
     endif()
   endif()
-elseif(CASE MATCHES "^(openvdb|io|settings)$")
+elseif(CASE MATCHES "^(openvdb|io|import|settings)$")
   build_consumer(${CASE} "-DCOMPONENT=${CASE}")
 elseif(CASE STREQUAL "no_io")
   file(GLOB_RECURSE targets "${WORK}/prefix/hapticut_ioTargets*.cmake")
@@ -112,14 +112,14 @@ elseif(CASE STREQUAL "no_io")
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
     message(FATAL_ERROR "a missing component must stop the configuration and say how to build it:\n${output}")
   endif()
-  # A package with an empty list of parts of io stands for a build without ITK.
+  # A package with an empty list of parts of import stands for a build without ITK.
   file(GLOB_RECURSE config "${WORK}/prefix/hapticut-config.cmake")
   file(READ "${config}" text)
-  string(REGEX REPLACE "set\\(parts_of_io [^)]*\\)" "set(parts_of_io )" text "${text}")
+  string(REGEX REPLACE "set\\(parts_of_import [^)]*\\)" "set(parts_of_import )" text "${text}")
   file(WRITE "${config}" "${text}")
   run(${configure} -B "${WORK}/no_itk" -DCOMPONENT=itk)
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_ITK=ON")
-    message(FATAL_ERROR "a missing part of io must stop the configuration and say how to build it:\n${output}")
+    message(FATAL_ERROR "a missing part of import must stop the configuration and say how to build it:\n${output}")
   endif()
   run(${configure} -B "${WORK}/no_such" "-DCOMPONENT=no_such")
   if(code EQUAL 0 OR NOT output MATCHES "There is no component no_such;")
@@ -164,13 +164,12 @@ elseif(CASE STREQUAL "subdirectory")
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
   # This test compiles the whole library again. Without optimisation that takes a third of the time. If the build uses
   # ccache, this project uses it too.
-  # With the packages of io installed, io is built without ITK and Assimp: recordings, pictures, grids and the common
-  # mesh formats need neither.
+  # With the packages of import installed, it is built without ITK and Assimp: most formats need neither.
   set(component "")
   if(WITH_IO)
-    set(component io)
+    set(component import)
   endif()
-  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" "-DHAPTICUT_WITH_IO=${WITH_IO}" -DHAPTICUT_WITH_ITK=OFF
+  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" "-DHAPTICUT_WITH_IO=${WITH_IO}" "-DHAPTICUT_WITH_IMPORT=${WITH_IO}" -DHAPTICUT_WITH_ITK=OFF
     -DHAPTICUT_WITH_ASSIMP=OFF "-DCOMPONENT=${component}" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug
     -DCMAKE_CXX_FLAGS_DEBUG=-O0)
 elseif(CASE STREQUAL "program_without_io")
@@ -178,7 +177,7 @@ elseif(CASE STREQUAL "program_without_io")
   set(folder "${BUILD}/consumer/subdirectory/subdirectory")
   must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}"
-       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_ITK=OFF -DHAPTICUT_WITH_ASSIMP=OFF
+       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_IMPORT=OFF -DHAPTICUT_WITH_ITK=OFF -DHAPTICUT_WITH_ASSIMP=OFF
        -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI -DCOMPONENT= -DCMAKE_UNITY_BUILD=ON)
   if(NOT output MATCHES "IO: off \\([^\n]*HAPTICUT_WITH_IO=OFF")
     message(FATAL_ERROR "the configuration does not say that IO is off:\n${output}")
@@ -193,7 +192,7 @@ elseif(CASE STREQUAL "program_without_io")
     else()
       run("${program}" convert molar "${folder}/${file}" --voxel_mm 0.3)
     endif()
-    if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
+    if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IMPORT=ON")
       message(FATAL_ERROR "the program does not name the part that it lacks for ${file}: ${code}\n${output}")
     endif()
   endforeach()

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "hapticut/core/errors.hpp"
-#include "io/dicom/dicom_picture.hpp"
-#include "io/mesh/mesh_formats.hpp"
-#include "io/volume/formats.hpp"
+#include "import/dicom/dicom_picture.hpp"
+#include "import/mesh/mesh_formats.hpp"
+#include "import/volume/formats.hpp"
 
 namespace hapticut::test {
 namespace {

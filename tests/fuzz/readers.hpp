@@ -5,11 +5,11 @@
 #include <string>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 #include "hapticut/io/recording/recording.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
-#include "hapticut/io/volume/volumes.hpp"
-#include "io/mesh/mesh_extensions.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 #include "settings/pose_file.hpp"
 #include "settings/profile_file.hpp"
 #include "settings/scene_settings.hpp"

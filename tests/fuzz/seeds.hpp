@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
-#include "hapticut/io/volume/volumes.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/dicom_files.hpp"

@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ["core", "formulas", "tool", "closed_forms", "workpiece", "contact", "force", "safety", "kernels", "simulation", "realtime", "device",
-         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "settings", "c", "drivers", "experiments",
+         "loop", "build", "surface", "heat", "islands", "sound", "analysis", "io", "import", "settings", "c", "drivers", "experiments",
          "reports", "page", "cli"]
 LONGEST = 400
 

@@ -39,7 +39,7 @@ def test_every_example_is_known_here():
 def test_example(name, tmp_path):
     words, pictures, arguments = EXPECTED[name]
     if re.search("Recorder|write_picture", (FOLDER / f"{name}.py").read_text("utf-8")) and not hapticut.io.kWithIo:
-        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
+        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IMPORT)")
     for module in ("matplotlib", "pandas", "scipy", "PIL"):
         if module in (FOLDER / f"{name}.py").read_text(encoding="utf-8") or (module == "matplotlib" and pictures):
             pytest.importorskip(module, reason=f"{module} is not installed")

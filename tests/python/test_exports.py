@@ -133,7 +133,7 @@ def test_a_build_without_file_formats_offers_what_it_has_and_says_what_it_lacks(
     done = subprocess.run([sys.executable, "-c", WITHOUT_FILES, hapticut.__path__[0], *lacks], capture_output=True,
                           text=True)
     assert done.stdout == "['VdbImport', 'kWithIo', 'load_vdb', 'save_vdb'] True\n", done.stderr
-    assert "no attribute 'read_mesh'; this build has no file formats but .vdb (HAPTICUT_WITH_IO was off" in done.stderr
+    assert "no attribute 'read_mesh'; this build has no file formats but .vdb (HAPTICUT_WITH_IMPORT was off" in done.stderr
 
 
 def test_type_checkers_see_the_lists(tmp_path):

@@ -11,7 +11,7 @@ import pytest
 import hapticut as h
 from hapticut.units import mm
 
-needs_io = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
+needs_io = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IMPORT)")
 
 
 @needs_io

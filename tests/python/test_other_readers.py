@@ -18,7 +18,7 @@ import hapticut as h
 from hapticut.units import mm
 
 DATA = Path(os.environ.get("HAPTICUT_TEST_DATA", Path(__file__).resolve().parents[3] / "shared" / "data"))
-pytestmark = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
+pytestmark = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IMPORT)")
 
 
 def existing(*names: str) -> list[object]:

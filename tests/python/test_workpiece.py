@@ -165,7 +165,7 @@ def test_vdb_files_bring_back_every_bit(block, tmp_path):
 
 def test_volumes_go_through_files(tmp_path):
     if not hapticut.io.kWithIo:
-        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
+        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IMPORT)")
     volume = hapticut.volume.LabelVolume(labels(), [0.2 * mm, 0.3 * mm, 0.4 * mm],
                                          hapticut.Pose.from_translation([1 * mm, 0, 0]))
     hapticut.io.write_nrrd(volume, tmp_path / "labels.nrrd")

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/io/volume/volumes.hpp"
+#include "hapticut/import/volume/volumes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 

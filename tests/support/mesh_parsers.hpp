@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/mesh/mesh_formats.hpp"
+#include "import/mesh/mesh_formats.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/refusal.hpp"
 

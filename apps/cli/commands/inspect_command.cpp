@@ -10,7 +10,7 @@
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "settings/workpiece_settings.hpp"
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 #include "settings/volume_source.hpp"
 #endif
 
@@ -31,7 +31,7 @@ bool has_materials(const WorkpieceSettings& s) {
          s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
 }
 
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 constexpr const char* kDoubt =
     "; files without a spacing often say so: compare the size, and set --spacing_mm if it is wrong";
 
@@ -131,7 +131,7 @@ void run_inspect(const InspectSettings& s) {
   if (s.threshold && !as_volume)
     throw Error("--threshold applies to grey values of a volume, but " + s.workpiece.source +
                 " is inspected as a workpiece. Leave it out.");
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   if (as_volume) {
     inspect_volume(s, delivery);
     return delivery.finish();

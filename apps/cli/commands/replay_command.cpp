@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cli/commands/command.hpp"
-#include "io/mesh/mesh_extensions.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 #include "reports/delivery.hpp"
 #include "reports/fail_without.hpp"
 #include "reports/json_file.hpp"

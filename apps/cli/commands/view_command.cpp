@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "io/mesh/mesh_extensions.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 #include "page/session/page_folder.hpp"
 #include "page/session/viewer.hpp"
 #ifdef HAPTICUT_HAS_IO

@@ -5,7 +5,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "io/mesh/mesh_extensions.hpp"
+#include "import/mesh/mesh_extensions.hpp"
 #include "reports/progress.hpp"
 #include "reports/report.hpp"
 #include "settings/scene_settings.hpp"

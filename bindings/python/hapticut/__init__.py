@@ -84,7 +84,6 @@ from ._hapticut import (
     ProfileEdge as ProfileEdge,
     ProfileHead as ProfileHead,
     RayHandle as RayHandle,
-    RecognizedProfile as RecognizedProfile,
     SphereHead as SphereHead,
     Spindle as Spindle,
     SpindleState as SpindleState,
@@ -95,7 +94,6 @@ from ._hapticut import (
     head_in_handle as head_in_handle,
     kMaxSpindleSpeed as kMaxSpindleSpeed,
     mesh_of_revolution as mesh_of_revolution,
-    profile_from_mesh as profile_from_mesh,
     thesis_handle_torque as thesis_handle_torque,
 
     # Workpiece: materials and voxels
@@ -192,6 +190,13 @@ from ._hapticut import (
     coupling_gains as coupling_gains,
 )
 from ._pose import Pose as Pose
+
+if TYPE_CHECKING or io.kWithIo:
+    from ._hapticut import (
+        # Tool: heads from meshes
+        RecognizedProfile as RecognizedProfile,
+        profile_from_mesh as profile_from_mesh,
+    )
 
 if TYPE_CHECKING:
     from .sweep import CallableModule

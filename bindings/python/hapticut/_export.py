@@ -51,5 +51,5 @@ def where_is(name: str) -> str:
         if f"{place}.".startswith(f"{__package__}.") and "._" not in place and name in getattr(module, "__all__", ()):
             return f"; it is {place}.{name}"
     if not _hapticut.kWithIo:
-        return "; this build has no file formats but .vdb (HAPTICUT_WITH_IO was off: see `pip install -v .`)"
+        return "; this build has no file formats but .vdb (HAPTICUT_WITH_IMPORT was off: see `pip install -v .`)"
     return ""

@@ -31,7 +31,7 @@ struct Scene {
 };
 
 /// Builds the scene that a TOML text describes. The tables [output] and [loop] belong to the program and are ignored.
-/// Files other than .vdb need a library built with HAPTICUT_WITH_IO.
+/// Files other than .vdb need a library built with HAPTICUT_WITH_IMPORT.
 /// @param folder  base of relative file names in the text; empty: the working folder
 /// @throws Error that names line, key, value and what is allowed: `scene:7: tool.radius_mm: must be a number > 0, not
 ///         -1.` For an unknown key the message names the most similar key. Also thrown when a setting is missing or

@@ -369,7 +369,7 @@ TEST_F(Drill, PreparesTheMolarOfTheDemo) {
   EXPECT_LT(report["energy_closure"], 0.01);
 }
 
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 TEST_F(Drill, ClearsTheMastoidOfTheDemo) {
   const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
   if (!std::filesystem::exists(project)) GTEST_SKIP() << "needs the Debian package invesalius-examples";

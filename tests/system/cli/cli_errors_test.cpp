@@ -234,7 +234,7 @@ TEST_F(Files, OnAFullDiskStayWhatTheyWere) {
   if (std::system("unshare -rm mount -t tmpfs none /tmp 2>/dev/null") != 0)
     GTEST_SKIP() << "this user may not mount a small disk of its own";
   std::vector<std::string> outputs = {"--json x.json", "--steps_csv x.csv", "--save x.vdb"};
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   for (const char* more : {"--save x.nrrd", "--surface x.stl", "--surface x.ply", "--picture x.png", "--record x.h5"})
     outputs.emplace_back(more);
 #endif
@@ -263,7 +263,7 @@ TEST_F(Files, ThatAreDevicesAreNotWrittenTo) {
   expect("drill " + kBlock + kBall + kLine + "--json /dev/full", kFailed, "not a regular file");
   expect("drill " + kBlock + kBall + kLine + "--save " + path("x.vdb"), kFailed, "not a regular file");
   expect("convert block " + path("x.vdb") + " --size_mm 1,1,1 --material dentin", kFailed, "not a regular file");
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   expect("drill " + kBlock + kBall + kLine + "--picture " + path("x.png"), kFailed, "not a regular file");
   expect("drill " + kBlock + kBall + kLine + "--surface " + path("x.stl"), kFailed, "not a regular file");
 #endif

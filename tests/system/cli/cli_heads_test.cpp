@@ -6,10 +6,10 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "settings/setting.hpp"
 #include "support/program.hpp"
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/mesh/meshes.hpp"
-#include "hapticut/tool/profile_mesh.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
+#include "hapticut/tool/mesh_of_revolution.hpp"
 #endif
 
 namespace hapticut::cli_heads_test {
@@ -72,7 +72,7 @@ TEST_F(HeadSettings, SmoothEdgesOfAProfileDoNotCut) {
   EXPECT_GT(std::abs(rubbed - cut), 0.01);
 }
 
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
 TEST_F(HeadSettings, AProfileFromAMeshIsThatHead) {
   using units::mm;
   write_stl(mesh_of_revolution(round_end_cylinder_head(1.2 * mm, 4 * mm).profile(), 60), folder / "bur.stl");

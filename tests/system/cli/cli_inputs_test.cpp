@@ -5,7 +5,7 @@
 
 #include <regex>
 
-#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/import/mesh/meshes.hpp"
 #include "support/meshes.hpp"
 #include "support/program.hpp"
 

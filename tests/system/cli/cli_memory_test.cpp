@@ -28,7 +28,7 @@ void write_checkerboard(const std::filesystem::path& path) {
 TEST_F(Memory, ThatRunsOutAnywhereIsOneSentence) {
   if (kWithAddressSanitizer || kWithThreadSanitizer) GTEST_SKIP() << "a sanitizer needs terabytes of address space";
   std::vector<std::string> commands = {"inspect molar --voxel_mm 0.02"};
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   write_checkerboard(folder / "v.nrrd");
   commands = {"inspect " + path("v.nrrd") + " --label dentin=1 --label enamel=2",
               "convert " + path("v.nrrd") + " " + path("v.vdb") + " --label dentin=1 --label enamel=2"};

@@ -36,7 +36,7 @@ class Outputs : public Program {
 TEST_F(Outputs, OfARunThatCutsEverythingAwayAreAllWrittenWithAWarning) {
   std::string arguments =
       kGone + "--json " + path("a.json") + " --steps_csv " + path("a.csv") + " --save " + path("a.vdb");
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   arguments += " --surface " + path("a.stl") + " --picture " + path("a.png") + " --record " + path("a.h5");
 #endif
   const Outcome outcome = run(arguments);
@@ -44,7 +44,7 @@ TEST_F(Outputs, OfARunThatCutsEverythingAwayAreAllWrittenWithAWarning) {
   const nlohmann::json report = read_json(folder / "a.json");
   EXPECT_NEAR(report["removed_volume_mm3"]["total"].get<double>(), 1, 1e-7);  // sums of floats
   EXPECT_GT(read_bytes(folder / "a.csv").size(), 1000U);
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_IMPORT
   EXPECT_NE(report["warnings"].dump().find("a.stl' has no triangle"), std::string::npos) << report["warnings"];
   EXPECT_NE(report["warnings"].dump().find("a.png' shows the background alone"), std::string::npos);
   EXPECT_EQ(read_bytes(folder / "a.stl").size(), 84U);

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/mesh/mesh_extensions.hpp"
-#include "io/volume/formats.hpp"
+#include "import/mesh/mesh_extensions.hpp"
+#include "import/volume/formats.hpp"
 #include "support/program.hpp"
 
 namespace hapticut::not_files_test {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "import/mesh/mesh_formats.hpp"
+#include "io/file_errors.hpp"
+#include "io/text_lines.hpp"
+
+/// @file
+/// Mesh formats by extension: reader and length of a unit.
+namespace hapticut {
+
+struct MeshFormat {
+  std::string_view ending;  ///< in lower case
+  Polygons (*read)(const std::filesystem::path& path);
+  double unit_mm;  ///< [mm] default length of one unit
+};
+
+/// Reads a file with a parser of this library.
+template <Polygons (*kParse)(std::string_view)>
+Polygons parsed(const std::filesystem::path& path) {
+  return kParse(bytes_of_file(path));
+}
+
+/// All supported formats. glTF is in metres by its specification; the others define no unit. Other formats of Assimp
+/// are not supported: on damaged 3MF, COLLADA and other files Assimp ends the program or hangs, and it reads the
+/// transforms of 3DS objects wrongly.
+inline constexpr MeshFormat kMeshFormats[] = {{".stl", parsed<parse_stl>, 1},    {".ply", parsed<parse_ply>, 1},
+                                              {".obj", parsed<parse_obj>, 1},    {".off", parsed<parse_off>, 1},
+                                              {".gltf", read_with_assimp, 1000}, {".glb", read_with_assimp, 1000}};
+
+/// The extensions of the table, for callers that do not link the parsers.
+inline constexpr auto kMeshEndings = [] {
+  std::array<std::string_view, std::size(kMeshFormats)> endings;
+  std::ranges::transform(kMeshFormats, endings.begin(), &MeshFormat::ending);
+  return endings;
+}();
+
+/// The extension of a name, in lower case.
+[[nodiscard]] inline std::string extension_in_lower_case(const std::filesystem::path& path) {
+  return lower_case(path.extension().string());
+}
+
+[[nodiscard]] inline bool is_mesh_file(const std::filesystem::path& path) {
+  return std::ranges::find(kMeshEndings, extension_in_lower_case(path)) != kMeshEndings.end();
+}
+
+/// The format of a file by its extension; null when it is not a mesh format.
+[[nodiscard]] inline const MeshFormat* mesh_format_of(const std::filesystem::path& path) {
+  const MeshFormat* const found = std::ranges::find(kMeshFormats, extension_in_lower_case(path), &MeshFormat::ending);
+  return found == std::end(kMeshFormats) ? nullptr : found;
+}
+
+/// [mm] Default length of one unit.
+[[nodiscard]] inline double common_unit_mm(const std::filesystem::path& path) {
+  const MeshFormat* const format = mesh_format_of(path);
+  return format == nullptr ? 1 : format->unit_mm;
+}
+
+inline constexpr double kMaxPlausibleLength = 1000;  ///< [mm] maximum length at which the unit is not questioned
+
+/// The units that make a length plausible: "unit_mm = 1000 if its unit is a metre"; empty when there is none.
+/// @param length    [units of the file]
+/// @param min_length  [mm] shortest plausible length
+[[nodiscard]] inline std::string plausible_units(double length, double min_length) {
+  std::string units;
+  for (const auto& [unit, name] : {std::pair{1000.0, "a metre"},
+                                   {25.4, "an inch"},
+                                   {10.0, "a centimetre"},
+                                   {1.0, "a millimetre"},
+                                   {0.001, "a micrometre"}})
+    if (unit * length >= min_length && unit * length <= kMaxPlausibleLength)
+      append_part(units, "unit_mm = " + format_number(unit) + " if its unit is " + name, ", ");
+  return units;
+}
+
+}  // namespace hapticut
