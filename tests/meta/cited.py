@@ -24,7 +24,7 @@ CITED = re.compile(r"(?:(?<![\w\\])|(?<=[CD]\d)|(?<=[CD]\d\d))([CD]\d{1,2})(?=[A
 WHOLE_RANGE = re.compile(r"C1[`]? \.\.\. [`]?(C\d+)")
 FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?:inline )?(?:constexpr )?[\w:]+ (\w+)\b")
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
-PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
+PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|apps|drivers|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
                   r"\.(?:md|cpp|hpp|inl|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
 LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.M)
@@ -34,7 +34,8 @@ WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
 
 
 def texts(root: Path) -> list[tuple[Path, str]]:
-    files = [path for folder in FOLDERS for path in sorted((root / folder).rglob("*")) if path.suffix in ENDINGS]
+    files = [path for folder in FOLDERS for path in sorted((root / folder).rglob("*"))
+             if path.suffix in ENDINGS and "node_modules" not in path.parts]
     files += [root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
     return [(path.relative_to(root), path.read_text(encoding="utf-8")) for path in files]
 

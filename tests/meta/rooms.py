@@ -23,7 +23,8 @@ LONGEST = 400
 def sources(*folders):
     for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in (".hpp", ".inl", ".cpp", ".h", ".c", ".cs", ".py") and path.is_file():
+            if path.suffix in (".hpp", ".inl", ".cpp", ".h", ".c", ".cs", ".py") and path.is_file() \
+                    and "node_modules" not in path.parts:
                 yield path
 
 
