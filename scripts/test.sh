@@ -196,7 +196,7 @@ package() {
   if $fast; then rest=(-L slow); else build_release || return; fi
   run_tests package release -L package "${rest[@]}"
   check "configure: shared" configure shared &&
-    check "build: shared" build shared -t src/all examples/all open_haptics_under_test force_dimension_under_test &&
+    check "build: shared" build shared -t src/all apps/page/all apps/cli/all examples/all open_haptics_under_test force_dimension_under_test &&
     run_tests shared shared
 }
 

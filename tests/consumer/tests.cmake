@@ -70,6 +70,25 @@ if(NOT BUILD_SHARED_LIBS)
     OPTIONS -DCMAKE_UNITY_BUILD=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0)
   hapticut_configuration_test(AsSharedCoreAlone WITHOUT ${all} OPTIONS -DBUILD_SHARED_LIBS=ON)
 endif()
+# Each component is configured, built and tested with nothing but what it needs.
+function(hapticut_alone_test name folder)
+  list(JOIN ARGN "," parts)
+  add_test(NAME Package.Has${name}ThatStandsAlone COMMAND "${CMAKE_COMMAND}" "-DPARTS=${parts}" -DFOLDER=${folder}
+    "-DKERNELS=${HAPTICUT_KERNELS}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DBUILD=${PROJECT_BINARY_DIR}/../alone_${folder}"
+    "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
+    -P "${PROJECT_SOURCE_DIR}/tests/consumer/alone.cmake")
+  set_tests_properties(Package.Has${name}ThatStandsAlone PROPERTIES LABELS "package;slow" TIMEOUT 1800 RUN_SERIAL ON)
+endfunction()
+if(NOT BUILD_SHARED_LIBS)
+  hapticut_alone_test(Io io IO)
+  hapticut_alone_test(Import import IO IMPORT)
+  hapticut_alone_test(Settings settings SETTINGS)
+  hapticut_alone_test(C c C)
+  hapticut_alone_test(View view VIEW)
+  hapticut_alone_test(HeatWithTheCore heat)
+  hapticut_alone_test(DriverOfForceDimension force_dimension)
+  hapticut_alone_test(DriverOfOpenHaptics open_haptics)
+endif()
 add_test(NAME Package.EveryOptionalPackageIsInstalledByTheScript COMMAND "${CMAKE_COMMAND}"
   "-DOPTIONS=${PROJECT_SOURCE_DIR}/cmake/HapticutOptions.cmake" "-DSCRIPT=${PROJECT_SOURCE_DIR}/scripts/install-deps.sh"
   -P "${PROJECT_SOURCE_DIR}/tests/consumer/compare_package_lists.cmake")

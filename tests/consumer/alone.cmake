@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Configures hapticut with one component, and the components that it needs, and runs the tests of its folder.
+#   cmake -DPARTS=part,... -DFOLDER=... -DKERNELS=... -DSOURCE=... -DBUILD=... -DCXX=... -DCC=... -DLAUNCHER=... -P alone.cmake
+#
+# PARTS   parts whose option is ON, e.g. IO,IMPORT; all others are OFF
+# FOLDER  the folder in tests/unit
+# BUILD   build folder; ccache finds the objects of build/release
+cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
+string(REPLACE "," ";" PARTS "${PARTS}")
+set(ENV{CMAKE_C_COMPILER_LAUNCHER} "${LAUNCHER}")
+set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
+set(options "-DHAPTICUT_KERNELS=${KERNELS}" -DHAPTICUT_WITH_TESTS=ON -DHAPTICUT_WITH_BENCHMARKS=OFF
+    -DHAPTICUT_WITH_EXAMPLES=OFF -DHAPTICUT_WITH_PYTHON=OFF)
+foreach(part SIMD IO IMPORT ITK ASSIMP SETTINGS C VIEW CLI)
+  set(value OFF)
+  if(part IN_LIST PARTS OR part STREQUAL "SIMD")
+    set(value ON)
+  endif()
+  list(APPEND options "-DHAPTICUT_WITH_${part}=${value}")
+endforeach()
+file(REMOVE_RECURSE "${BUILD}")
+must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" "${CMAKE_COMMAND}" --preset release -B "${BUILD}" "-DCMAKE_CXX_COMPILER=${CXX}"
+     "-DCMAKE_C_COMPILER=${CC}" ${options})
+must("${CMAKE_COMMAND}" --build "${BUILD}" -t "test_${FOLDER}")
+must("${CMAKE_CTEST_COMMAND}" --test-dir "${BUILD}" -R "^${FOLDER}([.]|$)" -LE slow --output-on-failure --no-tests=error)
