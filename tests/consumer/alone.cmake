@@ -23,4 +23,4 @@ file(REMOVE_RECURSE "${BUILD}")
 must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" "${CMAKE_COMMAND}" --preset release -B "${BUILD}" "-DCMAKE_CXX_COMPILER=${CXX}"
      "-DCMAKE_C_COMPILER=${CC}" ${options})
 must("${CMAKE_COMMAND}" --build "${BUILD}" -t "test_${FOLDER}")
-must("${CMAKE_CTEST_COMMAND}" --test-dir "${BUILD}" -R "^${FOLDER}([.]|$)" -LE slow --output-on-failure --no-tests=error)
+must("${CMAKE_CTEST_COMMAND}" --test-dir "${BUILD}" -R "^${FOLDER}([.]|$)" --output-on-failure --no-tests=error)
