@@ -5,9 +5,10 @@
 # ISO C++. The sources are those that a machine with the SDK builds.
 function(vendor_adapter_under_test name stand_in part)
   get_property(sources GLOBAL PROPERTY HAPTICUT_${part}_SOURCES)
+  get_property(headers GLOBAL PROPERTY HAPTICUT_${part}_HEADERS)
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/drivers)
+  target_include_directories(${name} PUBLIC ${headers} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/drivers)
   target_link_libraries(${name} PUBLIC hapticut::hapticut ${stand_in} PRIVATE hapticut_build_flags)
 endfunction()
 
