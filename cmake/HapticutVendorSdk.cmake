@@ -34,7 +34,8 @@ function(hapticut_use_vendor_devices target)
 endfunction()
 
 # hapticut_device_adapter(component NAME SDK_TARGET sources...): a separate library for the component, because building
-# and linking it needs the SDK. The tests build the same sources, HAPTICUT_<NAME>_SOURCES with HAPTICUT_<NAME>_HEADERS, against a stand-in.
+# and linking it needs the SDK. The tests build the same sources, HAPTICUT_<NAME>_SOURCES, with the headers in
+# HAPTICUT_<NAME>_HEADERS, against a stand-in.
 function(hapticut_device_adapter component name sdk)
   list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE sources)
   set_property(GLOBAL PROPERTY HAPTICUT_${name}_SOURCES "${sources}")
