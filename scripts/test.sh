@@ -124,7 +124,7 @@ run_tests() {
 }
 
 parts=()
-for part in SIMD IO ITK ASSIMP SETTINGS C VIEW CLI TESTS BENCHMARKS EXAMPLES; do parts+=("-DHAPTICUT_WITH_$part=ON"); done
+for part in SIMD IO IMPORT ITK ASSIMP SETTINGS C VIEW CLI TESTS BENCHMARKS EXAMPLES; do parts+=("-DHAPTICUT_WITH_$part=ON"); done
 configure() { cmake --preset "$1" -UHAPTICUT_PROPERTY_PARAMETERS "${parts[@]}" "${@:2}"; }
 build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 
