@@ -9,6 +9,9 @@
 using namespace hapticut;
 using namespace hapticut::units;
 
+/// In double precision for both: single precision may round a half the other way.
+std::uint8_t texel_of(double fill) { return std::uint8_t(std::lround(255 * fill)); }
+
 /// A copy of the voxels in the layout of a 3D texture with two bytes for each texel: material and fill. `put` is the
 /// place of your glTexSubImage3D, vkCmdCopyBufferToImage ... of 8 x 8 x 8 texels.
 struct Texture {
@@ -19,7 +22,7 @@ struct Texture {
     for (int n = 0; n < kBlockVoxels; ++n) {
       std::uint8_t* texel = at(voxel_at(block.origin, n));
       texel[0] = block.material[std::size_t(n)];
-      texel[1] = std::uint8_t(std::lround(255 * block.fill[std::size_t(n)]));
+      texel[1] = texel_of(block.fill[std::size_t(n)]);
     }
   }
   std::uint8_t* at(const VoxelIndex& voxel) {  // x is the fastest index, as in a texture
@@ -61,7 +64,7 @@ int main() {
   for_each_voxel(simulation.first_bounds(), [&](const VoxelIndex& voxel) {
     const std::uint8_t* texel = texture.at(voxel);
     wrong += texel[0] != simulation.workpiece().material_at(voxel) ||
-             texel[1] != std::lround(255 * simulation.workpiece().fill_at(voxel));
+             texel[1] != texel_of(simulation.workpiece().fill_at(voxel));
     ++voxels;
   });
   std::cout << first << " blocks at the start, " << later << " in 1000 steps; " << wrong << " of " << voxels
