@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every header of include/, src/, drivers/ and apps/ compiles alone, except those that are included repeatedly: -inl.hpp and
-.inl.
+"""Checks that every header of include/, src/, drivers/ and apps/ compiles alone, except those that are included
+repeatedly: -inl.hpp and .inl.
 
     headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
 
