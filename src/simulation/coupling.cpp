@@ -8,6 +8,7 @@
 #include "hapticut/core/reserve.hpp"
 #include "simulation/hand_motion.hpp"
 #include "simulation/newton_search.hpp"
+#include "simulation/removed_list.hpp"
 
 namespace hapticut {
 namespace {
@@ -41,8 +42,7 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
 }
 
 VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfig& config) {
-  const std::size_t capacity = config.removed_voxel_capacity;
-  reserve_touched(removed, capacity > 0 ? capacity : worst_case.voxels * 2);
+  reserve_touched(removed, removed_list_size(config, worst_case.voxels * 2));
   reserve_touched(changed, worst_case.blocks * kMaxParts);
 }
 

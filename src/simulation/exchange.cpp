@@ -9,17 +9,10 @@
 #include "hapticut/core/reserve.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
+#include "simulation/removed_list.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
-namespace {
-
-/// Number of voxels that a step can list.
-std::size_t listed_voxels(const SimulationConfig& config, std::size_t max_voxels) {
-  return config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity : max_voxels;
-}
-
-}  // namespace
 
 // --- prepared elsewhere ---------------------------------------------------------------------------------------------
 
@@ -39,7 +32,7 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   ContactStages::Buffers buffers(tool.head(), voxel_size, config);
   const WorstCase worst = buffers.worst_case(config);
   std::vector<RemovedVoxel> removed;
-  reserve_touched(removed, listed_voxels(config, buffers.max_voxels));
+  reserve_touched(removed, removed_list_size(config, buffers.max_voxels));
   const HeadStiffness stiffness = stiffness_of(tool.head(), config);
   state_ = std::make_unique<State>(
       State{std::move(tool), voxel_size, std::move(buffers), worst, std::move(removed), stiffness});

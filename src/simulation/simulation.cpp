@@ -8,6 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/stiffness.hpp"
+#include "simulation/removed_list.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
@@ -50,8 +51,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
       config(complete(std::move(given_config), tool.head(), workpiece.materials())),
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
-      removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
-                                                : max_voxels(tool.head(), workpiece.voxel_size())) {
+      removal(removed_list_size(config, max_voxels(tool.head(), workpiece.voxel_size()))) {
   prepare_workpiece();
 }
 

@@ -149,6 +149,7 @@ void run_loop(LoopSettings s) {
     config.contact_time = ContactTime::end;
   else
     config.device_stiffness = device->capabilities().stiffness / s.scale;
+  if (!s.record.empty()) config.list_removed_voxels = true;  // a recording counts them
   Simulation simulation(std::move(workpiece), tool, std::move(config));
   const StopSignals signals;  // a signal ends the run, and the report covers the time until then
   const auto recorder =
@@ -186,6 +187,7 @@ Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
   tell_on_stderr(settings->workpiece);
   settings->simulation.config.reserved_blocks = kReservedBlocks;
+  settings->simulation.config.list_removed_voxels = false;
   return {"loop",
           "Cut with a device, real or simulated, in real time",
           settings_of(*settings),

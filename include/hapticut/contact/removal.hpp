@@ -24,6 +24,7 @@ struct RemovedVoxel {
 /// The material removed in one step, collected over its sub-steps. Lists a fixed number of voxels at most.
 class RemovalRecord {
  public:
+  /// @param capacity  number of voxels that it can list; 0: it lists none, and that is no overflow
   explicit RemovalRecord(std::size_t capacity) { reserve_touched(voxels_, capacity); }
 
   void clear() noexcept {
@@ -31,7 +32,8 @@ class RemovalRecord {
     volume_ = 0;
     overflowed_ = false;
   }
-  void add(const RemovedVoxel& voxel) noexcept {
+  [[nodiscard]] bool lists() const noexcept { return voxels_.capacity() > 0; }
+  void add(const RemovedVoxel& voxel) noexcept {  ///< only if it lists
     if (voxels_.size() < voxels_.capacity())
       voxels_.push_back(voxel);
     else
@@ -63,12 +65,13 @@ class RemovalRecord {
   ByMaterial<double> total_by_material_ = {};
 };
 
-/// Stage `remove_emptied` for one block: empties its voxels in the workpiece and lists them.
+/// Stage `remove_emptied` for one block: empties its voxels in the workpiece and lists them, if the record does.
 /// @param block  the block before the sub-step
 /// @realtime no allocation, no lock; O(emptied voxels)
 inline void empty_voxels(const BlockView& block, const BlockMask& emptied, Workpiece& workpiece,
                          RemovalRecord& record) noexcept {
-  emptied.for_each([&](int voxel) { record.add({voxel_at(block.origin, voxel), block.material_of(voxel)}); });
+  if (record.lists())
+    emptied.for_each([&](int voxel) { record.add({voxel_at(block.origin, voxel), block.material_of(voxel)}); });
   workpiece.empty_voxels(block.origin, emptied);
 }
 

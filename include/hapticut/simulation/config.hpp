@@ -77,6 +77,10 @@ struct SimulationConfig {
   /// About 2.8 kB each. A cavity needs about two for each patch of 8 x 8 voxels of its wall.
   std::size_t reserved_blocks = 2048;
 
+  /// Whoever needs only the changed blocks and the removed volume, as a loop does, can do without the list. A recording
+  /// counts the voxels of the list.
+  bool list_removed_voxels = true;
+
   /// Voxels beyond it are removed, but not listed.
   std::size_t removed_voxel_capacity = 0;
 
@@ -129,6 +133,8 @@ constexpr auto fields_of(Of<SimulationConfig>) {
             "rate of calls of the step; only the check of the vibration uses it"),
       field("reserved_blocks", &C::reserved_blocks, "1", Range::between(1, 1e8),
             "blocks (8^3 voxels) that may become partly cut before Simulation::reserve_blocks has to be called again"),
+      field("list_removed_voxels", &C::list_removed_voxels,
+            "a step lists the voxels that it removes; without the list, StepResult::removed_voxels is empty"),
       field("removed_voxel_capacity", &C::removed_voxel_capacity, "1", Range::between(0, 1e9),
             "maximum number of removed voxels that a step lists; 0: as many as the head holds"),
       field("voxel_budget", &C::voxel_budget, "1", Range::between(0, 1e9),
