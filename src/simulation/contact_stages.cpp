@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
@@ -51,24 +50,6 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   exchange_buffers(buffers);
 }
 
-void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
-  const double share = cutting_share_;
-  set_cutting_share(1);
-  materials_ = materials;
-  for (std::size_t id = 0; id < materials_.size(); ++id)
-    spinning_ratios_[id] = {materials_[id].cutting_ratio, materials_[id].sliding_ratio};
-  damping_ = 0;
-  for (const ContactMaterial& m : materials_) damping_ = std::max(damping_, m.damping);
-  any_chips_ = std::any_of(materials_.begin(), materials_.end(),
-                           [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
-  frictional_ =
-      int(std::count_if(materials_.begin(), materials_.end(), [](const auto& m) { return m.static_friction > 0; }));
-  min_crushing_depth_ = ContactMaterial::kNeverCrushed;
-  if (law_->is_foundation())
-    for (const ContactMaterial& m : materials_) min_crushing_depth_ = std::min(min_crushing_depth_, m.crushing_depth);
-  set_cutting_share(share);
-}
-
 /// Number of parts into which the voxels inside the head must be divided to stay within the budget. The voxels are
 /// counted only when the blocks hold more than the budget.
 int ContactStages::level_of_detail(std::span<const FoundBlock> blocks, const kernels::ContactJob& job) const noexcept {
@@ -82,26 +63,10 @@ int ContactStages::level_of_detail(std::span<const FoundBlock> blocks, const ker
   return std::max(1, int((inside + voxel_budget_ - 1) / voxel_budget_));
 }
 
-void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noexcept {
-  ContactMaterial& material = materials_[id];
-  frictional_ += int(friction.static_friction > 0) - int(material.static_friction > 0);
-  material.static_friction = float(friction.static_friction);
-  material.dynamic_friction = float(friction.dynamic_friction);
-  spinning_ratios_[id].sliding = material.dynamic_friction;
-  scale_ratios(id);
-  material.tangential_stiffness = float(friction.tangential_stiffness);
-}
-
-void ContactStages::set_cutting_share(double share) noexcept {
-  if (std::exchange(cutting_share_, share) == share) return;
-  for (std::size_t id = 1; id < materials_.size(); ++id) scale_ratios(id);
-}
-
 std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
   // The centroid of a surface voxel lies half a voxel off its centre, along an axis of the grid.
   const double beyond = quadrature_ == Quadrature::sub_voxel ? double(kVoxelReach) : 0.5;
-  const kernels::ContactJob job = {head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_,
-                                   false};
+  const kernels::ContactJob job = job_at(at);
   const bool stands_as_ball = at.motion.spin == 0 && std::holds_alternative<SphereHead>(head_.shape());
   return near_.find(workpiece_, job, at.X_VT, bounds_, beyond, law_->is_foundation() && !stands_as_ball);
 }
@@ -146,17 +111,19 @@ double ContactStages::crushing_depth(const HeadMotion& motion, double scale) con
   const HeadBox box = head_.bounding_box();
   const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
   const double max_speed = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
-  const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * max_speed));
-  return double(damping.crushing_depth(min_crushing_depth_));
+  const auto damping = FoundationLaw::Damping::of(materials_.max_damping() * float(scale * max_speed));
+  return double(damping.crushing_depth(materials_.min_crushing_depth()));
 }
 
 /// FoundationLaw, a few blocks at once.
 Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                      RemovalRecord* removal, Stiffness* stiffness_T) noexcept {
   const bool removes = at.motion.cuts() || at.motion.crushes, stands = at.motion.spin == 0;
-  const bool rubs = stands && frictional_ > 0;
+  const bool rubs = stands && materials_.any_friction();
   const bool keeps = removes && removal != nullptr;
-  kernels::ContactJob job = job_at(blocks, at);
+  kernels::ContactJob job = job_at(at);
+  job.level_of_detail = unsigned(level_of_detail(blocks, job));
+  job.motion.level_of_detail = float(job.level_of_detail);
   job.writes_fills = keeps;
   kernels::ContactSums sums;
   kernels::StiffnessSums stiffness;
@@ -194,12 +161,14 @@ void ContactStages::record(const ByMaterial<double>& removed, RemovalRecord& rem
     if (removed[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
 }
 
-kernels::ContactJob ContactStages::job_at(std::span<const FoundBlock> blocks, const HeadPlacement& at) const noexcept {
-  kernels::ContactJob job = {
-      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damping_ > 0, 1, phase_};
-  job.level_of_detail = unsigned(level_of_detail(blocks, job));
-  job.motion.level_of_detail = float(job.level_of_detail);
-  return job;
+kernels::ContactJob ContactStages::job_at(const HeadPlacement& at) noexcept {
+  return {head_,
+          GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()),
+          at.motion,
+          materials_.with(at.cutting_share),
+          materials_.max_damping() > 0,
+          1,
+          phase_};
 }
 
 Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept {
@@ -217,13 +186,14 @@ Encounter ContactStages::ask_law(std::span<const FoundBlock> blocks, const HeadP
                                  RemovalRecord* removal) noexcept {
   Encounter encounter;
   const GridInHead grid(at.X_VT.inverse(), workpiece_.voxel_size());
+  const ContactMaterials& materials = materials_.with(at.cutting_share);
   HeadMotion motion = at.motion;
   contact_.min_width = motion.min_width;
   WholeContact whole;
   if (law_->needs_moments()) {
     for (const FoundBlock& block : blocks) {
       kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
-      add_moments(contact_, motion, materials_, whole.moments);
+      add_moments(contact_, motion, materials, whole.moments);
     }
     if (whole.moments.volume > 0) whole.lumped = law_->lump(head_, motion, whole.moments);
     encounter.add(whole.lumped);
@@ -231,22 +201,20 @@ Encounter ContactStages::ask_law(std::span<const FoundBlock> blocks, const HeadP
   }
   HeadMotion without_removal = motion;
   without_removal.removal = RemovalLaw::none;
-  SpreadFriction friction_T;
   ByMaterial<double> removed = {};  // [voxels]
   for (const FoundBlock& block : blocks) {
     kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
     const bool removes = motion.removal != RemovalLaw::none, writable = removes && can_cut(block);
     encounter.blocks_exhausted |= removes && !writable;
-    const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
+    const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
-    if (motion.spin == 0) friction_T.add(contact_, motion, materials_);
+    if (motion.spin == 0) encounter.friction_T.add(contact_, motion, materials);
     if (removal == nullptr || !totals.may_remove || !writable) continue;
     float* after = fill_target(block, 0);
     keep_change(block, find_changes(contact_, block.view, after, removed), after);
   }
-  if (motion.spin == 0) encounter.friction_T = friction_T;
   if (removal != nullptr) record(removed, *removal);
   return encounter;
 }

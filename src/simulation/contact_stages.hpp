@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "hapticut/workpiece/workpiece.hpp"
 #include "kernels/kernels.hpp"
 #include "simulation/near_blocks.hpp"
+#include "simulation/step_materials.hpp"
 
 /// The stages of a step that see voxels: finding the blocks that the head reaches, computing force and new fills of
 /// each, and removing voxels from the workpiece.
@@ -30,8 +30,8 @@ struct Encounter {
   LawEnergies energies;
   bool blocks_exhausted = false;
   bool force_not_finite = false;
-  int level_of_detail = 1;                   // one n-th of the voxels was evaluated
-  std::optional<SpreadFriction> friction_T;  // about To, in T; only of a standing head
+  int level_of_detail = 1;    // one n-th of the voxels was evaluated
+  SpreadFriction friction_T;  // about To, in T; of a standing head, else empty
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -68,6 +68,18 @@ struct Encounter {
 struct HeadPlacement {
   Pose X_VT;          ///< of the head in the grid's frame
   HeadMotion motion;  ///< where the contact is evaluated: at the middle of the sub-step, or its end
+
+  /// [1] Part of the cutting ratio that acts: less than 1 for slow and stalled heads.
+  double cutting_share = 1;
+
+  /// The head at this place if it did not spin.
+  [[nodiscard]] HeadPlacement standing() const noexcept {
+    HeadPlacement at = *this;
+    at.motion.spin = 0;
+    at.motion.removal = RemovalLaw::none;
+    at.motion.crushes = false;
+    return at;
+  }
 };
 
 /// The stages, for one workpiece and one head, with all their memory, which is allocated at set-up. Each stage hands on
@@ -112,6 +124,12 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] Encounter press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                 Stiffness* stiffness_T = nullptr) noexcept;
 
+  /// Presses the head as if it did not spin, on what is left at this place.
+  [[nodiscard]] Encounter press_standing(const HeadPlacement& at) noexcept {
+    const HeadPlacement standing = at.standing();
+    return press(find_blocks(standing), standing);
+  }
+
   /// Whether `press` gives a stiffness: FoundationLaw does.
   [[nodiscard]] bool knows_stiffness() const noexcept { return law_->is_foundation(); }
 
@@ -124,7 +142,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void exchange_buffers(Buffers& buffers) noexcept;
 
   /// Sets the constants of the materials.
-  void set_materials(const ContactMaterials& materials) noexcept;
+  void set_materials(const ContactMaterials& materials) noexcept { materials_.set(materials, law_->is_foundation()); }
+  void set_friction(MaterialId id, const DryFriction& friction) noexcept { materials_.set_friction(id, friction); }
+  [[nodiscard]] const StepMaterials& materials() const noexcept { return materials_; }
 
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
@@ -149,9 +169,6 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// The voxels that were ever solid.
   [[nodiscard]] const IndexBox& bounds() const noexcept { return bounds_; }
 
-  /// Whether some material can be crushed, which only the default law does.
-  [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
-
   /// [m] Depth at which the first material may be crushed, for the largest closing speed of the head; a smooth surface
   /// has a scale.
   [[nodiscard]] double crushing_depth(const HeadMotion& motion, double scale = 1) const noexcept;
@@ -161,15 +178,6 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     return resultant.normal_force > 0 && resultant.moment_T.z() < thin_up_to_ * resultant.normal_force;
   }
 
-  /// Whether the cutting energy of some material depends on the chip. If so, motions need a tooth_rate.
-  [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }
-
-  /// Sets the dry friction of a material.
-  void set_friction(MaterialId id, const DryFriction& friction) noexcept;
-
-  /// Scales the cutting ratio of all materials while the spindle is slow: see `dry_friction_fraction`.
-  void set_cutting_share(double share) noexcept;
-
  private:
   friend struct SimulationMemory;
   static constexpr std::size_t kBlocksAtOnce = 32;  // blocks that share columns
@@ -177,7 +185,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
   [[nodiscard]] Encounter meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
                                Stiffness* stiffness_T) noexcept;
-  [[nodiscard]] kernels::ContactJob job_at(std::span<const FoundBlock> blocks, const HeadPlacement& at) const noexcept;
+  [[nodiscard]] kernels::ContactJob job_at(const HeadPlacement& at) noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept;
   [[nodiscard]] Encounter run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
@@ -194,21 +202,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   const ToolHead& head_;
   std::shared_ptr<const ForceLaw> law_;
   Quadrature quadrature_;
-  ContactMaterials materials_;
-  struct SpinningRatios {
-    float cutting, sliding;  // [1] of a material at full spin
-  };
-  ByMaterial<SpinningRatios> spinning_ratios_ = {};
-  void scale_ratios(std::size_t id) noexcept {
-    materials_[id].cutting_ratio = float(cutting_share_) * spinning_ratios_[id].cutting;
-    materials_[id].sliding_ratio = float(cutting_share_) * spinning_ratios_[id].sliding;
-  }
-  double cutting_share_ = 1;  // [1] present factor of these ratios
-  float damping_ = 0;         // [s/m] maximum of the materials
-  int frictional_ = 0;        // number of materials with friction
-  bool any_chips_ = false;    // the cutting energy of some material depends on the chip
-  float min_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] minimum of the materials
-  double voxel_volume_;                                        // [m^3]
+  StepMaterials materials_;
+  double voxel_volume_;  // [m^3]
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit

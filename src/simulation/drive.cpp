@@ -36,7 +36,7 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
   double residual = 0, before = 0;  // [N·m] of the trial before, and its torque
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     const double torque = load.torque, speed = motor.speed();
-    const double needed = torque_to_spin(contact_stages.press(blocks, sub_step.head));
+    const double needed = torque_to_spin(sub_step, contact_stages.press(blocks, sub_step.head));
     load_spindle(needed, sub_step);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (needed - torque - residual) / (torque - before);
@@ -50,19 +50,21 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
 void Simulation::State::load_spindle(double torque, SubStep& sub_step) noexcept {
   load.torque = torque;
   motor.drive(torque, sub_step.duration);
-  update_cutting_share();
-  set_spin(sub_step.head.motion);
+  set_spin(sub_step.head);
 }
 
-/// Sets the spin of the head. A stalled head presses as if it were about to turn.
-void Simulation::State::set_spin(HeadMotion& motion) const noexcept {
+/// Sets the spin of the head, and what depends on it. A stalled head presses as if it were about to turn.
+void Simulation::State::set_spin(HeadPlacement& head) const noexcept {
+  head.cutting_share = cutting_share();
+  HeadMotion& motion = head.motion;
   motion.spin = float(motor.stalled() ? turning_spin() : motor.speed());
-  motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.any_crushing();
+  motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.materials().any_crushing();
   motion.removal = motor.stalled() ? RemovalLaw::none : config.removal;
   const bool is_off = motor.setting() == 0 && motor.speed() == 0 && !held;
   using Section = VoxelSection<float>;
   motion.min_width = is_off ? Section::kMinStandingWidth : Section::kMinWidth;
-  motion.tooth_rate = contact_stages.any_chips() ? float(tooth_rate(tool.cutter(), double(motion.spin))) : 0;
+  motion.tooth_rate =
+      contact_stages.materials().any_chips() ? float(tooth_rate(tool.cutter(), double(motion.spin))) : 0;
 }
 
 /// [rad/s] Fast enough, compared with a hand, that all of the head's surface slips along the spin.
@@ -71,24 +73,23 @@ double Simulation::State::turning_spin() const noexcept {
                        motor.setting());
 }
 
-/// Updates the part of the cutting ratio that acts: what dry friction leaves of it at a slow head, or what the motor
-/// can hold at a stalled one.
-void Simulation::State::update_cutting_share() noexcept {
-  cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
-                                  : 1 - dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
-  contact_stages.set_cutting_share(cutting_share);
+/// [1] The part of the cutting ratio that acts: what dry friction leaves of it at a slow head, or what the motor can
+/// hold at a stalled one.
+double Simulation::State::cutting_share() const noexcept {
+  return motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
+                         : 1 - dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
 }
 
 /// [N·m] Torque about +z that turns the head.
-double Simulation::State::torque_to_spin(const Encounter& encounter) const noexcept {
+double Simulation::State::torque_to_spin(const SubStep& sub_step, const Encounter& encounter) const noexcept {
   const double torque = -encounter.resultant.wrench_T.torque.z();
-  return motor.stalled() ? torque / cutting_share : torque;
+  return motor.stalled() ? torque / sub_step.head.cutting_share : torque;
 }
 
 /// Books the work of a stalled head, which does not rub: the motor absorbs the work that the hand does against its
 /// torque.
 void Simulation::State::book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept {
-  load.torque = torque_to_spin(encounter);
+  load.torque = torque_to_spin(sub_step, encounter);
   const double work = -encounter.resultant.wrench_T.torque.z() * turning_spin() * sub_step.duration;
   const double by_motor = work - encounter.energies.rubbing;
   result.energy.motor_work += by_motor;
@@ -105,7 +106,6 @@ void Simulation::State::advance_spindle(const SubStep& sub_step, const Encounter
   load.settled = encounter.resultant.voxels > 0 &&
                  std::abs(load.torque - load.first_torque) <= kSteadyLoad * std::abs(load.torque) &&
                  std::abs(motor.speed() - load.first_speed) <= kSettled * std::abs(motor.setting());
-  update_cutting_share();
 }
 
 }  // namespace hapticut

@@ -113,7 +113,6 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.held_setting = s.motor.setting();
   if (s.held) s.halt();
   s.load = {};
-  s.update_cutting_share();
   s.compare_cutters();
   s.forget_pose();
   return true;
@@ -154,7 +153,6 @@ void Simulation::State::halt() noexcept {
   halted_since = true;
   set_since = false;
   load = {};
-  update_cutting_share();
 }
 
 /// Sets the demanded speed of the motor [rad/s]. A motor that is slowed by its load, or stalled, starts anew even if
@@ -162,7 +160,6 @@ void Simulation::State::halt() noexcept {
 void Simulation::State::set_motor(double setting) noexcept {
   motor.set(setting);
   set_since = true;
-  update_cutting_share();
 }
 
 void Simulation::halt_spindle() noexcept {

@@ -25,16 +25,18 @@ std::span<const FoundBlock> NearBlocks::find(Workpiece& workpiece, const kernels
                                              const IndexBox& bounds, double beyond, bool lists) noexcept {
   const double size = workpiece.voxel_size();
   const HeadBox box = job.head.bounding_box();
+  const bool current = known_ && layout_ == workpiece.layout() && (listed_ || !lists);
+  if (current && X_VT.rotation == X_VT_found_.rotation && X_VT.translation == X_VT_found_.translation) return found_;
   found_.clear();
   job.head.visit_springs<float>([&](const auto& springs) {
-    if (layout_ != workpiece.layout() || (lists && !listed_) || !is_near(box, X_VT, size)) {
+    if (!current || !is_near(box, X_VT, size)) {
       near_.clear();
       for_each_block_origin(reach_of(box, X_VT, size, bounds, beyond + kMotion), [&](const VoxelIndex& origin) {
         if (!may_touch(springs, job.grid, origin, float(size), float(kMotion * size))) return;
         const CuttableBlock block = workpiece.cuttable_block(origin);
         if (!block.view.empty()) near_.push_back({block, {}});
       });
-      X_VT_ = X_VT, layout_ = workpiece.layout(), listed_ = lists;
+      known_ = true, X_VT_near_ = X_VT, layout_ = workpiece.layout(), listed_ = lists;
       if (lists) list_voxels(job);
     }
     const IndexBox reach = reach_of(box, X_VT, size, bounds, beyond);
@@ -47,13 +49,13 @@ std::span<const FoundBlock> NearBlocks::find(Workpiece& workpiece, const kernels
       if (reached && may_touch(springs, job.grid, origin, float(size))) found_.push_back(block);
     }
   });
+  X_VT_found_ = X_VT;
   return found_;
 }
 
 /// Whether no point of the head has moved too far since the blocks were found.
 bool NearBlocks::is_near(const HeadBox& box, const Pose& X_VT, double voxel_size) const noexcept {
-  if (!X_VT_) return false;
-  const Pose moved = X_VT_->inverse() * X_VT;
+  const Pose moved = X_VT_near_.inverse() * X_VT;
   const Vec3 center = 0.5 * (box.min + box.max);
   const double chord = (moved.rotation - Mat3::Identity()).norm() / std::sqrt(2.0);  // [1] 2 sin(angle/2)
   return (moved * center - center).norm() + 0.5 * chord * (box.max - box.min).norm() <= kMotion * voxel_size;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct FoundBlock : CuttableBlock {
 
 /// The blocks near the head and their voxels, found once for all places of the head within a small distance: a tick
 /// with a coupling evaluates the contact a few times, and in the next tick the head is still near. What is found for a
-/// place does not depend on what was found before.
+/// place does not depend on what was found before. Finding the same place again costs nothing.
 class NearBlocks {
  public:
   /// [voxels] Motion of the head for which they are found. A larger one lists more voxels in vain; a head at 2 mm/s
@@ -38,7 +37,7 @@ class NearBlocks {
   [[nodiscard]] std::span<const FoundBlock> find(Workpiece& workpiece, const kernels::ContactJob& job, const Pose& X_VT,
                                                  const IndexBox& bounds, double beyond, bool lists) noexcept;
 
-  void forget() noexcept { X_VT_.reset(); }
+  void forget() noexcept { known_ = false; }
 
  private:
   [[nodiscard]] bool is_near(const HeadBox& box, const Pose& X_VT, double voxel_size) const noexcept;
@@ -46,7 +45,8 @@ class NearBlocks {
 
   std::vector<FoundBlock> near_, found_;
   std::vector<std::uint16_t> voxels_;  // memory of their lists
-  std::optional<Pose> X_VT_;           // where they were found
+  bool known_ = false;                 // there are some
+  Pose X_VT_near_, X_VT_found_;        // where they were found
   std::uint64_t layout_ = 0;           // of the workpiece then
   bool listed_ = false;                // whether their voxels were listed
 };

@@ -62,7 +62,6 @@ void Simulation::State::prepare_workpiece() {
   head_stiffness = stiffness_of(tool.head(), config);
   set_material_friction();
   compare_cutters();
-  update_cutting_share();
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {

@@ -137,7 +137,7 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   archive(s.chooses_stiffness, s.has_pose, s.parted, s.last_X_WH, s.after_refusal, s.mean_velocity, s.jumped_to);
   SpindleMotor& motor = s.motor;
   archive(motor.setting_, motor.start_, motor.ramped_, motor.speed_, motor.loaded_, motor.stalled_);
-  archive(s.load, s.cutting_share);
+  archive(s.load);
   DeepContact& deep = s.deep_contact;
   archive(deep.touched_, deep.held_, deep.normal_, deep.place_, deep.full_stiffness_, deep.stiffness_, deep.stored_);
   archive(s.crushing_depth);
@@ -188,7 +188,6 @@ Simulation SimulationMemory::restored(Workpiece workpiece, Tool tool, Simulation
   set_reserved_nodes(s.workpiece, nodes);
   visit(reader, s);
   if (reader.left() > 0) throw Error("it is longer than expected.");
-  s.contact_stages.set_cutting_share(s.cutting_share);
   return simulation;
 }
 

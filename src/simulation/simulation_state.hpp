@@ -108,13 +108,13 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
                                       const Twist& felt) const noexcept;
   [[nodiscard]] std::span<const FoundBlock> find_blocks(const SubStep& sub_step) noexcept;
   void drive_spindle(std::span<const FoundBlock> blocks, SubStep& sub_step) noexcept;
-  void set_spin(HeadMotion& motion) const noexcept;
+  void set_spin(HeadPlacement& head) const noexcept;
   [[nodiscard]] double turning_spin() const noexcept;
   void load_spindle(double torque, SubStep& sub_step) noexcept;
-  [[nodiscard]] double torque_to_spin(const Encounter& encounter) const noexcept;
+  [[nodiscard]] double torque_to_spin(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
   void advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept;
-  void update_cutting_share() noexcept;
+  [[nodiscard]] double cutting_share() const noexcept;
   [[nodiscard]] Encounter press_and_cut(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
   void note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
   void remove_emptied() noexcept;
@@ -124,7 +124,6 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] LimitSurface::Outcome pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
                                                      LimitSurface& anchor) noexcept;
-  [[nodiscard]] Encounter press_standing(const SubStep& sub_step) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double weight) noexcept;
   [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
@@ -173,7 +172,6 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   std::optional<Pose> jumped_to;      // input of the last step, if that was a jump
   SpindleMotor motor;
   SpindleLoad load;
-  double cutting_share = 1;   // [1] of the cutting ratio that acts: less than 1 for slow and stalled heads
   DeepContact deep_contact;   // in W
   double crushing_depth = 0;  // [m] of the last sub-step (crushing_depth_in)
   LimitSurface anchor;        // of dry friction, in W

@@ -32,23 +32,14 @@ LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step,
   const double fraction = dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // empty
   if (fraction > 0 && encounter.resultant.voxels > 0)
-    contact = encounter.friction_T ? *encounter.friction_T : *press_standing(sub_step).friction_T;
+    contact =
+        sub_step.head.motion.spin == 0 ? encounter.friction_T : contact_stages.press_standing(sub_step.head).friction_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
   contact.directions = transport(contact.directions, R_WT, Vec3::Zero());
   if (motor.stalled()) contact.directions = free_about(contact.directions, R_WT.col(2));
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Twist displacement = {R_WT * sub_step.path_T.linear * sub_step.duration, R_WT * turning * sub_step.duration};
   return friction.move(contact, displacement, fraction, double(sub_step.head.motion.lead));
-}
-
-/// The contact that the head would have at this place if it did not spin.
-Encounter Simulation::State::press_standing(const SubStep& sub_step) noexcept {
-  HeadPlacement standing = sub_step.head;
-  standing.motion.spin = 0;
-  standing.motion.removal = RemovalLaw::none;
-  standing.motion.crushes = false;
-  const auto blocks = contact_stages.find_blocks(standing);  // again, because some may be removed by now
-  return contact_stages.press(blocks, standing);
 }
 
 }  // namespace hapticut

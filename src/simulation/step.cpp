@@ -200,7 +200,7 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, double end, double du
                           .elapsed = float(evaluated)};
   const Vec3 ripple = path_W.linear - mean_of(mean_velocity, path_W.linear, end);
   sub_step.head.motion.ripple = (sub_step.X_WT.rotation.transpose() * ripple).cast<float>();
-  set_spin(sub_step.head.motion);
+  set_spin(sub_step.head);
   return sub_step;
 }
 
@@ -241,8 +241,8 @@ DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Enco
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface. Its normal part costs a second evaluation.
   const bool needs_normal_force = sub_step.head.motion.spin != 0 && deep.needs_normal_force(filled);
-  const Vec3 normal_T =
-      needs_normal_force ? press_standing(sub_step).resultant.wrench_T.force : encounter.resultant.wrench_T.force;
+  const Vec3 normal_T = needs_normal_force ? contact_stages.press_standing(sub_step.head).resultant.wrench_T.force
+                                           : encounter.resultant.wrench_T.force;
   const Vec3 path = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
   const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * path;

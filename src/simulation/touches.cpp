@@ -67,8 +67,7 @@ MaterialSet ContactStages::find_touched(std::span<const FoundBlock> blocks, cons
   const int materials = workpiece_.materials().size();
   if (known.size() >= materials || blocks.empty()) return found;
   Unknown unknown(materials, known);
-  const kernels::ContactJob job = {head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_,
-                                   false};
+  const kernels::ContactJob job = job_at(at);
   for (const FoundBlock& block : blocks) {
     if (!unknown.may_be_in(block.view)) continue;
     BlockView view = block.view;

@@ -250,7 +250,7 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | contact_stages (also the turn of a voxel_budget),    | from workpiece, tool and config; then by the steps        |
 // | X_VW, voxel_volume, head_stiffness                   |                                                           |
 // | has_pose, last_X_WH, after_refusal, mean_velocity,   | begins                                                    |
-// | jumped_to, load, cutting_share, deep_contact,        |                                                           |
+// | jumped_to, load, deep_contact,                       |                                                           |
 // | crushing_depth, anchor, removal list, result.energy  |                                                           |
 // | parted, altered                                      | begins with false; ends                                   |
 // | motor                                                | halted, spindle_set, spindle_setting; then by the steps   |
