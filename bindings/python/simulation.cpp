@@ -136,8 +136,9 @@ void bind_the_simulation(py::module_& m) {
           "The result of the last step.")
       .def_property_readonly("removed_volume_by_material", by_material(&Simulation::removed_volume_by_material),
                              "[m^3] (256,) removed since construction or reset, by material id.")
-      .def_property_readonly("spindle_setting", reading<S>(&Simulation::spindle_setting),
-                             doc("Simulation::spindle_setting"))
+      .def_property_readonly(
+          "spindle_setting", [](const S& self) { return self.read().spindle().setting(); },
+          doc("SpindleDrive::setting"))
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
       .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
                              doc("Simulation::next_step_is_first"))
@@ -154,18 +155,23 @@ void bind_the_simulation(py::module_& m) {
           "complete.")
       .def("worst_case", reading<S>(&Simulation::worst_case), doc("Simulation::worst_case"))
       .def_property_readonly("stage_times", reading<S>(&Simulation::stage_times), doc("Simulation::stage_times"))
-      .def("set_spindle_speed", writing<S>(&Simulation::set_spindle_speed), py::arg("speed"),
-           doc("Simulation::set_spindle_speed"))
+      .def(
+          "set_spindle_speed", [](S& self, AngularSpeed speed) { self.write().spindle().set_speed(speed); },
+          py::arg("speed"), doc("SpindleDrive::set_speed"))
       .def("set_effects", writing<S>(&Simulation::set_effects), py::arg("effects"), doc("Simulation::set_effects"))
       .def("set_tool", writing<S>(&Simulation::set_tool), py::arg("tool"), doc("Simulation::set_tool"))
       .def("set_materials", writing<S>(&Simulation::set_materials), py::arg("materials"),
            doc("Simulation::set_materials"))
       .def("set_friction", writing<S>(&Simulation::set_friction), py::arg("friction"), doc("Simulation::set_friction"))
       .def("set_removal", writing<S>(&Simulation::set_removal), py::arg("removal"), doc("Simulation::set_removal"))
-      .def("halt_spindle", writing<S>(&Simulation::halt_spindle), doc("Simulation::halt_spindle"))
-      .def("hold_spindle", writing<S>(&Simulation::hold_spindle), py::arg("hold"), doc("Simulation::hold_spindle"))
-      .def_property_readonly("spindle_is_held", reading<S>(&Simulation::spindle_is_held),
-                             "Whether the spindle is held, independent of its set speed.")
+      .def(
+          "halt_spindle", [](S& self) { self.write().spindle().halt(); }, doc("SpindleDrive::halt"))
+      .def(
+          "hold_spindle", [](S& self, bool hold) { self.write().spindle().hold(hold); }, py::arg("hold"),
+          doc("SpindleDrive::hold"))
+      .def_property_readonly(
+          "spindle_is_held", [](const S& self) { return self.read().spindle().is_held(); },
+          "Whether the spindle is held, independent of its set speed.")
       .def("reserve_blocks", writing<S>(&Simulation::reserve_blocks), py::arg("count"),
            doc("Simulation::reserve_blocks"))
       .def("snapshot", reading<S>(&Simulation::snapshot), doc("Simulation::snapshot"))

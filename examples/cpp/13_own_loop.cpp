@@ -80,7 +80,7 @@ int main() {
     } else if (!hand.valid) {
       coupling.park(VirtualCoupling::Rejoin::near);
       interlock.interrupt();
-      simulation.hold_spindle(true);
+      simulation.spindle().hold(true);
     } else if (!holds) {
       interlock.update(simulation, guard.state());
       const double motor_work = simulation.last_result().energy.motor_work;

@@ -50,7 +50,7 @@ int main() {
     if (!warned && watch.distance() < 0.5 * mm) {
       warned = true;
       std::cout << time << " s: " << watch.distance() / mm << " mm to the pulp, the spindle stops\n";
-      simulation.set_spindle_speed(0 * rpm);
+      simulation.spindle().set_speed(0 * rpm);
     }
   }
   std::cout << "at the end: " << watch.distance() / mm << " mm to the pulp, which was "

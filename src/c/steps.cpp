@@ -142,7 +142,7 @@ int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledg
 
 int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s) {
   return within(IdleSimulation(simulation),
-                [&](const auto& use) { use->simulation.set_spindle_speed(rad_per_s * units::rad_per_s); });
+                [&](const auto& use) { use->simulation.spindle().set_speed(rad_per_s * units::rad_per_s); });
 }
 
 int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {

@@ -86,7 +86,7 @@ void SimulationModel::after_exchange() noexcept {
   skip_force_ = true;
   feel_nothing(StepStatus::ok);
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::free);
-  if (spindle_needs_force_) simulation_->hold_spindle(true);  // otherwise it would cut while it slows down
+  if (spindle_needs_force_) simulation_->spindle().hold(true);  // otherwise it would cut while it slows down
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
@@ -107,7 +107,7 @@ struct SimulationModel::Commands {
 
   bool apply(const commands::SetSpindleSpeed& command) noexcept {
     if (!(std::abs(command.speed) <= kMaxSpindleSpeed)) return false;
-    m.simulation_->set_spindle_speed(command.speed);
+    m.simulation_->spindle().set_speed(command.speed);
     return true;
   }
 

@@ -101,14 +101,14 @@ void SimulationModel::restore_blocks(const DeviceState& state) noexcept {
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
-SimulationModel::~SimulationModel() { simulation_->hold_spindle(false); }
+SimulationModel::~SimulationModel() { simulation_->spindle().hold(false); }
 
 /// The pose of the hand is unknown, or the clutch is open: the tool keeps its pose and cuts nothing.
 void SimulationModel::hold_tool() noexcept {
   feel_nothing(StepStatus::ok);
   interlock_.interrupt();
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::near);
-  if (spindle_needs_force_) simulation_->hold_spindle(true);
+  if (spindle_needs_force_) simulation_->spindle().hold(true);
 }
 
 /// The held force, rendered at the present pose of the hand.
@@ -120,7 +120,7 @@ void SimulationModel::update_spindle(const DeviceState& state) noexcept {
   const bool no_force = tool_.force_held || device_->requests().emergency();  // the guard acts on it after this tick
   const bool admitted = interlock_.admits(no_force ? ArmingState::off : device_->last_arming(), touches_);
   const bool pressed = pedal_ < 0 || simulation_->tool().spindle().speed == 0 || state.pressed(pedal_);
-  simulation_->hold_spindle(!pressed || (!admitted && spindle_needs_force_));
+  simulation_->spindle().hold(!pressed || (!admitted && spindle_needs_force_));
 }
 
 /// Makes a step, with or without the coupling.  @return the wrench for the hand, about Ho of the hand, in W

@@ -73,29 +73,26 @@ std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) 
 
 Encounter ContactStages::press_and_cut(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                        RemovalRecord& removal) noexcept {
-  return meet(blocks, at, &removal, nullptr);
+  return meet(blocks, at, &removal, Asked::force);
 }
 
-Encounter ContactStages::press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
-                               Stiffness* stiffness_T) noexcept {
-  if (stiffness_T != nullptr) stiffness_T->setZero();
-  return meet(blocks, at, nullptr, stiffness_T);
+Encounter ContactStages::press(std::span<const FoundBlock> blocks, const HeadPlacement& at, Asked asked) noexcept {
+  return meet(blocks, at, nullptr, asked);
 }
 
-/// @param removal      null: no block is changed
-/// @param stiffness_T  null: not needed
+/// @param removal  null: no block is changed
 Encounter ContactStages::meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
-                              Stiffness* stiffness_T) noexcept {
+                              Asked asked) noexcept {
   Encounter encounter;
   if (!law_->is_foundation()) {
     encounter = ask_law(blocks, at, removal);
   } else if (at.motion.cuts() || !at.motion.crushes) {
-    encounter = run_kernels(blocks, at, removal, stiffness_T);
+    encounter = run_kernels(blocks, at, removal, asked);
   } else {  // a head that does not cut rarely crushes, so crushing is evaluated only when something is that deep
     HeadPlacement without_crushing = at;
     without_crushing.motion.crushes = false;
-    encounter = run_kernels(blocks, without_crushing, nullptr, stiffness_T);
-    if (crushes(encounter, at.motion)) encounter = run_kernels(blocks, at, removal, stiffness_T);
+    encounter = run_kernels(blocks, without_crushing, nullptr, asked);
+    if (crushes(encounter, at.motion)) encounter = run_kernels(blocks, at, removal, asked);
   }
   encounter.drop_if_not_finite();
   return encounter;
@@ -117,7 +114,7 @@ double ContactStages::crushing_depth(const HeadMotion& motion, double scale) con
 
 /// FoundationLaw, a few blocks at once.
 Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
-                                     RemovalRecord* removal, Stiffness* stiffness_T) noexcept {
+                                     RemovalRecord* removal, Asked asked) noexcept {
   const bool removes = at.motion.cuts() || at.motion.crushes, stands = at.motion.spin == 0;
   const bool rubs = stands && materials_.any_friction();
   const bool keeps = removes && removal != nullptr;
@@ -141,14 +138,14 @@ Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const H
       if (job.level_of_detail == 1) tasks_[count - 1].reached = block.reached;
       if (keeps && block.fill == nullptr && ++fresh >= room) break;  // each may take a block of the reserve
     }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, asked == Asked::stiffness ? &stiffness : nullptr,
                           rubs ? &friction : nullptr);
     if (keeps)
       for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change, tasks_[n].fill_after);
     first += count;
   }
-  if (stiffness_T != nullptr) *stiffness_T = stiffness.total(voxel_volume_, double(job.level_of_detail));
   Encounter encounter = encounter_of(job, sums);
+  if (asked == Asked::stiffness) encounter.stiffness_T = stiffness.total(voxel_volume_, double(job.level_of_detail));
   encounter.blocks_exhausted = exhausted;
   if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
   if (keeps) record(sums.removed, *removal);

@@ -9,6 +9,7 @@
 
 #include "hapticut/contact/removal.hpp"
 #include "hapticut/force/law.hpp"
+#include "hapticut/force/limit_surface.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/step.hpp"
@@ -32,6 +33,13 @@ struct Encounter {
   bool force_not_finite = false;
   int level_of_detail = 1;    // one n-th of the voxels was evaluated
   SpreadFriction friction_T;  // about To, in T; of a standing head, else empty
+
+  /// Of the contact about To, in T, if it was asked for and the law knows it (`ContactStages::knows_stiffness`); else
+  /// zero.
+  Stiffness stiffness_T = Stiffness::Zero();
+
+  LimitSurface::Outcome dry_friction;  // about To, in W
+  double stall_work = 0;               // [J] that the motor of a stalled head takes up
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -119,10 +127,12 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] MaterialSet find_touched(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                          const MaterialSet& known) noexcept;
 
+  /// What `press` is asked for.
+  enum class Asked { force, stiffness };
+
   /// Returns what `press_and_cut` would return, without a change to any block.
-  /// @param stiffness_T  of the contact about To, in T; zero when the law reports none: see `knows_stiffness`
   [[nodiscard]] Encounter press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
-                                Stiffness* stiffness_T = nullptr) noexcept;
+                                Asked asked = Asked::force) noexcept;
 
   /// Presses the head as if it did not spin, on what is left at this place.
   [[nodiscard]] Encounter press_standing(const HeadPlacement& at) noexcept {
@@ -184,12 +194,12 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
   [[nodiscard]] Encounter meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
-                               Stiffness* stiffness_T) noexcept;
+                               Asked asked) noexcept;
   [[nodiscard]] kernels::ContactJob job_at(const HeadPlacement& at) noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept;
   [[nodiscard]] Encounter run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
-                                      RemovalRecord* removal, Stiffness* stiffness_T) noexcept;
+                                      RemovalRecord* removal, Asked asked) noexcept;
   [[nodiscard]] Encounter ask_law(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                   RemovalRecord* removal) noexcept;
   void record(const ByMaterial<double>& removed, RemovalRecord& removal) const noexcept;

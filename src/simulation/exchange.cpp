@@ -86,13 +86,9 @@ void Simulation::State::compare_cutters() noexcept {
   });
 }
 
-/// Makes the next step the first of the tool: its pose is unknown. The hand must not feel the material that the tool is
-/// in now.
+/// Makes the next step the first of the tool.
 void Simulation::State::forget_pose() noexcept {
-  parted = parted || has_pose;
-  has_pose = false;
-  mean_velocity.reset();
-  jumped_to.reset();
+  motion.forget_place();
   tell_of_exchange();
 }
 
@@ -108,11 +104,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   p.worst_case = worst;
   s.set_contact_materials();
   s.result.removed_voxels = {};
-  s.motor = SpindleMotor(s.tool.spindle());
-  s.halted_since = s.set_since = false;  // the other motor was
-  s.held_setting = s.motor.setting();
-  if (s.held) s.halt();
-  s.load = {};
+  s.spindle.exchange(s.tool.spindle());
   s.compare_cutters();
   s.forget_pose();
   return true;
@@ -129,10 +121,10 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
 }
 
 void Simulation::exchange(Simulation& prepared) noexcept {
-  const bool held = state_->held;
-  hold_spindle(false);
+  const bool held = state_->spindle.is_held();
+  state_->spindle.hold(false);
   std::swap(state_, prepared.state_);
-  hold_spindle(held);
+  state_->spindle.hold(held);
   const State& old = *prepared.state_;
   State& s = *state_;
   s.config.effects = old.config.effects;
@@ -141,45 +133,12 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.set_material_friction();
   s.exchanges = old.exchanges;
   s.replacements = old.replacements + 1;
-  s.parted = old.parted || old.has_pose;
+  s.motion.part_as(old.motion);
   std::swap(s.observers, prepared.state_->observers);
   s.contact_stages.change_all();
   s.forget_pose();
   prepared.state_->tell_of_exchange();
 }
-
-void Simulation::State::halt() noexcept {
-  motor.halt();
-  halted_since = true;
-  set_since = false;
-  load = {};
-}
-
-/// Sets the demanded speed of the motor [rad/s]. A motor that is slowed by its load, or stalled, starts anew even if
-/// that speed is the present one.
-void Simulation::State::set_motor(double setting) noexcept {
-  motor.set(setting);
-  set_since = true;
-}
-
-void Simulation::halt_spindle() noexcept {
-  state_->held_setting = 0;
-  state_->halt();
-}
-
-void Simulation::hold_spindle(bool hold) noexcept {
-  State& s = *state_;
-  if (hold == s.held) return;
-  s.held = hold;
-  if (hold) {
-    s.held_setting = s.motor.setting();
-    s.halt();
-  } else {
-    s.set_motor(s.held_setting);
-  }
-}
-
-bool Simulation::spindle_is_held() const noexcept { return state_->held; }
 
 void Simulation::set_tool(Tool tool) {
   PreparedTool prepared(std::move(tool), state_->workpiece.voxel_size(), state_->config);

@@ -9,16 +9,20 @@ namespace hapticut {
 ContactProbe Simulation::probe(const Pose& X_WH, const Twist& V_WH, double dt, ProbedMotions motions) const noexcept {
   State& s = *state_;  // uses its buffers for the contact; nothing that a step depends on changes
   if (check_input(s.config, X_WH, V_WH, dt) != StepStatus::ok) return {};
-  const bool continues = s.has_pose && !(s.hand_released_since && s.is_placed_elsewhere(X_WH, V_WH, dt));
-  const Pose from = continues ? s.last_X_WH : advance(X_WH, V_WH, -dt);
-  const Sweep sweep = s.sweep_between(from, X_WH);
-  if (sweep.sub_steps > s.config.max_sweep) return {};
-  ContactProbe probed = s.probe_path(from, X_WH, sweep, V_WH, dt);
+  // A step would place the tool anew, without the springs of the old place.
+  const bool continues = s.motion.is_placed() && !(s.hand.released && s.is_placed_elsewhere(X_WH, V_WH, dt));
+  const Pose from = continues ? s.motion.X_WH() : advance(X_WH, V_WH, -dt);
+  const Springs springs = continues ? s.springs : Springs{};
+  const HandlePath path = {from, twist_between(from, X_WH, dt), V_WH, dt, s.sweep_between(from, X_WH)};
+  if (path.sweep.sub_steps > s.config.max_sweep) return {};
+  const StageTimes times = s.times;
+  ContactProbe probed = s.probe_path(path, springs);
   const int axes = motions == ProbedMotions::none ? 0 : motions == ProbedMotions::translations ? 3 : 6;
   if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0 && axes > 0) {
-    probed.stiffness = s.measure_stiffness(from, X_WH, sweep, V_WH, dt, axes, probed.wrench);
+    probed.stiffness = s.measure_stiffness(path, X_WH, springs, axes, probed.wrench);
     probed.evaluations += axes;
   }
+  s.times = times;
   return probed;
 }
 
@@ -37,51 +41,38 @@ bool Simulation::State::is_in_material(const Pose& X_WH) noexcept {
 
 /// Whether the head would touch material with the handle at a pose, deeper than a depth [m].
 bool Simulation::State::touches(const Pose& X_WH, double deeper_than) noexcept {
-  const HeadPlacement at = plan_sub_step(X_WH, config.min_dt, config.min_dt, {}, {}).head;
+  const HeadPlacement at = plan_sub_step({X_WH, {}, {}, config.min_dt, {}}, 0).head;
   const Resultant met = contact_stages.press(contact_stages.find_blocks(at), at).resultant;
   return met.voxels > 0 && met.depth >= deeper_than;
 }
 
-/// The contact on the path from one pose to another.
-ContactProbe Simulation::State::probe_path(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
-                                           double dt) noexcept {
+/// The contact on a path.
+ContactProbe Simulation::State::probe_path(const HandlePath& path, Springs acting) noexcept {
   ContactProbe probed;
-  const Twist path = twist_between(from, to, dt);
-  DeepContact deep = deep_contact;
-  LimitSurface friction = anchor;
-  for (int i = 0; i < sweep.sub_steps; ++i) {
-    const double weight = sweep.duration(i), moves = sweep.end(i);  // [1] of the step, of the motion of the path's end
-    const SubStep sub_step = plan_sub_step(from, moves * dt, weight * dt, path, V_WH);
-    const ContactProbe part = probe_sub_step(sub_step, deep, friction);
-    probed.wrench.force += weight * part.wrench.force;
-    probed.wrench.torque += weight * part.wrench.torque;
-    probed.stiffness += weight * moves * part.stiffness;
-    probed.contact = part.contact;
-    probed.blocks = part.blocks;
-    probed.sliding = part.sliding;
-  }
+  take_sub_steps(path, acting, &probed);
   return probed;
 }
 
 /// The stiffness for a law that reports none, by a small motion along each axis; its symmetric, positive semidefinite
 /// part. The moved paths have the sub-steps of the original path.
-Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to, const Sweep& sweep, const Twist& V_WH,
-                                               double dt, int axes, const Wrench& felt) noexcept {
+Stiffness Simulation::State::measure_stiffness(const HandlePath& path, const Pose& to, const Springs& acting, int axes,
+                                               const Wrench& felt) noexcept {
   constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
   const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
   Stiffness scaled = Stiffness::Zero();  // a rotation counts as the shift of the farthest point
   for (int axis = 0; axis < axes; ++axis) {
     Pose moved = to;
-    Twist faster = V_WH;
+    HandlePath shifted = path;
     const Vec3 along = Vec3::Unit(axis % 3);
     if (axis < 3) {
       moved.translation += shift * along;
-      faster.linear += shift / dt * along;
+      shifted.felt.linear += shift / path.dt * along;
     } else {
       moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * to.rotation;
-      faster.angular += shift / reach / dt * along;
+      shifted.felt.angular += shift / reach / path.dt * along;
     }
-    const Wrench there = probe_path(from, moved, sweep, faster, dt).wrench;
+    shifted.twist = twist_between(path.from, moved, path.dt);
+    const Wrench there = probe_path(shifted, acting).wrench;
     scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
   }
   if (axes == 3) scaled.bottomRows<3>().setZero();
@@ -94,24 +85,18 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& to,
   return scale.asDiagonal() * bounded * scale.asDiagonal();
 }
 
-ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
-                                               LimitSurface& friction) noexcept {
-  Stiffness stiffness_T;
-  const std::span<const FoundBlock> blocks = contact_stages.find_blocks(sub_step.head);
-  Encounter encounter = contact_stages.press(blocks, sub_step.head, &stiffness_T);
-  Wrench& wrench_T = encounter.resultant.wrench_T;
+/// Adds the contact of a sub-step to a probe: its wrench, and its stiffness with that of the springs.
+/// @param acting  the springs after the sub-step
+void Simulation::State::add_to(ContactProbe& probe, const SubStep& sub_step, const Encounter& encounter,
+                               const Springs& acting, int blocks) const noexcept {
   const Mat3& R_WT = sub_step.X_WT.rotation;
-
-  wrench_T.force += R_WT.transpose() * hold(sub_step, encounter, deep).force;
-  const Vec3 along = R_WT.transpose() * deep.normal();
-  stiffness_T.topLeftCorner<3, 3>() += deep.stiffness() * along * along.transpose();
-
-  const LimitSurface::Outcome pull = pull_of_anchor(sub_step, encounter, friction);
-  wrench_T.force += R_WT.transpose() * pull.wrench.force;
-  wrench_T.torque += R_WT.transpose() * pull.wrench.torque;
+  Stiffness stiffness_T = encounter.stiffness_T;
+  const Vec3 along = R_WT.transpose() * acting.deep.normal();
+  stiffness_T.topLeftCorner<3, 3>() += acting.deep.stiffness() * along * along.transpose();
   // While it slides, friction grows with the normal forces, as if their distribution did not change.
+  const LimitSurface::Outcome& pull = encounter.dry_friction;
   const Vec3& push_T = encounter.resultant.push_T;
-  if (const double push = push_T.norm(); friction.sliding() && push > 0) {
+  if (const double push = push_T.norm(); acting.anchor.sliding() && push > 0) {
     Eigen::Matrix<double, 6, 1> friction_T;
     friction_T << R_WT.transpose() * pull.wrench.force, R_WT.transpose() * pull.wrench.torque;
     const Eigen::Matrix<double, 1, 6> normal_growth = push_T.transpose() / (push * push) * stiffness_T.topRows<3>();
@@ -119,13 +104,14 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   }
   stiffness_T += transport(pull.stiffness, R_WT.transpose(), Vec3::Zero());
 
-  const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
-  return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W),
-          contact_of(sub_step, encounter),
-          friction.sliding(),
-          1,
-          int(blocks.size())};
+  const double weight = sub_step.weight;
+  const Wrench wrench = sub_step.at_handle(encounter.resultant.wrench_T);
+  probe.wrench.force += weight * wrench.force;
+  probe.wrench.torque += weight * wrench.torque;
+  probe.stiffness += weight * sub_step.end * transport(stiffness_T, R_WT, sub_step.p_HoTo_W());
+  probe.contact = contact_of(sub_step, encounter);
+  probe.sliding = acting.anchor.sliding();
+  probe.blocks = blocks;
 }
 
 }  // namespace hapticut

@@ -50,7 +50,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
       chooses_stiffness(given_config.reference_stiffness == 0),
       config(complete(std::move(given_config), tool.head(), workpiece.materials())),
       contact_stages(workpiece, tool.head(), config),
-      motor(tool.spindle()),
+      spindle(tool.spindle()),
       removal(removed_list_size(config, max_voxels(tool.head(), workpiece.voxel_size()))) {
   prepare_workpiece();
 }
@@ -82,13 +82,14 @@ const SimulationConfig& Simulation::config() const { return state_->config; }
 const StepResult& Simulation::last_result() const { return state_->result; }
 
 ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->contact_stages.changed(); }
-AngularSpeed Simulation::spindle_setting() const noexcept {
-  return state_->held ? AngularSpeed::in_rad_per_s(state_->held_setting) : state_->motor.setting();
-}
+SpindleDrive& Simulation::spindle() noexcept { return state_->spindle; }
+const SpindleDrive& Simulation::spindle() const noexcept { return state_->spindle; }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
-bool Simulation::next_step_is_first() const noexcept { return !state_->has_pose; }
-bool Simulation::is_fresh() const noexcept { return state_->steps == 0 && !state_->altered && !state_->parted; }
+bool Simulation::next_step_is_first() const noexcept { return !state_->motion.is_placed(); }
+bool Simulation::is_fresh() const noexcept {
+  return state_->steps == 0 && !state_->altered && !state_->motion.is_parted();
+}
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
 std::uint64_t Simulation::workpiece_replacements() const noexcept { return state_->replacements; }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
@@ -123,12 +124,6 @@ const ByMaterial<std::uint64_t>& Simulation::first_touch_by_material() const noe
 WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
 
 const StageTimes& Simulation::stage_times() const { return state_->times; }
-
-void Simulation::set_spindle_speed(AngularSpeed speed) {
-  validate(Spindle{speed});
-  state_->held_setting = speed;
-  if (!state_->held) state_->set_motor(speed);
-}
 
 void Simulation::set_effects(const Effects& effects) {
   validate(effects, state_->config.update_rate);
@@ -174,9 +169,9 @@ void Simulation::reset(Workpiece workpiece) {
   fresh->exchanges = state_->exchanges;
   fresh->replacements = state_->replacements + 1;
   fresh->contact_stages.change_all();
-  const bool held = state_->held;
+  const bool held = state_->spindle.is_held();
   state_ = std::move(fresh);
-  hold_spindle(held);
+  state_->spindle.hold(held);
   state_->tell_of_exchange();
 }
 

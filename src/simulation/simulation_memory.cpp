@@ -35,8 +35,6 @@ void visit_parts(Archive& archive, T& value) {
     archive(value.index, value.material);
   } else if constexpr (std::is_same_v<T, HandOutput>) {
     archive(value.X_WD, value.wrench, value.dt);
-  } else if constexpr (std::is_same_v<T, SpindleLoad>) {
-    archive(value.torque, value.hand_speed, value.first_torque, value.first_speed, value.settled);
   } else if constexpr (std::is_same_v<T, BlockIds>) {
     archive(value.origin, value.ids);
   } else if constexpr (std::is_same_v<T, IndexBox>) {
@@ -134,20 +132,24 @@ class Reader {
 /// tool and configuration are made by the constructor.
 template <class Archive>
 void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
-  archive(s.chooses_stiffness, s.has_pose, s.parted, s.last_X_WH, s.after_refusal, s.mean_velocity, s.jumped_to);
-  SpindleMotor& motor = s.motor;
+  ToolMotion& tool = s.motion;
+  archive(s.chooses_stiffness, tool.placed_, tool.parted_, tool.X_WH_, tool.mean_velocity_, tool.after_refusal_,
+          tool.jumped_to_);
+  SpindleDrive& spindle = s.spindle;
+  SpindleMotor& motor = spindle.motor_;
   archive(motor.setting_, motor.start_, motor.ramped_, motor.speed_, motor.loaded_, motor.stalled_);
-  archive(s.load);
-  DeepContact& deep = s.deep_contact;
+  SpindleDrive::Load& load = spindle.load_;
+  archive(load.torque, load.hand_speed, load.first_torque, load.first_speed, load.settled);
+  archive(spindle.held_, spindle.held_setting_, spindle.halted_, spindle.was_halted_, spindle.set_, spindle.was_set_);
+  DeepContact& deep = s.springs.deep;
   archive(deep.touched_, deep.held_, deep.normal_, deep.place_, deep.full_stiffness_, deep.stiffness_, deep.stored_);
   archive(s.crushing_depth);
-  LimitSurface& anchor = s.anchor;
+  LimitSurface& anchor = s.springs.anchor;
   archive(anchor.position_, anchor.rotation_, anchor.stored_, anchor.stiffness_, anchor.anchored_, anchor.sliding_);
-  Output& output = s.output;
+  Output& output = s.hand.output;
   archive(output.vibration_.phase_, output.unlimited_force_, output.full_, output.given_, output.running_);
-  archive(s.input, s.steps, s.free_blocks, s.hand_released_since, s.after_release, s.held, s.held_setting,
-          s.halted_since, s.after_halt, s.set_since, s.after_set, s.altered, s.output_path, s.hand, s.exchanges,
-          s.replacements);
+  archive(s.hand.released, s.hand.was_released, s.hand.path, s.hand.coupled);
+  archive(s.input, s.free_blocks, s.steps, s.exchanges, s.replacements, s.altered);
   archive(s.touched, s.first_touched, s.first_touch_step);
   RemovalRecord& removal = s.removal;
   archive(removal.voxels_, removal.volume_, removal.overflowed_, removal.total_by_material_, s.detached_volume);

@@ -4,16 +4,6 @@
 
 namespace hapticut {
 
-void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter) noexcept {
-  const StageTimer timer = timed(&StageTimes::add_friction);
-  const LimitSurface::Outcome pull = pull_of_anchor(sub_step, encounter, anchor);
-  const Mat3& R_WT = sub_step.X_WT.rotation;
-  encounter.resultant.wrench_T.force += R_WT.transpose() * pull.wrench.force;
-  encounter.resultant.wrench_T.torque += R_WT.transpose() * pull.wrench.torque;
-  result.energy.anchored = anchor.stored();
-  result.energy.sliding += pull.dissipated;
-}
-
 namespace {
 
 /// The contact of a head that may roll about an axis: friction has no torque about it.
@@ -25,10 +15,10 @@ Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
 
 }  // namespace
 
-/// Moves the anchor with the head. A stalled head rolls: only the motor holds it.
-/// @return about To, in W
-LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                                        LimitSurface& friction) noexcept {
+/// Moves the anchor of dry friction with the head. A stalled head rolls: only the motor holds it.
+void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter, LimitSurface& anchor) noexcept {
+  const StageTimer timer = timed(&StageTimes::add_friction);
+  const SpindleMotor& motor = spindle.motor_;
   const double fraction = dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // empty
   if (fraction > 0 && encounter.resultant.voxels > 0)
@@ -39,7 +29,10 @@ LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step,
   if (motor.stalled()) contact.directions = free_about(contact.directions, R_WT.col(2));
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Twist displacement = {R_WT * sub_step.path_T.linear * sub_step.duration, R_WT * turning * sub_step.duration};
-  return friction.move(contact, displacement, fraction, double(sub_step.head.motion.lead));
+  encounter.dry_friction = anchor.move(contact, displacement, fraction, double(sub_step.head.motion.lead));
+  const Wrench& pull = encounter.dry_friction.wrench;
+  encounter.resultant.wrench_T.force += R_WT.transpose() * pull.force;
+  encounter.resultant.wrench_T.torque += R_WT.transpose() * pull.torque;
 }
 
 }  // namespace hapticut

@@ -44,7 +44,7 @@ void reverse_at_bottom(Report& report) {
   ScriptedLoop loop(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Held::directly);
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
   const Span before = loop.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
-  loop.simulation.set_spindle_speed(-3000 * units::rad_per_s);
+  loop.simulation.spindle().set_speed(-3000 * units::rad_per_s);
   loop.play(loop.from_here().move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
   const Span after = loop.play(loop.from_here().move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
   report.near("thrust after", loop.log.mean(after, thrust_of), loop.log.mean(before, thrust_of), 0.1, "N", "as before");

@@ -52,7 +52,7 @@ struct Drilled {
   }
   /// Stops the spindle and puts a coupling between hand and drill.
   void stop_and_couple() {
-    loop.simulation.set_spindle_speed(AngularSpeed{});
+    loop.simulation.spindle().set_speed(AngularSpeed{});
     loop.couple(touch_gains());
   }
 
@@ -82,7 +82,7 @@ void drill_lift_push(Report& report) {
     report.scene(borer.name + ", cortical bone, directly");
     const Material bone = bone_of(true);
     Drilled drilled(report, borer, bone);
-    drilled.loop.simulation.set_spindle_speed(AngularSpeed{});
+    drilled.loop.simulation.spindle().set_speed(AngularSpeed{});
     drilled.loop.play(drilled.loop.from_here().move({0, 0, kLift}, 0.06).hold(0.02));
     // A closed path: sideways, out, back over the hole, and down again to the start.
     const double before = drilled.loop.simulation.last_result().energy.hand_work;

@@ -116,7 +116,7 @@ void SceneLog::on_step(const ObservedStep& step) noexcept {
   const double slowed = std::max(0.0, rotor_speed_ * rotor_speed_ - w * w);
   const double max_speed = std::max(rotor_speed_, w);
   const double min_speed = std::max(0.0, max_speed - 2 * std::abs(w - rotor_speed_));
-  const double free = (1 + kSpeedKnown) * std::abs(step.simulation.spindle_setting());
+  const double free = (1 + kSpeedKnown) * std::abs(step.simulation.spindle().setting());
   const double strongest = std::clamp(0.5 * free, min_speed, max_speed);
   rotor_speed_ = w;
   const double power = (worked - motor.rotor_inertia * slowed / 2) / step.input.dt;

@@ -18,6 +18,11 @@ def rows():
     return re.findall(r"^\| `(\w+)` \|.*\| (\S+) \|$", table, re.M)
 
 
+def body_of(function, code):
+    body = code[code.index(f"::{function}("):]
+    return body[:body.index("\n}\n")]
+
+
 def main():
     mistakes = []
     documented = rows()
@@ -29,8 +34,7 @@ def main():
     if missing := [field for field in fields if field not in drawn]:
         mistakes.append(f"docs/images/step.svg does not show {missing}")
     step = (ROOT / "src/simulation/step.cpp").read_text(encoding="utf-8")
-    body = step[step.index("::take_step("):]
-    body = body[:body.index("\n}\n")]
+    body = body_of("take_step", step).replace("take_sub_steps(", body_of("take_sub_steps", step))
     place = 0
     for stage, file in documented:
         defines = re.search(rf"^[\w:<>&\[\] ]*(?<=[ :]){stage}\(", (ROOT / file).read_text(encoding="utf-8"), re.M)

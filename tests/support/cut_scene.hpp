@@ -98,7 +98,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
       X_VT = {M * X_VT.rotation * S, M * X_VT.translation};
       omega_V.tail<2>() *= -1;
     }
-    if (scene.later_spin && i == steps / 2) simulation.set_spindle_speed(hand * *scene.later_spin * units::rad_per_s);
+    if (scene.later_spin && i == steps / 2) simulation.spindle().set_speed(hand * *scene.later_spin * units::rad_per_s);
     const Pose X_WT = scene.frame.X_WV * X_VT, X_WH = X_WT * X_TH;
     const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
     const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * omega_V};

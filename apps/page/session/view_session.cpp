@@ -277,7 +277,7 @@ void ViewSession::record(bool on) {
 void ViewSession::begin_recording() {
   simulation_.reset(simulation_.workpiece().clone());
   simulation_.set_removal(controls_.removal());
-  simulation_.set_spindle_speed(controls_.spindle_speed());
+  simulation_.spindle().set_speed(controls_.spindle_speed());
   removed_at_mark_ = -1;
   dissipated_ = 0;
   build_loop();

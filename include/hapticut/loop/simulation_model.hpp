@@ -93,7 +93,7 @@ class SimulationModel final : public LoopModel {
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
   /// [rad/s] The set speed of the spindle, in use while there is a force.
-  [[nodiscard]] double spindle_speed() const noexcept { return simulation_->spindle_setting(); }
+  [[nodiscard]] double spindle_speed() const noexcept { return simulation_->spindle().setting(); }
   bool apply(LoopCommand& command) noexcept override;
   [[nodiscard]] Simulation* simulation() noexcept override { return simulation_; }
 

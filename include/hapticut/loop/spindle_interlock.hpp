@@ -16,7 +16,7 @@ namespace hapticut {
 ///       return DeviceCommand{coupling.step(state.X_BS, state.velocity, device->period()).hand};
 ///     });
 ///
-/// After the loop the spindle may still be held. Call `simulation.hold_spindle(false)` for steps without a guard.
+/// After the loop the spindle may still be held. Call `simulation.spindle().hold(false)` for steps without a guard.
 class SpindleInterlock {
  public:
   /// Whether the spindle may run in the coming tick.
@@ -38,7 +38,7 @@ class SpindleInterlock {
     const StepResult& last = simulation.last_result();
     const bool touches =
         simulation.steps() == 0 || last.contact.voxels > 0 || has_any(last.status, kRejected | StepStatus::tool_waits);
-    simulation.hold_spindle(!admits(arming, touches));  // without a ramp, or it would cut while it slows down
+    simulation.spindle().hold(!admits(arming, touches));  // without a ramp, or it would cut while it slows down
   }
 
  private:

@@ -45,9 +45,9 @@ struct ObservedStep {
   const StepInput& input;        ///< pose, velocity and dt of the step
   std::size_t free_blocks;       ///< reserved blocks that were left when the step began
   bool hand_released;            ///< the hand had released the tool before it: see Simulation::release_hand
-  bool halted;                   ///< the spindle had been halted before it: see Simulation::halt_spindle
+  bool halted;                   ///< the spindle had been halted before it: see SpindleDrive::halt
   bool spindle_set;              ///< its speed had been set before it, after the last halt, perhaps to the same value
-  bool spindle_held;             ///< it is held at standstill: see Simulation::hold_spindle
+  bool spindle_held;             ///< it is held at standstill: see SpindleDrive::hold
   double spindle_setting;        ///< [rad/s] speed setting of the spindle; 0 while it is held
   OutputPath path;               ///< of the force
   const HandOutput& hand;        ///< of the coupling, when `path` is coupled

@@ -11,6 +11,7 @@
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/exchange.hpp"
 #include "hapticut/simulation/observer.hpp"
+#include "hapticut/simulation/spindle_drive.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/worst_case.hpp"
@@ -64,8 +65,8 @@ class Simulation {
 
   // --- questions, which change nothing ------------------------------------------------------------------------------
   /// The force that a step to `X_WH` would give, and the stiffness of the contact there; changes nothing. When the step
-  /// would be split into sub-steps, each is probed on the material as it is now. For implicit integrators such as
-  /// `VirtualCoupling` (simulation/coupling.hpp).
+  /// would be split into sub-steps, each is probed on the material as it is now, and the motor keeps its speed. For
+  /// implicit integrators such as `VirtualCoupling` (simulation/coupling.hpp).
   ///
   /// The default law knows its stiffness. The stiffness of a custom law is measured by small motions, so a probe
   /// evaluates the contact 7 times, 4 times for translations, or once for none. An input that `step` would reject gives
@@ -122,10 +123,6 @@ class Simulation {
   /// workpiece, until the next step.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
 
-  /// [rad/s] The last speed setting of the spindle. Its actual speed is StepResult::spindle, which differs while the
-  /// spindle ramps, is loaded or is held.
-  [[nodiscard]] AngularSpeed spindle_setting() const noexcept;
-
   /// The last input of `step`, also when a loop or a coupling called it; dt = 0 before the first step.
   [[nodiscard]] const StepInput& last_input() const noexcept;
 
@@ -178,18 +175,9 @@ class Simulation {
   [[nodiscard]] std::span<StepObserver* const> observers() const noexcept;
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
-  /// Sets the spindle's speed for the following steps. With Spindle::acceleration_limit it is reached on a ramp.
-  /// @throws Error when it is faster than kMaxSpindleSpeed or not finite
-  void set_spindle_speed(AngularSpeed speed);
-
-  /// Stops the spindle at once, without its ramp.  @realtime no allocation, no lock; O(1)
-  void halt_spindle() noexcept;
-
-  /// Holds the spindle at standstill whatever its setting, or lets it turn at its setting again. While it is held,
-  /// nothing is crushed either. The guard of a loop holds it while the hand feels nothing (SpindleInterlock).
-  /// @realtime no allocation, no lock; O(1)
-  void hold_spindle(bool hold) noexcept;
-  [[nodiscard]] bool spindle_is_held() const noexcept;
+  /// The spindle of the tool: its speed setting, a halt and a hold. Valid until `reset` or `exchange` of a simulation.
+  [[nodiscard]] SpindleDrive& spindle() noexcept;
+  [[nodiscard]] const SpindleDrive& spindle() const noexcept;
 
   /// Sets the effects and limits of the output for the following steps.
   /// @throws Error naming the field, its value and the allowed range; then nothing has changed

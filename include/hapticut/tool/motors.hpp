@@ -56,8 +56,7 @@ constexpr auto names_of(Of<MotorKind>) {
                 " rpm. Write 40000 * units::rpm for 40000 rpm, or choose another motor.");
   if (motor == MotorKind::ideal) return spindle;
   if (speed == 0)
-    throw Error(
-        "a motor has a speed of 0; must not be 0. Give its free-running speed, and stop it with set_spindle_speed(0).");
+    throw Error("a motor has a speed of 0; must not be 0. Give its free-running speed; a simulation can halt it.");
   // Data of the motor itself; the gear trades torque for speed.
   const auto geared = [&](double motor_speed, double torque, double inertia) {
     const double gear = motor_speed * units::rpm / std::abs(speed);

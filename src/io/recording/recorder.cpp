@@ -238,7 +238,7 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | Simulation::State                                    | in a replay                                               |
 // |------------------------------------------------------|-----------------------------------------------------------|
 // | input, also of refused steps                         | pose, velocity, dt                                        |
-// | coupling given to the step                           | output_path, hand, coupling, coupling_dt                  |
+// | coupling given to the step                           | hand.path, hand.coupled: coupling, coupling_dt            |
 // | workpiece: material                                  | initial; ends                                             |
 // | workpiece: pool                                      | reserved_blocks, free_blocks; `clone` makes leaves as a   |
 // |                                                      | file does                                                 |
@@ -249,14 +249,13 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | config: friction, removal; the rest                  | initial; ends; constant                                   |
 // | contact_stages (also the turn of a voxel_budget),    | from workpiece, tool and config; then by the steps        |
 // | X_VW, voxel_volume, head_stiffness                   |                                                           |
-// | has_pose, last_X_WH, after_refusal, mean_velocity,   | begins                                                    |
-// | jumped_to, load, deep_contact,                       |                                                           |
-// | crushing_depth, anchor, removal list, result.energy  |                                                           |
-// | parted, altered                                      | begins with false; ends                                   |
-// | motor                                                | halted, spindle_set, spindle_setting; then by the steps   |
-// | held                                                 | spindle_held                                              |
-// | held_setting                                         | acts when the hold ends, which is a spindle_set           |
-// | output                                               | hand_released; then by the steps                          |
+// | motion, spindle: load, springs, crushing_depth,      | begins                                                    |
+// | removal list, result.energy                          |                                                           |
+// | motion: parted; altered                              | begins with false; ends                                   |
+// | spindle: motor                                       | halted, spindle_set, spindle_setting; then by the steps   |
+// | spindle: held                                        | spindle_held                                              |
+// | spindle: held_setting                                | acts when the hold ends, which is a spindle_set           |
+// | hand.output                                          | hand_released; then by the steps                          |
 // | steps                                                | number                                                    |
 // | chooses_stiffness, observers, times, counters        | a step does not depend on them                            |
 //

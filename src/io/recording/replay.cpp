@@ -16,12 +16,12 @@ constexpr std::uint64_t kStepsPerRead = 1024;  // steps
 /// Brings the motor into the state in which the recorded one began the step. Of all calls since the last step, only the
 /// last halt and the last setting after it matter; a hold begins with a halt, and ends with a setting.
 void prepare_spindle(Simulation& simulation, const RecordedStep& step) {
-  if (!step.spindle_held) simulation.hold_spindle(false);
-  if (step.halted) simulation.halt_spindle();
-  simulation.hold_spindle(step.spindle_held);
+  if (!step.spindle_held) simulation.spindle().hold(false);
+  if (step.halted) simulation.spindle().halt();
+  simulation.spindle().hold(step.spindle_held);
   // Older recordings do not say whether the speed was set.
-  if (step.spindle_set || (!step.spindle_held && simulation.spindle_setting() != step.spindle_setting))
-    simulation.set_spindle_speed(step.spindle_setting * units::rad_per_s);
+  if (step.spindle_set || (!step.spindle_held && simulation.spindle().setting() != step.spindle_setting))
+    simulation.spindle().set_speed(step.spindle_setting * units::rad_per_s);
 }
 
 /// Fills the pool as it was. `reserve_blocks` never makes it smaller.

@@ -31,19 +31,19 @@ TEST(ViewSession, BeginsASentenceWithACapitalButKeepsNames) {
 TEST(ViewSession, SendsChangedControlsToTheModel) {
   Desk desk;
   desk.lead(Vec3(0, 0, 2 * mm), true);
-  EXPECT_NEAR(desk.model().spindle_setting(), 1000, 1e-9);
+  EXPECT_NEAR(desk.model().spindle().setting(), 1000, 1e-9);
   desk.turn("Cutting", 0);
   EXPECT_EQ(desk.model().config().removal, RemovalLaw::none);
   desk.turn("Cutting", 1);
   EXPECT_NE(desk.model().config().removal, RemovalLaw::none);
   desk.turn("Spindle", 0);
-  EXPECT_EQ(desk.model().spindle_setting(), 0);
+  EXPECT_EQ(desk.model().spindle().setting(), 0);
   desk.turn("Spindle", 1);
-  EXPECT_NE(desk.model().spindle_setting(), 0);
+  EXPECT_NE(desk.model().spindle().setting(), 0);
   desk.turn("Gravity", 1);
   EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
   desk.session.apply(commands::SetSpindleSpeed{500 * units::rad_per_s});
-  EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
+  EXPECT_NEAR(desk.model().spindle().setting(), 500, 1e-6);
 }
 
 TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {

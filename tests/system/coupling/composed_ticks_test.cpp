@@ -93,21 +93,21 @@ class Episode {
         {"spindle_stops",
          [](Episode& e) {
            if (below(2, e.random_) == 0)
-             e.simulation_.halt_spindle();
+             e.simulation_.spindle().halt();
            else
-             e.simulation_.set_spindle_speed({});
+             e.simulation_.spindle().set_speed({});
          }},
         {"spindle_turns",
          [](Episode& e) {
-           e.simulation_.hold_spindle(false);
-           e.simulation_.set_spindle_speed(e.random_.between(0.2, 1) * e.own_speed() * units::rad_per_s);
+           e.simulation_.spindle().hold(false);
+           e.simulation_.spindle().set_speed(e.random_.between(0.2, 1) * e.own_speed() * units::rad_per_s);
          }},
         {"spindle_reverses",
          [](Episode& e) {
-           const double setting = e.simulation_.spindle_setting();
-           e.simulation_.set_spindle_speed((setting != 0 ? -setting : -e.own_speed()) * units::rad_per_s);
+           const double setting = e.simulation_.spindle().setting();
+           e.simulation_.spindle().set_speed((setting != 0 ? -setting : -e.own_speed()) * units::rad_per_s);
          }},
-        {"spindle_is_held", [](Episode& e) { e.simulation_.hold_spindle(!e.simulation_.spindle_is_held()); }},
+        {"spindle_is_held", [](Episode& e) { e.simulation_.spindle().hold(!e.simulation_.spindle().is_held()); }},
         {"hand_releases",
          [](Episode& e) {
            e.coupling_.reset();

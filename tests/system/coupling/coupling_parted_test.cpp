@@ -135,7 +135,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
 TEST(PartedTool, BeginsOnASurface) {
   for (const double lower : {-0.1, -0.05, 0.0, 0.05, 0.1}) {  // [voxels]
     Simulation simulation = cutting_simulation(ContactTime::end);
-    simulation.halt_spindle();
+    simulation.spindle().halt();
     VirtualCoupling coupling(simulation, touch_gains());
     const double start = kRadius - lower * simulation.workpiece().voxel_size();
     for (int n = 0; n <= 1000; ++n) {

@@ -59,7 +59,7 @@ TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
   EXPECT_GT(pressed.rest_force, 0.95 * kPress);
 
   // With the spindle running, the resting hand sinks; then the wall is cut and the force is zero.
-  simulation.set_spindle_speed(kSpin * units::rad_per_s);
+  simulation.spindle().set_speed(kSpin * units::rad_per_s);
   const Pose hand = at_height(kRadius - kPress / coupling.gains().stiffness);
   double before_break = 0;
   int ticks = 0;

@@ -85,9 +85,9 @@ TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
     expect_refused([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}); },
                    {"Spindle::speed", "no spindle is faster than a million"});
     Simulation simulation(block(), Tool(SphereHead{1 * mm}));
-    expect_refused([&] { simulation.set_spindle_speed(speed * units::rad_per_s); },
+    expect_refused([&] { simulation.spindle().set_speed(speed * units::rad_per_s); },
                    {"Spindle::speed", "no spindle is faster"});
-    EXPECT_EQ(simulation.spindle_setting(), 0);
+    EXPECT_EQ(simulation.spindle().setting(), 0);
   }
 }
 
@@ -141,7 +141,7 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
       Effects bad = config.effects;
       bad.vibration->frequency = 500;
       EXPECT_THROW(disturbed.set_effects(bad), Error);
-      EXPECT_THROW(disturbed.set_spindle_speed(std::nan("") * units::rad_per_s), Error);
+      EXPECT_THROW(disturbed.spindle().set_speed(std::nan("") * units::rad_per_s), Error);
       EXPECT_THROW(disturbed.reset(nothing()), Error);
       EXPECT_THROW(disturbed.restore(WorkpieceSnapshot{}), Error);
       EXPECT_EQ(disturbed.steps(), calm.steps());

@@ -87,7 +87,7 @@ TEST_F(BadInput, AHeadThatTurnsIsNotPutIntoMaterial) {
   const std::string told = sentences_of(simulation_.last_result().status);
   EXPECT_NE(told.find("bring it out of the material"), std::string::npos) << told;
   EXPECT_EQ(simulation_.step(out, {}, 1e-3).status, StepStatus::ok);
-  simulation_.halt_spindle();
+  simulation_.spindle().halt();
   expect_rejected(StepStatus::jump_rejected, inside);
   EXPECT_GT(simulation_.step(inside, {}, 1e-3).contact.voxels, 0) << "a standing head cuts nothing there";
 }

@@ -63,7 +63,7 @@ TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
   ASSERT_FALSE(simulation.changed_blocks().origins.empty());
   simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, -1);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
-  simulation.set_spindle_speed(0);
+  simulation.spindle().set_speed(0);
   simulation.step(scene.input(60).X_WH, scene.input(60).V_WH, 1e-3);
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
 }
@@ -203,8 +203,8 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   for (std::size_t n = 1; n < many.size(); ++n) simulation.add_observer(many[n]);
   EXPECT_THROW(simulation.add_observer(many[0]), Error);
   EXPECT_EQ(simulation.observers().size(), Simulation::kMaxObservers);
-  simulation.set_spindle_speed(-7 * units::rad_per_s);
-  EXPECT_EQ(simulation.spindle_setting(), -7);
+  simulation.spindle().set_speed(-7 * units::rad_per_s);
+  EXPECT_EQ(simulation.spindle().setting(), -7);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(DeepContact, DoesNotHoldBackACuttingBall) {
   Simulation cutting = ball_over(config);
   z = kRadius + 0.01 * mm;
   (void)push_to(cutting, z, 0.7 * mm);
-  cutting.set_spindle_speed(20000 * units::rad_per_s);
+  cutting.spindle().set_speed(20000 * units::rad_per_s);
   for (int i = 0; i < 3000; ++i) (void)cutting.step(Pose::from_translation(Vec3(0, 0, z)), {}, 1e-3);
   EXPECT_GT(cutting.last_result().energy.cutting, 0);
   EXPECT_LT(cutting.last_result().force.z(), 0.1 * standing)

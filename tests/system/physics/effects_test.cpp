@@ -72,7 +72,7 @@ TEST(EffectsInTheStep, VibrateAlongTheSpindleOnlyWhileItSpinsInMaterial) {
     }
   }
   // Spinning in the air, or standing in material, there is no vibration.
-  simulation.set_spindle_speed(0);
+  simulation.spindle().set_speed(0);
   for (int tick = 200; tick < 210; ++tick) {
     const StepResult& result = step(simulation, tick);
     ASSERT_GT(result.contact.voxels, 0);

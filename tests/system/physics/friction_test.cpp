@@ -157,8 +157,8 @@ TEST(Friction, D10HandsOverToTheCuttingRatioAndBackWithoutAStep) {
       pose.translation.z() -= kDepth / 100;
     else
       pose.translation.x() += speed * kTick;
-    if (i == 1000) simulation.set_spindle_speed(2 * full * units::rad_per_s);
-    if (i == 2000) simulation.set_spindle_speed(0);
+    if (i == 1000) simulation.spindle().set_speed(2 * full * units::rad_per_s);
+    if (i == 2000) simulation.spindle().set_speed(0);
     const StepResult& result = simulation.step(pose, {}, kTick);
     const Vec3 tangential(result.force.x(), result.force.y(), 0);
     normal = result.force.z();

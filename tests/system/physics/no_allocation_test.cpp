@@ -178,7 +178,7 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
   int standing = 0, between = 0, spinning = 0;
   expect_no_calls([&] {
     for (int tick = 0; tick < kSteps; ++tick) {
-      if (tick % 500 == 0) simulation.set_spindle_speed((tick % 1000 == 0 ? 0 : 20) * units::rad_per_s);
+      if (tick % 500 == 0) simulation.spindle().set_speed((tick % 1000 == 0 ? 0 : 20) * units::rad_per_s);
       const double t = 1e-3 * tick;
       const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
       const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);

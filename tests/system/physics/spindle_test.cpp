@@ -188,7 +188,7 @@ TEST(Spindle, StalledAndRubbedAlongItsSideHasTheTorqueOfTheMotorAlone) {
 TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
   Simulation simulation(plain_block(1.3 * mm, 3 * mm), Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0},
                                                             Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
-  simulation.set_spindle_speed(kSpin * units::rad_per_s);
+  simulation.spindle().set_speed(kSpin * units::rad_per_s);
   double before = 0;
   for (int tick = 0; tick <= 20; ++tick) {
     const StepResult& result = step_to(simulation, Vec3(0, 0, 1 * mm));
@@ -197,7 +197,7 @@ TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
     EXPECT_GE(result.spindle.speed, before);
     before = result.spindle.speed;
   }
-  EXPECT_THROW(simulation.set_spindle_speed(std::nan("") * units::rad_per_s), Error);
+  EXPECT_THROW(simulation.spindle().set_speed(std::nan("") * units::rad_per_s), Error);
   EXPECT_EQ(step_to(simulation, Vec3(0, 0, 1 * mm)).spindle.speed, kSpin);
 }
 

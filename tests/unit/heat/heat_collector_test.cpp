@@ -75,7 +75,7 @@ TEST(HeatCollector, LosesNothingWhereItsQueuesAreFull) {
   drilling.down();
   double time = 0;
   for (int tick = 0; tick < 400; ++tick) {  // the cut has ended; the field receives the remaining heat
-    drilling.simulation.halt_spindle();
+    drilling.simulation.spindle().halt();
     drilling.stay_in_the_air();
     time += drilling.field.drain(drilling.collector);
   }
@@ -150,7 +150,7 @@ TEST(HeatCollector, HandsItsHeatToAnotherThread) {
     drilling.update();
   });
   for (int tick = 1; tick <= kDown; ++tick) drilling.down_one_tick(tick);
-  drilling.simulation.halt_spindle();
+  drilling.simulation.spindle().halt();
   for (int tick = 0; tick < 100; ++tick) drilling.stay_in_the_air();
   done = true;
   beside.join();

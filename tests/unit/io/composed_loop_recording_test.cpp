@@ -93,7 +93,7 @@ class RecordedLoop {
           command.contact = model.contact();
           command.stop = ++tick >= ticks;
           felt_ = snapshot.tool.force.norm();
-          if (simulation_.spindle_is_held() && snapshot.tool.contact_voxels > 0) ++held_in_contact_;
+          if (simulation_.spindle().is_held() && snapshot.tool.contact_voxels > 0) ++held_in_contact_;
           return command;
         },
         options);
@@ -138,7 +138,7 @@ class RecordedLoop {
       case 4:
         return SetSpindleSpeed{};
       case 5:
-        return SetSpindleSpeed{simulation_.spindle_setting()};
+        return SetSpindleSpeed{simulation_.spindle().setting()};
       case 6:
         return SetScale{random_.between(0.8, 1.2)};
       case 7:

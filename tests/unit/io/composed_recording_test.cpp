@@ -142,7 +142,7 @@ class RecordedRun {
 
   /// A speed of the spindle, often one that it has already.
   AngularSpeed some_speed() {
-    const double setting = simulation_.spindle_setting(), own = simulation_.tool().spindle().speed;
+    const double setting = simulation_.spindle().setting(), own = simulation_.tool().spindle().speed;
     switch (below(6, random_)) {
       case 0:
         return 0 * units::rad_per_s;
@@ -175,12 +175,12 @@ class RecordedRun {
   /// Events that a recording goes on after.
   static const std::vector<Event>& quiet() {
     static const std::vector<Event> all = {
-        {"speed", [](RecordedRun& r) { r.simulation_.set_spindle_speed(r.some_speed()); }},
-        {"speed", [](RecordedRun& r) { r.simulation_.set_spindle_speed(r.some_speed()); }},
-        {"halt", [](RecordedRun& r) { r.simulation_.halt_spindle(); }},
-        {"hold", [](RecordedRun& r) { r.simulation_.hold_spindle(true); }},
-        {"let_go", [](RecordedRun& r) { r.simulation_.hold_spindle(false); }},
-        {"let_go", [](RecordedRun& r) { r.simulation_.hold_spindle(false); }},
+        {"speed", [](RecordedRun& r) { r.simulation_.spindle().set_speed(r.some_speed()); }},
+        {"speed", [](RecordedRun& r) { r.simulation_.spindle().set_speed(r.some_speed()); }},
+        {"halt", [](RecordedRun& r) { r.simulation_.spindle().halt(); }},
+        {"hold", [](RecordedRun& r) { r.simulation_.spindle().hold(true); }},
+        {"let_go", [](RecordedRun& r) { r.simulation_.spindle().hold(false); }},
+        {"let_go", [](RecordedRun& r) { r.simulation_.spindle().hold(false); }},
         {"effects", [](RecordedRun& r) { r.simulation_.set_effects(r.some_effects()); }},
         {"reserve", [](RecordedRun& r) { r.simulation_.reserve_blocks(r.some_reserve()); }},
         {"mark", [](RecordedRun& r) { r.simulation_.set_undo_mark(); }},

@@ -121,12 +121,12 @@ TEST(Recording, ReplaysSettingsBetweenStepsAndRejectedSteps) {
   config.friction = DryFriction{0.4, 0.2, 500};
   config.effects.vibration.emplace();
   Simulation simulation = small_cut(config);
-  simulation.set_spindle_speed(2500 * units::rad_per_s);
+  simulation.spindle().set_speed(2500 * units::rad_per_s);
   Recorder recorder(folder / "a.h5", simulation, patient());
   StepStatus seen = StepStatus::ok;
   for (int tick = 0; tick < 600; ++tick) {
-    if (tick == 100) simulation.set_spindle_speed(0);
-    if (tick == 150) simulation.set_spindle_speed(-4000 * units::rad_per_s);
+    if (tick == 100) simulation.spindle().set_speed(0);
+    if (tick == 150) simulation.spindle().set_speed(-4000 * units::rad_per_s);
     if (tick == 200) {
       Effects effects;
       effects.gravity = Gravity{0.1, Vec3(0, 0, 0.01), Vec3(0, 0, -9.81)};

@@ -60,12 +60,12 @@ TEST(Replay, OfAHeldSpindleCrushesNothing) {
   const TemporaryFolder folder;
   for (const bool from_the_beginning : {true, false}) {
     Simulation held = soft_cut(), halted = soft_cut();
-    if (from_the_beginning) held.hold_spindle(true);
+    if (from_the_beginning) held.spindle().hold(true);
     const StepStatus seen = record_and_repeat(
-        held, 200, [&](int tick) { held.hold_spindle(from_the_beginning || tick >= 20); }, folder / "a.h5");
+        held, 200, [&](int tick) { held.spindle().hold(from_the_beginning || tick >= 20); }, folder / "a.h5");
     EXPECT_FALSE(has_any(seen, StepStatus::material_crushed)) << "a held head crushes nothing, a turning one cuts";
     const StepStatus other = record_and_repeat(
-        halted, 200, [&](int) { halted.halt_spindle(); }, folder / "b.h5");
+        halted, 200, [&](int) { halted.spindle().halt(); }, folder / "b.h5");
     EXPECT_TRUE(has_any(other, StepStatus::material_crushed)) << "a halted head crushes this material";
   }
 }
@@ -76,11 +76,11 @@ TEST(Replay, FollowsHaltsAndSettingsOfAHeldSpindle) {
   (void)record_and_repeat(
       simulation, 300,
       [&](int tick) {
-        if (tick % 50 == 10) simulation.hold_spindle(true);
-        if (tick % 50 == 15) simulation.set_spindle_speed((1000 + 10 * tick) * units::rad_per_s);
-        if (tick == 120 || tick == 123) simulation.halt_spindle();
-        if (tick % 50 == 30) simulation.hold_spindle(false);
-        if (tick == 232) simulation.hold_spindle(true), simulation.hold_spindle(false);
+        if (tick % 50 == 10) simulation.spindle().hold(true);
+        if (tick % 50 == 15) simulation.spindle().set_speed((1000 + 10 * tick) * units::rad_per_s);
+        if (tick == 120 || tick == 123) simulation.spindle().halt();
+        if (tick % 50 == 30) simulation.spindle().hold(false);
+        if (tick == 232) simulation.spindle().hold(true), simulation.spindle().hold(false);
       },
       folder / "a.h5");
 }
@@ -94,7 +94,7 @@ TEST(Replay, FollowsASettingThatTheSpindleHasAlready) {
   const StepStatus seen = record_and_repeat(
       simulation, 400,
       [&](int tick) {
-        if (tick % 7 == 0) simulation.set_spindle_speed(simulation.spindle_setting());
+        if (tick % 7 == 0) simulation.spindle().set_speed(simulation.spindle().setting());
       },
       folder / "a.h5");
   EXPECT_TRUE(has_any(seen, StepStatus::spindle_stalled));
@@ -106,7 +106,7 @@ TEST(Replay, KnowsOnlyTheMotorThatIsRecorded) {
   Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 1e4;
   Simulation simulation = soft_cut(slow);
-  simulation.halt_spindle();
+  simulation.spindle().halt();
   simulation.set_tool(simulation.tool());
   (void)record_and_repeat(
       simulation, 100, [](int) {}, folder / "a.h5");
@@ -207,8 +207,8 @@ TEST(Replay, OfAnOlderRecordingDoesWithoutTheNewerColumns) {
   (void)record_and_repeat(
       simulation, 200,
       [&](int tick) {
-        if (tick % 40 == 0) simulation.set_spindle_speed((1000 + 10 * tick) * units::rad_per_s);
-        if (tick == 90) simulation.halt_spindle();
+        if (tick % 40 == 0) simulation.spindle().set_speed((1000 + 10 * tick) * units::rad_per_s);
+        if (tick == 90) simulation.spindle().halt();
       },
       folder / "a.h5");
   {

@@ -60,7 +60,7 @@ TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
   EXPECT_EQ(simulation.last_result().energy.cutting, spent);
   EXPECT_EQ(simulation.steps(), steps);
   EXPECT_EQ(simulation.undo_marks(), 1U);
-  EXPECT_EQ(simulation.spindle_setting(), 1000);
+  EXPECT_EQ(simulation.spindle().setting(), 1000);
   EXPECT_EQ(simulation.workpiece_exchanges(), 1U) << "a recording ends here";
   EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 2e-3);
   EXPECT_TRUE(simulation.last_result().removed_voxels.empty());
@@ -246,7 +246,7 @@ TEST(HaltSpindle, StopsAtOnceWithAnyRamp) {
   Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 100;
   Simulation simulation(block(), Tool(SphereHead{1e-3}, RayHandle{0}, slow), config());
-  simulation.halt_spindle();
+  simulation.spindle().halt();
   drill(simulation, 1e-3);
   EXPECT_EQ(simulation.last_result().spindle.speed, 0);
   EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);

@@ -45,7 +45,7 @@ TEST(SimulationMemory, ContinuesWithTheSameBitsOnTheBytesOfAFile) {
     SCOPED_TRACE(scene.name);
     Simulation simulation = scene.make();
     make_steps(simulation, scene, 0, kBefore);
-    simulation.hold_spindle(true);  // a standing head sums whole voxels strip by strip
+    simulation.spindle().hold(true);  // a standing head sums whole voxels strip by strip
     Simulation copy = SimulationMemory::restored(workpiece_of_vdb(vdb_bytes(simulation.workpiece())), simulation.tool(),
                                                  simulation.config(), SimulationMemory::bytes_of(simulation));
     for (int tick = kBefore; tick < kBefore + 5 * kAfter; ++tick) {

@@ -279,7 +279,7 @@ TEST(SimulationModel, AppliesClutchAndScale) {
   const RunReport report = loop.stop();
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 2U);
   EXPECT_EQ(report.fault, DeviceFault::none);
-  EXPECT_EQ(simulation.spindle_setting(), 0);
+  EXPECT_EQ(simulation.spindle().setting(), 0);
 }
 
 // A mark, simulated seconds of cutting, and an undo while the loop runs: a slow reader of changed blocks ends up with

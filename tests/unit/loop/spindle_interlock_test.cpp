@@ -55,24 +55,24 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
 // Regression: the interlock once set the speed setting to 0, so the next loop cut nothing.
 TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   Simulation simulation(block(), ball(), config(true));
-  const AngularSpeed speed = simulation.spindle_setting();
+  const AngularSpeed speed = simulation.spindle().setting();
   ASSERT_GT(speed, 0);
   SpindleInterlock interlock;
   const auto speed_of_step = [&] {
     return simulation.step(Pose::from_translation(Vec3(0, 0, 5e-3)), {}, 1e-3).spindle.speed;
   };
   interlock.update(simulation, ArmingState::wait_free);
-  EXPECT_TRUE(simulation.spindle_is_held());
+  EXPECT_TRUE(simulation.spindle().is_held());
   EXPECT_EQ(speed_of_step(), 0);
-  EXPECT_EQ(simulation.spindle_setting(), speed);
-  simulation.set_spindle_speed(0.5 * speed);
+  EXPECT_EQ(simulation.spindle().setting(), speed);
+  simulation.spindle().set_speed(0.5 * speed);
   EXPECT_EQ(speed_of_step(), 0);
   interlock.update(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), 0.5 * speed) << "the speed that was set meanwhile";
-  simulation.set_spindle_speed(speed);
+  simulation.spindle().set_speed(speed);
   interlock.update(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), speed) << "the speed stays";
-  simulation.hold_spindle(true);
+  simulation.spindle().hold(true);
   simulation.set_tool(ball());
   EXPECT_EQ(speed_of_step(), 0);
   simulation.reset(block());
@@ -80,8 +80,8 @@ TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   Simulation prepared(block(), ball(), config(true));
   simulation.exchange(prepared);
   EXPECT_EQ(speed_of_step(), 0);
-  EXPECT_FALSE(prepared.spindle_is_held()) << "the replaced spindle is not held";
-  simulation.hold_spindle(false);
+  EXPECT_FALSE(prepared.spindle().is_held()) << "the replaced spindle is not held";
+  simulation.spindle().hold(false);
   EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
 
@@ -95,9 +95,9 @@ TEST(SpindleInterlock, OfAModelReleasesTheSpindleWhenTheModelIsDestroyed) {
           return DeviceCommand{model.step(state, 1e-3, snapshot), true};
         },
         simulated_run());
-    EXPECT_TRUE(scripted.simulation.spindle_is_held()) << "there was no force yet";
+    EXPECT_TRUE(scripted.simulation.spindle().is_held()) << "there was no force yet";
   }
-  EXPECT_FALSE(scripted.simulation.spindle_is_held());
+  EXPECT_FALSE(scripted.simulation.spindle().is_held());
 }
 
 TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {

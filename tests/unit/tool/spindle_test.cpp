@@ -216,7 +216,7 @@ concept IsASpindle = requires(Arguments... arguments) {
 };
 template <class Argument>
 concept IsASpeedToSet = requires(Simulation& simulation, Argument speed) {
-  simulation.set_spindle_speed(speed);
+  simulation.spindle().set_speed(speed);
   commands::SetSpindleSpeed{speed};
 };
 

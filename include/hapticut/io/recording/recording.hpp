@@ -30,9 +30,9 @@ struct RecordedStep {
   std::uint64_t reserved_blocks = 0;  ///< number of blocks requested
   std::uint64_t free_blocks = 0;      ///< free blocks before the step
   bool hand_released = false;         ///< Simulation::release_hand was called before the step
-  bool halted = false;                ///< Simulation::halt_spindle was called before the step, or a hold began
+  bool halted = false;                ///< SpindleDrive::halt was called before the step, or a hold began
   bool spindle_set = false;           ///< the speed was set before the step, after the last halt; or a hold ended
-  bool spindle_held = false;          ///< Simulation::hold_spindle
+  bool spindle_held = false;          ///< SpindleDrive::hold
   OutputPath path = OutputPath::direct;
   HandOutput hand;  ///< output of the coupling, if `path` is coupled
 
