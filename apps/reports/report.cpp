@@ -24,9 +24,9 @@ Json by_material(const MaterialTable& materials, const ByMaterial<double>& volum
 /// [s] When a material was first touched, by its name, in the order of the ids; without materials that were not.
 std::vector<std::pair<std::string, double>> first_touches(const Simulation& simulation, double rate) {
   std::vector<std::pair<std::string, double>> touches;
-  simulation.touched().for_each([&](MaterialId id) {
+  simulation.totals().touched.for_each([&](MaterialId id) {
     touches.emplace_back(simulation.workpiece().materials()[id].name,
-                         double(simulation.first_touch_by_material()[id]) / rate);
+                         double(simulation.totals().first_touch[id]) / rate);
   });
   return touches;
 }
@@ -135,7 +135,7 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
       {"first_touch_s", first_touch_json(simulation, report.rate)},
       {"removed_volume_mm3",
        {{"total", r.removed_volume / units::mm3},
-        {"by_material", by_material(materials, simulation.removed_volume_by_material())}}},
+        {"by_material", by_material(materials, simulation.totals().removed_volume)}}},
       {"removed_voxels", r.removed_voxels},
       {"force_N", {{"max", r.max_force}, {"mean", r.mean_force}}},
       {"torque_Nmm", {{"max", r.max_torque / units::N_mm}, {"mean", r.mean_torque / units::N_mm}}},
@@ -162,7 +162,7 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
                          " removing material");
   table.add("removed",
             rounded(r.removed_volume / units::mm3) + " mm^3, " + std::to_string(r.removed_voxels) + " voxels");
-  const auto& volumes = simulation.removed_volume_by_material();
+  const auto& volumes = simulation.totals().removed_volume;
   for (int id = 1; id <= materials.size() && materials.size() <= kFewMaterials; ++id)
     table.add("  " + materials[MaterialId(id)].name, rounded(volumes[std::size_t(id)] / units::mm3) + " mm^3");
   table.add("first touched", first_touch_text(simulation, report.rate));

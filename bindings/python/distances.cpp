@@ -185,11 +185,11 @@ void bind_touches(py::module_& m) {
       .def_property_readonly(
           "first_touched", [](const S& self) { return self.read().first_touched(); }, doc("Simulation::first_touched"))
       .def_property_readonly(
-          "touched", [](const S& self) { return self.read().touched(); }, doc("Simulation::touched"))
+          "touched", [](const S& self) { return self.read().totals().touched; }, doc("SimulationTotals::touched"))
       .def_property_readonly(
           "first_touch_by_material",
           [](const S& self) {
-            const ByMaterial<std::uint64_t>& steps = self.read().first_touch_by_material();
+            const ByMaterial<std::uint64_t>& steps = self.read().totals().first_touch;
             return py::array_t<std::uint64_t>(py::ssize_t(steps.size()), steps.data());
           },
           "(256,) uint64: by material id, the value of `steps` after the step that touched it first; 0: not yet. Step\n"

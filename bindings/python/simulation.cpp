@@ -16,11 +16,8 @@ namespace hapticut::python {
 namespace {
 
 /// (256,) array of volumes by material.
-auto by_material(const ByMaterial<double>& (Simulation::*volumes)() const) {
-  return [volumes](const PythonSimulation& self) {
-    const ByMaterial<double>& all = (self.read().*volumes)();
-    return py::array_t<double>(py::ssize_t(all.size()), all.data());
-  };
+py::array_t<double> by_material(const ByMaterial<double>& volumes) {
+  return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
 }
 
 Stepper stepper_of(PythonSimulation& self) {
@@ -134,8 +131,9 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly(
           "last_result", [](const S& self) { return PythonStepResult(self.read().last_result()); },
           "The result of the last step.")
-      .def_property_readonly("removed_volume_by_material", by_material(&Simulation::removed_volume_by_material),
-                             "[m^3] (256,) removed since construction or reset, by material id.")
+      .def_property_readonly(
+          "removed_volume_by_material", [](const S& self) { return by_material(self.read().totals().removed_volume); },
+          "[m^3] (256,) removed since construction or reset, by material id.")
       .def_property_readonly(
           "spindle_setting", [](const S& self) { return self.read().spindle().setting(); },
           doc("SpindleDrive::setting"))
@@ -143,8 +141,9 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
                              doc("Simulation::next_step_is_first"))
       .def_property_readonly("is_fresh", reading<S>(&Simulation::is_fresh), doc("Simulation::is_fresh"))
-      .def_property_readonly("workpiece_exchanges", reading<S>(&Simulation::workpiece_exchanges),
-                             doc("Simulation::workpiece_exchanges"))
+      .def_property_readonly(
+          "workpiece_exchanges", [](const S& self) { return self.read().totals().exchanges; },
+          doc("SimulationTotals::exchanges"))
       .def(
           "changed_blocks",
           [](const S& self) {
@@ -158,12 +157,15 @@ void bind_the_simulation(py::module_& m) {
       .def(
           "set_spindle_speed", [](S& self, AngularSpeed speed) { self.write().spindle().set_speed(speed); },
           py::arg("speed"), doc("SpindleDrive::set_speed"))
-      .def("set_effects", writing<S>(&Simulation::set_effects), py::arg("effects"), doc("Simulation::set_effects"))
-      .def("set_tool", writing<S>(&Simulation::set_tool), py::arg("tool"), doc("Simulation::set_tool"))
-      .def("set_materials", writing<S>(&Simulation::set_materials), py::arg("materials"),
-           doc("Simulation::set_materials"))
-      .def("set_friction", writing<S>(&Simulation::set_friction), py::arg("friction"), doc("Simulation::set_friction"))
-      .def("set_removal", writing<S>(&Simulation::set_removal), py::arg("removal"), doc("Simulation::set_removal"))
+      .def("set_effects", writing<S>(py::overload_cast<const Effects&>(&Simulation::set)), py::arg("effects"),
+           doc("Simulation::set#5"))
+      .def("set_tool", writing<S>(py::overload_cast<Tool>(&Simulation::set)), py::arg("tool"), doc("Simulation::set"))
+      .def("set_materials", writing<S>(py::overload_cast<MaterialTable>(&Simulation::set)), py::arg("materials"),
+           doc("Simulation::set#2"))
+      .def("set_friction", writing<S>(py::overload_cast<const std::optional<DryFriction>&>(&Simulation::set)),
+           py::arg("friction"), doc("Simulation::set#3"))
+      .def("set_removal", writing<S>(static_cast<void (Simulation::*)(RemovalLaw) noexcept>(&Simulation::set)),
+           py::arg("removal"), doc("Simulation::set#4"))
       .def(
           "halt_spindle", [](S& self) { self.write().spindle().halt(); }, doc("SpindleDrive::halt"))
       .def(
@@ -174,24 +176,36 @@ void bind_the_simulation(py::module_& m) {
           "Whether the spindle is held, independent of its set speed.")
       .def("reserve_blocks", writing<S>(&Simulation::reserve_blocks), py::arg("count"),
            doc("Simulation::reserve_blocks"))
-      .def("snapshot", reading<S>(&Simulation::snapshot), doc("Simulation::snapshot"))
-      .def("restore", writing<S>(&Simulation::restore), py::arg("snapshot"), doc("Simulation::restore"))
-      .def("reserve_undo", writing<S>(&Simulation::reserve_undo), py::arg("blocks"), doc("Simulation::reserve_undo"))
+      .def(
+          "snapshot", [](const S& self) { return self.read().workpiece().snapshot(); }, doc("Workpiece::snapshot"))
+      .def(
+          "restore", [](S& self, const WorkpieceSnapshot& snapshot) { self.write().history().restore(snapshot); },
+          py::arg("snapshot"), doc("WorkpieceHistory::restore"))
+      .def(
+          "reserve_undo", [](S& self, std::size_t blocks) { self.write().history().reserve(blocks); },
+          py::arg("blocks"), doc("WorkpieceHistory::reserve"))
       .def(
           "set_undo_mark",
           [](S& self) {
-            if (!self.write().set_undo_mark()) throw Error("There is no memory for undo; call reserve_undo first.");
+            if (!self.write().history().mark()) throw Error("There is no memory for undo; call reserve_undo first.");
           },
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
-      .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks),
-                             "Number of marks that `undo` can return to.")
-      .def("undo", writing<S>(&Simulation::undo), py::arg("max_blocks"), doc("Simulation::undo"))
       .def_property_readonly(
-          "detached_volume_by_material", by_material(&Simulation::detached_volume_by_material),
+          "undo_marks", [](const S& self) { return self.read().workpiece().marks(); },
+          "Number of marks that `undo` can return to.")
+      .def(
+          "undo", [](S& self, std::size_t max_blocks) { return self.write().history().undo(max_blocks); },
+          py::arg("max_blocks"), doc("WorkpieceHistory::undo"))
+      .def_property_readonly(
+          "detached_volume_by_material",
+          [](const S& self) { return by_material(self.read().totals().detached_volume); },
           "[m^3] (256,) removed as islands since construction or reset, by material id: see islands.remove_island.")
-      .def_property_readonly("redo_marks", reading<S>(&Simulation::redo_marks),
-                             "Number of marks that `redo` can restore.")
-      .def("redo", writing<S>(&Simulation::redo), py::arg("max_blocks"), doc("Simulation::redo"))
+      .def_property_readonly(
+          "redo_marks", [](const S& self) { return self.read().workpiece().redo_marks(); },
+          "Number of marks that `redo` can restore.")
+      .def(
+          "redo", [](S& self, std::size_t max_blocks) { return self.write().history().redo(max_blocks); },
+          py::arg("max_blocks"), doc("WorkpieceHistory::redo"))
       .def(
           "reset", [](S& self, const PythonWorkpiece& workpiece) { self.write().reset(workpiece.read().clone()); },
           py::arg("workpiece"),

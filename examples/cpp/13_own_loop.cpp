@@ -34,7 +34,7 @@ int main() {
   config.reserved_blocks = 4096;  // cutting takes its memory from here
   Simulation simulation(build_block(box, 0.2 * mm, presets::trabecular_bone()),
                         Tool(SphereHead{1.5 * mm}, RayHandle{0}, common_spindle(40000 * rpm)), config);
-  simulation.reserve_undo(4096);
+  simulation.history().reserve(4096);
 
   WorkspaceMapOptions placement;
   placement.X_WB.translation.z() = 3 * mm;
@@ -47,7 +47,7 @@ int main() {
                          simulation.workpiece().voxel_size(), simulation.config());
   VirtualCoupling::Lists next_lists(next_tool.worst_case(), simulation.config());
 
-  simulation.set_undo_mark();
+  simulation.history().mark();
   driver.begin_run({});
   guard.start();
   DeviceState reading;
@@ -76,7 +76,7 @@ int main() {
       contact.touching = true;  // until a step says otherwise
     }
     if (undoing) {
-      undoing = !simulation.undo(64);  // 64 blocks in each tick
+      undoing = !simulation.history().undo(64);  // 64 blocks in each tick
     } else if (!hand.valid) {
       coupling.park(VirtualCoupling::Rejoin::near);
       interlock.interrupt();

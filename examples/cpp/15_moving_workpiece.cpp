@@ -73,6 +73,6 @@ int main() {
     X_RH_before = X_RH;
   }
   std::cout << "force up to " << largest << " N, at most " << difference << " N from that on a jaw at rest; removed "
-            << moving.removed_volume_by_material()[1] / mm3 << " and " << still.removed_volume_by_material()[1] / mm3
+            << moving.totals().removed_volume[1] / mm3 << " and " << still.totals().removed_volume[1] / mm3
             << " mm^3\n";
 }

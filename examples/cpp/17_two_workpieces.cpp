@@ -40,7 +40,7 @@ int main() {
     sum = floor.step(X_WH, V_WH, dt).force + wall.step(X_WH, V_WH, dt).force;
     same = together.step(X_WH, V_WH, dt).force;
   }
-  const auto removed = [](const Simulation& s) { return s.removed_volume_by_material()[1] / mm3; };
+  const auto removed = [](const Simulation& s) { return s.totals().removed_volume[1] / mm3; };
   std::cout << "force: " << sum.transpose() << " N, of one workpiece with both: " << same.transpose() << " N\n"
             << "removed: " << removed(floor) << " + " << removed(wall)
             << " mm^3, of one workpiece: " << removed(together) << " mm^3\n";

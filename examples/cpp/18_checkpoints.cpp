@@ -26,22 +26,22 @@ int main() {
                         Tool(SphereHead{0.8 * mm}, RayHandle{0}, common_spindle(40000 * rpm)));
   feed(simulation, 1, 300);
   const Workpiece checkpoint = simulation.workpiece().clone();
-  const WorkpieceSnapshot snapshot = simulation.snapshot();
-  const double before = simulation.removed_volume_by_material()[1];
+  const WorkpieceSnapshot snapshot = simulation.workpiece().snapshot();
+  const double before = simulation.totals().removed_volume[1];
   const StepResult on = feed(simulation, 301, 200);
   std::cout << "without a break: " << on.force.z() << " N, removed "
-            << (simulation.removed_volume_by_material()[1] - before) / mm3 << " mm^3 more\n";
+            << (simulation.totals().removed_volume[1] - before) / mm3 << " mm^3 more\n";
 
   for (int attempt = 0; attempt < 2; ++attempt) {
     simulation.reset(checkpoint.clone());
     const StepResult again = feed(simulation, 301, 200);
-    std::cout << "after reset:     " << again.force.z() << " N, removed "
-              << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, " << describe(again.status) << '\n';
+    std::cout << "after reset:     " << again.force.z() << " N, removed " << simulation.totals().removed_volume[1] / mm3
+              << " mm^3, " << describe(again.status) << '\n';
   }
 
-  simulation.restore(snapshot);
+  simulation.history().restore(snapshot);
   std::cout << "after restore:   " << describe(feed(simulation, 301, 200).status) << '\n';
-  simulation.restore(snapshot);
+  simulation.history().restore(snapshot);
   simulation.step(Pose::from_translation(Vec3(0, 0, 2 * mm)), {}, kDt);  // the hand leaves the material
   std::cout << "and above it:    " << describe(simulation.last_result().status) << '\n';
 }

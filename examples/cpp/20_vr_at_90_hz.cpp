@@ -42,8 +42,8 @@ int main() {
     gap = std::max(gap, (tool.X_WH.translation - controller(frame).translation).norm());  // draw the tool at tool.X_WH
     push = std::max(push, tool.hand.force.norm());                                        // pulse of the controller
   }
-  std::cout << "behind a coupling: removed " << simulation.removed_volume_by_material()[1] / mm3
-            << " mm^3, the tool up to " << gap / mm << " mm from the controller, push up to " << push << " N\n";
+  std::cout << "behind a coupling: removed " << simulation.totals().removed_volume[1] / mm3 << " mm^3, the tool up to "
+            << gap / mm << " mm from the controller, push up to " << push << " N\n";
 
   // One step for each frame, without a coupling: the bone cannot stop a hand that feels nothing.
   Simulation direct = bone(ContactTime::middle);
@@ -57,8 +57,8 @@ int main() {
     status |= result.status;
     force = std::max(force, result.force.norm());
   }
-  std::cout << "one step a frame:  removed " << direct.removed_volume_by_material()[1] / mm3 << " mm^3, up to "
-            << sub_steps << " sub-steps, force up to " << force << " N, " << describe(status) << '\n';
+  std::cout << "one step a frame:  removed " << direct.totals().removed_volume[1] / mm3 << " mm^3, up to " << sub_steps
+            << " sub-steps, force up to " << force << " N, " << describe(status) << '\n';
 
   // A controller that is lost for a moment jumps.
   const Pose far = Pose::from_translation(Vec3(0, 0, 60 * mm));

@@ -11,9 +11,9 @@ using namespace hapticut::units;
 class PulpWatch final : public StepObserver {
  public:
   PulpWatch(Simulation& simulation, MaterialId pulp) : simulation_(simulation), pulp_(pulp) {
-    simulation_.add_observer(*this);
+    simulation_.observers().add(*this);
   }
-  ~PulpWatch() override { simulation_.remove_observer(*this); }
+  ~PulpWatch() override { simulation_.observers().remove(*this); }
 
   void on_step(const ObservedStep& step) noexcept override {
     distance_ = step.simulation.distance_to(pulp_, step.input.X_WH, 2 * mm);  // beyond 2 mm it is infinite
@@ -54,5 +54,5 @@ int main() {
     }
   }
   std::cout << "at the end: " << watch.distance() / mm << " mm to the pulp, which was "
-            << (simulation.touched().has(pulp) ? "touched\n" : "not touched\n");
+            << (simulation.totals().touched.has(pulp) ? "touched\n" : "not touched\n");
 }

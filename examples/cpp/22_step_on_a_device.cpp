@@ -23,5 +23,5 @@ int main(int argc, char** argv) {
     command.contact.touching = result.contact.voxels > 0;  // lets the guard begin in the air
     return command;
   });
-  std::cout << "up to " << max_force << " N, " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3 removed\n";
+  std::cout << "up to " << max_force << " N, " << simulation.totals().removed_volume[1] / mm3 << " mm^3 removed\n";
 }

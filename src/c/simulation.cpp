@@ -31,7 +31,7 @@ int make(const char* source, const char* name, const MakeScene& make_scene, cons
                     "for_coupling = " + std::to_string(own.for_coupling) + "; it must be 0 or 1.");
     if (own.for_coupling == 1) scene.config.contact_time = ContactTime::end;
     Simulation simulation(std::move(scene.workpiece), std::move(scene.tool), std::move(scene.config));
-    if (own.undo_blocks > 0) simulation.reserve_undo(own.undo_blocks);
+    if (own.undo_blocks > 0) simulation.history().reserve(own.undo_blocks);
     *to = add_object(Kind::simulation,
                      std::make_shared<SimulationObject>(std::move(simulation), std::move(scene.motion)));
     return HAPTICUT_OK;
@@ -138,7 +138,7 @@ int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_mate
                                                  "; the materials of this scene have the ids 1 to " +
                                                  std::to_string(materials) + ".");
     hapticut_material_info own{};
-    own.removed_volume = use->simulation.removed_volume_by_material()[id];
+    own.removed_volume = use->simulation.totals().removed_volume[id];
     own.volume = workpiece.amounts().at(id - 1).volume;
     copy_text(workpiece.materials()[MaterialId(id)].name, own.name, sizeof own.name);
     write_struct(own, info);
@@ -158,7 +158,7 @@ int hapticut_path_pose(hapticut_simulation simulation, double time, hapticut_pos
 int hapticut_set_tool(hapticut_simulation simulation, const char* text) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(text, "text");
-    use->simulation.set_tool(tool_from_toml(text, use->first_tool));
+    use->simulation.set(tool_from_toml(text, use->first_tool));
     use->tool_exchanges.fetch_add(1);
   });
 }

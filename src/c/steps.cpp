@@ -148,7 +148,8 @@ int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s)
 int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {
   return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(snapshot, "snapshot");
-    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.pointer()));
+    *snapshot = add_object(Kind::snapshot,
+                           std::make_shared<SnapshotObject>(use->simulation.workpiece().snapshot(), use.pointer()));
   });
 }
 
@@ -158,14 +159,14 @@ int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot 
       if (state->simulation.lock() != use.pointer())
         throw Refusal(HAPTICUT_ERROR_REFUSED,
                       "The snapshot is of another simulation; use a snapshot of this simulation.");
-      use->simulation.restore(state->state);
+      use->simulation.history().restore(state->state);
     });
   });
 }
 
 int hapticut_set_undo_mark(hapticut_simulation simulation) {
   return within(IdleSimulation(simulation), [&](const auto& use) -> int {
-    if (use->simulation.set_undo_mark()) return HAPTICUT_OK;
+    if (use->simulation.history().mark()) return HAPTICUT_OK;
     return fail(HAPTICUT_ERROR_REFUSED,
                 "There is no memory for undo; make the simulation with hapticut_simulation_options.undo_blocks.");
   });
@@ -173,8 +174,8 @@ int hapticut_set_undo_mark(hapticut_simulation simulation) {
 
 int hapticut_undo(hapticut_simulation simulation) {
   return within(IdleSimulation(simulation), [&](const auto& use) -> int {
-    if (use->simulation.undo_marks() == 0) return HAPTICUT_NOTHING;
-    while (!use->simulation.undo(kBlocksAtOnce)) {
+    if (use->simulation.workpiece().marks() == 0) return HAPTICUT_NOTHING;
+    while (!use->simulation.history().undo(kBlocksAtOnce)) {
     }
     return HAPTICUT_OK;
   });
@@ -182,8 +183,8 @@ int hapticut_undo(hapticut_simulation simulation) {
 
 int hapticut_redo(hapticut_simulation simulation) {
   return within(IdleSimulation(simulation), [&](const auto& use) -> int {
-    if (use->simulation.redo_marks() == 0) return HAPTICUT_NOTHING;
-    while (!use->simulation.redo(kBlocksAtOnce)) {
+    if (use->simulation.workpiece().redo_marks() == 0) return HAPTICUT_NOTHING;
+    while (!use->simulation.history().redo(kBlocksAtOnce)) {
     }
     return HAPTICUT_OK;
   });

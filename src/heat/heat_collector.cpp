@@ -29,10 +29,10 @@ HeatCollector::HeatCollector(Simulation& simulation, const HeatCollectorOptions&
     : simulation_(simulation), before_(simulation.last_result().energy), feed_(simulation, options.blocks) {
   require_fields_within(options, "HeatCollectorOptions::");
   queue_ = std::make_unique<Queue>(options.pulses);
-  simulation.add_observer(*this);
+  simulation.observers().add(*this);
 }
 
-HeatCollector::~HeatCollector() { simulation_.remove_observer(*this); }
+HeatCollector::~HeatCollector() { simulation_.observers().remove(*this); }
 
 bool HeatCollector::receive(HeatPulse& pulse) { return queue_->pulses.pop(pulse); }
 

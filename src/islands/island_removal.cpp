@@ -52,8 +52,8 @@ bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t m
   const Workpiece& workpiece = simulation.workpiece();
   std::size_t done = 0;
   do {  // at least one, or a caller that passes 0 would never finish
-    if (removal.checked == 0) removal.exchange = simulation.workpiece_exchanges();
-    if (removal.exchange != simulation.workpiece_exchanges()) removal.joined = true;
+    if (removal.checked == 0) removal.exchange = simulation.totals().exchanges;
+    if (removal.exchange != simulation.totals().exchanges) removal.joined = true;
     if (removal.is_over()) return true;
     if (removal.checked < removal.island.blocks.size()) {
       if (!is_loose(removal.island, removal.checked++, workpiece)) removal.joined = true;

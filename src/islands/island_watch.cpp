@@ -36,7 +36,7 @@ Simulation& simulation_of(LoopModel& model) {
 struct IslandWatch::State final : StepObserver {
   /// Changed blocks of one workpiece, from the loop to the search.
   struct Feed {
-    std::uint64_t workpiece = 0;  // Simulation::workpiece_replacements
+    std::uint64_t workpiece = 0;  // SimulationTotals::replacements
     std::shared_ptr<ChangeFeed> blocks;
   };
   /// A workpiece that needs another search.
@@ -58,13 +58,13 @@ struct IslandWatch::State final : StepObserver {
   using Removal = std::unique_ptr<Tagged>;
 
   State(Simulation& a_simulation, const IslandWatchOptions& some_options)
-      : simulation(a_simulation), options(some_options), exchanges(simulation.workpiece_exchanges()) {
-    feed = {simulation.workpiece_replacements(), new_feed(simulation.first_bounds())};
+      : simulation(a_simulation), options(some_options), exchanges(simulation.totals().exchanges) {
+    feed = {simulation.totals().replacements, new_feed(simulation.first_bounds())};
     asked_for = feed.workpiece;
     search.emplace(Search{IslandFinder(simulation.workpiece(), simulation.first_bounds(), options.islands), feed});
-    simulation.add_observer(*this);
+    simulation.observers().add(*this);
   }
-  ~State() override { simulation.remove_observer(*this); }
+  ~State() override { simulation.observers().remove(*this); }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -78,7 +78,7 @@ struct IslandWatch::State final : StepObserver {
   void begin_anew(const Replaced& replaced);
 
   // In the thread of the loop.
-  [[nodiscard]] bool is_current() const noexcept { return feed.workpiece == simulation.workpiece_replacements(); }
+  [[nodiscard]] bool is_current() const noexcept { return feed.workpiece == simulation.totals().replacements; }
   [[nodiscard]] bool follow_workpiece() noexcept;
   [[nodiscard]] bool has_resent(Tagged& stays) noexcept;
   void on_step(const ObservedStep& step) noexcept override {
@@ -115,7 +115,7 @@ struct IslandWatch::State final : StepObserver {
   // The loop's side.
   Feed feed;
   std::uint64_t asked_for = 0;  // the last workpiece for which a search was asked
-  std::uint64_t exchanges;      // Simulation::workpiece_exchanges at the last tick
+  std::uint64_t exchanges;      // SimulationTotals::exchanges at the last tick
   Removal current;
   std::atomic<std::uint64_t> count = 0;
 
@@ -207,7 +207,7 @@ bool IslandWatch::State::follow_workpiece() noexcept {
     std::swap(feed, next);
     old_feeds.push(std::move(next));
   }
-  const std::uint64_t workpiece = simulation.workpiece_replacements();
+  const std::uint64_t workpiece = simulation.totals().replacements;
   if (is_current())
     feed.blocks->send_all();
   else if (asked_for != workpiece &&
@@ -230,11 +230,11 @@ void IslandWatch::tick() noexcept {
   State& s = *state_;
   const bool is_watched = s.follow_workpiece();
   // Between two parts of an undo, a piece may be loose that the undo will join again.
-  const std::uint64_t exchanges = s.simulation.workpiece_exchanges();
+  const std::uint64_t exchanges = s.simulation.totals().exchanges;
   if (std::exchange(s.exchanges, exchanges) != exchanges) return;
   if (!s.current && !(s.over.has_room() && s.to_remove.pop(s.current))) return;
   IslandRemoval& removal = s.current->removal;
-  const bool is_of_workpiece = s.current->workpiece == s.simulation.workpiece_replacements();
+  const bool is_of_workpiece = s.current->workpiece == s.simulation.totals().replacements;
   if (!is_of_workpiece)
     removal.joined = true;
   else if (!remove_island(s.simulation, removal, s.options.blocks_per_tick))

@@ -18,35 +18,35 @@ ChangeFeed::ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options)
     : ChangeFeed(simulation, simulation.first_bounds(), options.block_capacity) {
   require_fields_within(options, "ChangeFeedOptions::");
   per_step_ = options.blocks_per_step;
-  first_workpiece_ = simulation.workpiece_replacements();
+  first_workpiece_ = simulation.totals().replacements;
   attach();
 }
 
 ChangeFeed::~ChangeFeed() { detach(); }
 
 ChangeFeed::Counts ChangeFeed::counts() const noexcept {
-  return {simulation_.steps(), simulation_.workpiece_exchanges(), simulation_.detached_volume_by_material()};
+  return {simulation_.steps(), simulation_.totals().exchanges, simulation_.totals().detached_volume};
 }
 
 void ChangeFeed::attach() {
   if (is_observing_) return;
-  simulation_.add_observer(*this);
+  simulation_.observers().add(*this);
   is_observing_ = true;
   outbox_.mark_kept();
-  if (!at_detach_) workpiece_ = simulation_.workpiece_replacements();
+  if (!at_detach_) workpiece_ = simulation_.totals().replacements;
   note_replacement();
   if (at_detach_ && *at_detach_ != counts()) send_all();
 }
 
 void ChangeFeed::detach() noexcept {
   if (!std::exchange(is_observing_, false)) return;
-  simulation_.remove_observer(*this);
+  simulation_.observers().remove(*this);
   at_detach_ = counts();
 }
 
 void ChangeFeed::on_step(const ObservedStep& /*step*/) noexcept {
   mark_changes();
-  tick(per_step_, std::uint32_t(simulation_.workpiece_replacements() - first_workpiece_));
+  tick(per_step_, std::uint32_t(simulation_.totals().replacements - first_workpiece_));
 }
 
 void ChangeFeed::on_exchange() noexcept {
@@ -56,7 +56,7 @@ void ChangeFeed::on_exchange() noexcept {
 
 /// Counts the blocks outside the region of a workpiece that was put in place.
 void ChangeFeed::note_replacement() noexcept {
-  const std::uint64_t workpiece = simulation_.workpiece_replacements();
+  const std::uint64_t workpiece = simulation_.totals().replacements;
   if (std::exchange(workpiece_, workpiece) != workpiece) outbox_.count_outside(simulation_.first_bounds());
 }
 

@@ -40,7 +40,7 @@ commands::SetMaterials SimulationModel::prepare_materials(MaterialTable material
 
 commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpiece, Tool tool) const {
   Simulation simulation(std::move(workpiece), std::move(tool), config_);
-  if (undo_blocks_ > 0) simulation.reserve_undo(undo_blocks_);
+  if (undo_blocks_ > 0) simulation.history().reserve(undo_blocks_);
   return commands::ExchangeWorkpiece(std::move(simulation));
 }
 
@@ -141,12 +141,16 @@ struct SimulationModel::Commands {
   }
 
   bool apply(const commands::SetUndoMark&) noexcept {
-    return m.restoring_ == Restoring::none && m.simulation_->set_undo_mark();
+    return m.restoring_ == Restoring::none && m.simulation_->history().mark();
   }
 
-  bool apply(const commands::Undo&) noexcept { return m.begin_restoring(Restoring::undo, m.simulation_->undo_marks()); }
+  bool apply(const commands::Undo&) noexcept {
+    return m.begin_restoring(Restoring::undo, m.simulation_->workpiece().marks());
+  }
 
-  bool apply(const commands::Redo&) noexcept { return m.begin_restoring(Restoring::redo, m.simulation_->redo_marks()); }
+  bool apply(const commands::Redo&) noexcept {
+    return m.begin_restoring(Restoring::redo, m.simulation_->workpiece().redo_marks());
+  }
 
   void check(const commands::SetTool& command) const {
     require_unsent(!command.tool.empty());
@@ -178,26 +182,26 @@ struct SimulationModel::Commands {
   }
 
   bool apply(const commands::SetFriction& command) noexcept {
-    m.simulation_->set_friction(command.friction);
+    m.simulation_->set(command.friction);
     return true;
   }
 
   void check(const commands::SetEffects& command) const { validate(command.effects, m.config_.update_rate); }
 
   bool apply(const commands::SetEffects& command) noexcept {
-    m.simulation_->set_effects(command.effects);
+    m.simulation_->set(command.effects);
     return true;
   }
 
   bool apply(const commands::SetForceMask& command) noexcept {
     Effects effects = m.simulation_->config().effects;
     effects.enabled = command.enabled;
-    m.simulation_->set_effects(effects);
+    m.simulation_->set(effects);
     return true;
   }
 
   bool apply(const commands::SetRemoval& command) noexcept {
-    m.simulation_->set_removal(command.removal);
+    m.simulation_->set(command.removal);
     return true;
   }
 

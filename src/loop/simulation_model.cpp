@@ -51,7 +51,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   if (gains_) require_renderable_gains(*gains_, device.capabilities());
   if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).park(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
-    simulation.reserve_undo(options.undo_blocks);  // a new reserve would drop existing marks
+    simulation.history().reserve(options.undo_blocks);  // a new reserve would drop existing marks
 }
 
 /// Other laws report neither stiffness nor stored energy. For them only the guard protects the hand.
@@ -94,8 +94,8 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
 void SimulationModel::restore_blocks(const DeviceState& state) noexcept {
   if (state.valid && !coupling_) X_WH_ = map_.to_world(state.X_BS);
   interlock_.interrupt();
-  const bool done = restoring_ == Restoring::undo ? simulation_->undo(undo_blocks_per_tick_)
-                                                  : simulation_->redo(undo_blocks_per_tick_);
+  const bool done = restoring_ == Restoring::undo ? simulation_->history().undo(undo_blocks_per_tick_)
+                                                  : simulation_->history().redo(undo_blocks_per_tick_);
   if (done) restoring_ = Restoring::none;
   // The material that the tool is in now must not be felt at once.
   device_->interrupt(SafetyEvent::model_swapped);
@@ -199,9 +199,9 @@ ModelContact SimulationModel::describe_contact(const DeviceState& state, const W
 void SimulationModel::fill_in(LoopSnapshot& snapshot) const noexcept {
   snapshot.X_WT = X_WH_ * simulation_->tool().X_HT();
   snapshot.tool = tool_;
-  snapshot.tool.undo_marks = simulation_->undo_marks();
-  snapshot.tool.redo_marks = simulation_->redo_marks();
-  snapshot.tool.touched = simulation_->touched();
+  snapshot.tool.undo_marks = simulation_->workpiece().marks();
+  snapshot.tool.redo_marks = simulation_->workpiece().redo_marks();
+  snapshot.tool.touched = simulation_->totals().touched;
   snapshot.tool.undoing = restoring_ == Restoring::undo;
   snapshot.tool.redoing = restoring_ == Restoring::redo;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exchanges between two steps: tool, materials, friction, removal, another workpiece; and redo.
+// Exchanges between two steps: tool, materials, friction, removal, another workpiece.
 #include "hapticut/simulation/exchange.hpp"
 
 #include <algorithm>
@@ -140,13 +140,13 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   prepared.state_->tell_of_exchange();
 }
 
-void Simulation::set_tool(Tool tool) {
+void Simulation::set(Tool tool) {
   PreparedTool prepared(std::move(tool), state_->workpiece.voxel_size(), state_->config);
   [[maybe_unused]] const bool fits = exchange(prepared);
   HAPTICUT_ASSERT(fits);
 }
 
-void Simulation::set_materials(MaterialTable materials) {
+void Simulation::set(MaterialTable materials) {
   PreparedMaterials prepared(std::move(materials), state_->config);
   if (!exchange(prepared))
     throw Error("a table of " + std::to_string(prepared.materials().size()) +
@@ -154,27 +154,15 @@ void Simulation::set_materials(MaterialTable materials) {
                 "; change the constants, not the number of materials.");
 }
 
-void Simulation::set_friction(const std::optional<DryFriction>& friction) {
+void Simulation::set(const std::optional<DryFriction>& friction) {
   if (friction) validate(*friction);
   state_->config.friction = friction;
   state_->set_material_friction();
   state_->tell_of_exchange();
 }
 
-void Simulation::set_removal(RemovalLaw removal) noexcept {
+void Simulation::set(RemovalLaw removal) noexcept {
   if (std::exchange(state_->config.removal, removal) != removal) state_->tell_of_exchange();
-}
-
-std::size_t Simulation::redo_marks() const noexcept { return state_->workpiece.redo_marks(); }
-
-bool Simulation::redo(std::size_t max_blocks) noexcept {
-  State& s = *state_;
-  s.contact_stages.forget_changes();
-  if (s.workpiece.redo_marks() == 0) return true;
-  s.altered = true;
-  const bool done = s.contact_stages.redo(max_blocks);
-  s.forget_pose();
-  return done;
 }
 
 }  // namespace hapticut

@@ -26,6 +26,4 @@ bool Simulation::remove_voxels(const BlockVoxels& removed) noexcept {
   return true;
 }
 
-const ByMaterial<double>& Simulation::detached_volume_by_material() const noexcept { return state_->detached_volume; }
-
 }  // namespace hapticut

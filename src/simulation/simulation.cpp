@@ -90,42 +90,35 @@ bool Simulation::next_step_is_first() const noexcept { return !state_->motion.is
 bool Simulation::is_fresh() const noexcept {
   return state_->steps == 0 && !state_->altered && !state_->motion.is_parted();
 }
-std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
-std::uint64_t Simulation::workpiece_replacements() const noexcept { return state_->replacements; }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
 
-std::span<StepObserver* const> Simulation::observers() const noexcept { return state_->observers.all(); }
+StepObservers& Simulation::observers() noexcept { return state_->observers; }
+const StepObservers& Simulation::observers() const noexcept { return state_->observers; }
 
-void Simulation::add_observer(StepObserver& observer) {
-  Observers& present = state_->observers;
-  if (std::ranges::find(present.all(), &observer) != present.all().end())
+void StepObservers::add(StepObserver& observer) {
+  if (std::ranges::find(all(), &observer) != all().end())
     throw Error("the simulation has this observer already; add it once.");
-  if (present.count == kMaxObservers)
-    throw Error("the simulation has " + std::to_string(kMaxObservers) +
-                " observers, which is the maximum; remove one first.");
-  present.places[present.count++] = &observer;
+  if (count_ == kMax)
+    throw Error("the simulation has " + std::to_string(kMax) + " observers, which is the maximum; remove one first.");
+  observers_[count_++] = &observer;
 }
 
-void Simulation::remove_observer(StepObserver& observer) noexcept {
-  Observers& present = state_->observers;
-  const auto end =
-      std::remove(present.places.begin(), present.places.begin() + std::ptrdiff_t(present.count), &observer);
-  present.count = std::size_t(end - present.places.begin());
+void StepObservers::remove(StepObserver& observer) noexcept {
+  const auto end = std::remove(observers_.begin(), observers_.begin() + std::ptrdiff_t(count_), &observer);
+  count_ = std::size_t(end - observers_.begin());
 }
-
-const ByMaterial<double>& Simulation::removed_volume_by_material() const { return state_->removal.total_by_material(); }
 
 const MaterialSet& Simulation::first_touched() const noexcept { return state_->first_touched; }
-const MaterialSet& Simulation::touched() const noexcept { return state_->touched; }
-const ByMaterial<std::uint64_t>& Simulation::first_touch_by_material() const noexcept {
-  return state_->first_touch_step;
+SimulationTotals Simulation::totals() const noexcept {
+  const State& s = *state_;
+  return {s.removal.total_by_material(), s.detached_volume, s.touched, s.first_touch_step, s.exchanges, s.replacements};
 }
 
 WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
 
 const StageTimes& Simulation::stage_times() const { return state_->times; }
 
-void Simulation::set_effects(const Effects& effects) {
+void Simulation::set(const Effects& effects) {
   validate(effects, state_->config.update_rate);
   state_->config.effects = effects;
 }
@@ -133,32 +126,6 @@ void Simulation::set_effects(const Effects& effects) {
 void Simulation::reserve_blocks(std::size_t count) {
   state_->workpiece.reserve_blocks(count);
   state_->config.reserved_blocks = count;
-}
-
-WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapshot(); }
-
-void Simulation::restore(const WorkpieceSnapshot& snapshot) {
-  state_->workpiece.restore(snapshot);
-  state_->contact_stages.restart();
-  ++state_->replacements;
-  state_->forget_pose();
-}
-
-void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
-
-bool Simulation::set_undo_mark() noexcept { return state_->workpiece.set_mark(); }
-
-std::size_t Simulation::undo_marks() const noexcept { return state_->workpiece.marks(); }
-
-bool Simulation::undo(std::size_t max_blocks) noexcept {
-  State& s = *state_;
-  s.contact_stages.forget_changes();
-  const std::size_t marks = s.workpiece.marks();
-  if (marks == 0) return true;
-  s.altered = true;
-  s.contact_stages.undo(max_blocks);
-  s.forget_pose();
-  return s.workpiece.marks() < marks;
 }
 
 void Simulation::reset(Workpiece workpiece) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "hapticut/force/deep_contact.hpp"
@@ -31,13 +30,6 @@ struct HandSide {
   OutputPath path = OutputPath::direct;  // of the force
   HandOutput coupled;                    // of the coupling, in the last step that it answered
   Output output;
-};
-
-/// The observers of a simulation.
-struct Observers {
-  std::array<StepObserver*, Simulation::kMaxObservers> places = {};
-  std::size_t count = 0;
-  [[nodiscard]] std::span<StepObserver* const> all() const noexcept { return {places.data(), count}; }
 };
 
 /// @throws Error when a head does not suit voxels of a size [m]
@@ -156,7 +148,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   ByMaterial<double> detached_volume = {};          // [m^3] by MaterialId
   MaterialSet touched, first_touched;               // for the first time, in the last step
   ByMaterial<std::uint64_t> first_touch_step = {};  // `steps` in which a material was first touched; 0: not yet
-  Observers observers;
+  StepObservers observers;
 };
 
 }  // namespace hapticut

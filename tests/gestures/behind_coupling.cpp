@@ -223,22 +223,21 @@ void exchange_in_contact(Report& report) {
          test::undo_all(loop.simulation);
          test::redo_all(loop.simulation);
        }},
-      {"restore", [](ScriptedLoop& loop, const WorkpieceSnapshot& before) { loop.simulation.restore(before); }},
+      {"restore",
+       [](ScriptedLoop& loop, const WorkpieceSnapshot& before) { loop.simulation.history().restore(before); }},
       {"a larger tool",
        [](ScriptedLoop& loop, const auto&) {
-         loop.simulation.set_tool(tool_of(round_head(4 * mm), common_spindle(40000 * rpm)));
+         loop.simulation.set(tool_of(round_head(4 * mm), common_spindle(40000 * rpm)));
        }},
       {"other materials",
-       [](ScriptedLoop& loop, const auto&) {
-         loop.simulation.set_materials(MaterialTable({presets::trabecular_bone()}));
-       }},
+       [](ScriptedLoop& loop, const auto&) { loop.simulation.set(MaterialTable({presets::trabecular_bone()})); }},
       {"release", [](ScriptedLoop& loop, const auto&) { loop.coupling().reset(); }}};
   for (const Exchange& exchange : all) {
     report.scene(bur.name + ", then " + exchange.name + ", coupled");
     ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
-    const WorkpieceSnapshot before = loop.simulation.snapshot();
-    loop.simulation.reserve_undo(4000);
-    (void)loop.simulation.set_undo_mark();
+    const WorkpieceSnapshot before = loop.simulation.workpiece().snapshot();
+    loop.simulation.history().reserve(4000);
+    (void)loop.simulation.history().mark();
     loop.play(pressing(bur).hold(0.3));
     const Tick last = loop.log.ticks.back();
     exchange.happens(loop, before);

@@ -87,7 +87,7 @@ void readme_on_touch(Report& report) {
     report.scene("README's first example, Touch in a nominal hand, stepped directly, which SimulationModel refuses");
     Simulation simulation(bone(), bur);
     SceneLog log({device_model("touch").peak_force, 0, device_model("touch").rendered_stiffness, false}, report);
-    simulation.add_observer(log);
+    simulation.observers().add(log);
     ClosedLoopConfig config;
     config.device = device_model("touch");
     config.hand = hand_model("nominal");
@@ -110,7 +110,7 @@ void readme_on_touch(Report& report) {
     }
     report.at_least("sd of the steady force", 100 * log.unsteadiness(log.within(0.95, 1.2), force_of), 5, "%",
                     "so the refusal of SimulationModel is right");
-    simulation.remove_observer(log);
+    simulation.observers().remove(log);
   }
   for (const bool coupled : {false, true}) {
     report.scene(std::string("README's first example, Touch in a nominal hand, ") +

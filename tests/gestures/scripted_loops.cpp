@@ -57,11 +57,11 @@ ScriptedLoop::ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Held 
                  with_contact_time(std::move(config), held == Held::by_coupling)),
       log(Limits{}, report),
       report_(report) {
-  simulation.add_observer(log);
+  simulation.observers().add(log);
   if (held == Held::by_coupling) couple(gains.value_or(touch_gains()));
 }
 
-ScriptedLoop::~ScriptedLoop() { simulation.remove_observer(log); }
+ScriptedLoop::~ScriptedLoop() { simulation.observers().remove(log); }
 
 void ScriptedLoop::couple(const CouplingGains& gains) {
   coupling_.emplace(simulation, gains);
@@ -154,10 +154,10 @@ DeviceChain::DeviceChain(Report& a_report, Workpiece workpiece, Tool tool, Chain
   if (options_.coupled) model.coupling = options_.gains.value_or(coupling_gains(device_->capabilities()));
   model.undo_blocks = options_.undo_blocks;
   model_ = std::make_unique<SimulationModel>(simulation, *device_, model);
-  simulation.add_observer(log);
+  simulation.observers().add(log);
 }
 
-DeviceChain::~DeviceChain() { simulation.remove_observer(log); }
+DeviceChain::~DeviceChain() { simulation.observers().remove(log); }
 
 Device& DeviceChain::device() { return *device_; }
 

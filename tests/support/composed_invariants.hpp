@@ -64,10 +64,10 @@ inline bool same_bits(const Pose& a, const Pose& b) {
 class ComposedInvariants final : public StepObserver {
  public:
   explicit ComposedInvariants(Simulation& simulation) : simulation_(&simulation) {
-    simulation.add_observer(*this);
+    simulation.observers().add(*this);
     begin_volume();
   }
-  ~ComposedInvariants() override { simulation_->remove_observer(*this); }
+  ~ComposedInvariants() override { simulation_->observers().remove(*this); }
   ComposedInvariants(const ComposedInvariants&) = delete;
   ComposedInvariants& operator=(const ComposedInvariants&) = delete;
 

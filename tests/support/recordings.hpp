@@ -58,8 +58,8 @@ inline std::uint64_t bits_of(const StepResult& result) {
 /// The bits of each step of a simulation, until something other than a step changes what a replay cannot repeat.
 class StepLog final : public StepObserver {
  public:
-  explicit StepLog(Simulation& simulation) : simulation_(simulation) { simulation.add_observer(*this); }
-  ~StepLog() override { simulation_.remove_observer(*this); }
+  explicit StepLog(Simulation& simulation) : simulation_(simulation) { simulation.observers().add(*this); }
+  ~StepLog() override { simulation_.observers().remove(*this); }
   StepLog(const StepLog&) = delete;
   StepLog& operator=(const StepLog&) = delete;
 

@@ -53,10 +53,10 @@ inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2
 }
 
 inline void undo_all(Simulation& simulation) {
-  while (!simulation.undo(64)) continue;
+  while (!simulation.history().undo(64)) continue;
 }
 inline void redo_all(Simulation& simulation) {
-  while (!simulation.redo(64)) continue;
+  while (!simulation.history().redo(64)) continue;
 }
 
 /// The orientation of a tool in the grid.

@@ -101,7 +101,7 @@ class Film {
     surface_->update(simulation.workpiece(), simulation.changed_blocks().origins);
     trace_.push_back(sample(step));
     shown_.tool.removed_volume += step.removed_volume;
-    removed_ = simulation.removed_volume_by_material();
+    removed_ = simulation.totals().removed_volume;
     last_ = step;
     if (time + 1e-9 < next_) return;
     next_ = time + kPicture;

@@ -92,7 +92,7 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
       tool_(scene_.tool),
       stream_(simulation_.workpiece()),
       sound_({.flutes = scene_.tool.cutter().lips}) {
-  simulation_.reserve_undo(kUndoBlocks);
+  simulation_.history().reserve(kUndoBlocks);
   pointer_.put(start_pose(scene_));
   build_loop();
 }
@@ -252,7 +252,7 @@ void ViewSession::change_tool() {
     send(model_->prepare_tool(tool));
   } else {
     pause();
-    simulation_.set_tool(tool);
+    simulation_.set(tool);
     tool_ = tool;
     build_loop();
     start();
@@ -276,7 +276,7 @@ void ViewSession::record(bool on) {
 /// A replay begins with a first step. So the present workpiece becomes the initial one, and the sums restart.
 void ViewSession::begin_recording() {
   simulation_.reset(simulation_.workpiece().clone());
-  simulation_.set_removal(controls_.removal());
+  simulation_.set(controls_.removal());
   simulation_.spindle().set_speed(controls_.spindle_speed());
   removed_at_mark_ = -1;
   dissipated_ = 0;

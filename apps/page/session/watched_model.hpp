@@ -69,7 +69,7 @@ class WatchedModel final : public LoopModel {
     const double fraction = applied_fraction();
     snapshot.tool.force *= fraction, snapshot.tool.torque *= fraction;
     note(snapshot.tool, fraction);
-    const ByMaterial<double>& removed = simulation_.removed_volume_by_material();
+    const ByMaterial<double>& removed = simulation_.totals().removed_volume;
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
     return wrench;
   }

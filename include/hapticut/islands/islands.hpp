@@ -111,7 +111,7 @@ struct IslandRemoval {
   std::size_t checked = 0;     ///< blocks of it that were checked and touch nothing else
   std::size_t removed = 0;     ///< blocks of it that were removed
   bool joined = false;         ///< it stays, because it touches something after an undo, or the workpiece was exchanged
-  std::uint64_t exchange = 0;  ///< Simulation::workpiece_exchanges at the beginning
+  std::uint64_t exchange = 0;  ///< SimulationTotals::exchanges at the beginning
 
   [[nodiscard]] bool is_over() const noexcept { return joined || removed == island.blocks.size(); }
 };

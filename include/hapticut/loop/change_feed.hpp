@@ -33,7 +33,7 @@ class ChangeFeed final : public StepObserver {
  public:
   /// Attaches to the simulation for the lifetime of the feed, and sends with each step. Covers the blocks within
   /// Simulation::first_bounds; a workpiece of other bounds needs another feed. ChangedBlock::workpiece counts the
-  /// replacements of the workpiece since then (Simulation::workpiece_replacements).
+  /// replacements of the workpiece since then (SimulationTotals::replacements).
   /// @param simulation  must outlive the feed, and must not be moved
   /// @throws Error as BlockOutbox, or when an option is out of range or the simulation has too many observers
   explicit ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options = {});
@@ -109,8 +109,8 @@ class ChangeFeed final : public StepObserver {
   std::size_t all_, swept_;            // [blocks] in the region; [blocks] marked since all must be sent
   std::size_t per_step_ = 0;           // [blocks]
   bool sweeps_more_ = false;           // the sweep gets the odd place
-  std::uint64_t workpiece_ = 0;        // Simulation::workpiece_replacements when it was last looked at
-  std::uint64_t first_workpiece_ = 0;  // Simulation::workpiece_replacements
+  std::uint64_t workpiece_ = 0;        // SimulationTotals::replacements when it was last looked at
+  std::uint64_t first_workpiece_ = 0;  // SimulationTotals::replacements
   std::optional<Counts> at_detach_;    // empty before the first `detach`
   bool is_observing_ = false;
 };

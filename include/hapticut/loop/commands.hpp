@@ -112,7 +112,7 @@ struct SetEffects {
 
 constexpr auto fields_of(Of<SetEffects>) { return std::tuple{field("effects", &SetEffects::effects, "the new value")}; }
 
-/// Exchanges the tool: see Simulation::set_tool.
+/// Exchanges the tool: see Simulation::set.
 struct SetTool {
   /// @param voxel_size  [m] of the workpiece; the loop refuses the command if its workpiece has another one
   /// @param config      of the simulation
@@ -123,7 +123,7 @@ struct SetTool {
   VirtualCoupling::Lists lists;  ///< sized for the tool, used if there is a coupling
 };
 
-/// Exchanges the constants of the materials: see Simulation::set_materials. Refused when the number of materials
+/// Exchanges the constants of the materials: see Simulation::set. Refused when the number of materials
 /// differs from that of the workpiece.
 struct SetMaterials {
   /// @param config  of the simulation

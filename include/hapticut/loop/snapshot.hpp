@@ -35,10 +35,10 @@ struct ToolSnapshot {
   TickEffort max_effort;                    ///< maximum of each value since the loop began
   std::size_t undo_marks = 0;               ///< marks that `Undo` can return to
   std::size_t redo_marks = 0;               ///< undone marks that `Redo` can restore
-  bool undoing = false;         ///< an undo is in progress: nothing is felt or cut, and the values of a step are 0
-  bool redoing = false;         ///< a redo is in progress, with the same effect
-  bool force_held = false;      ///< by HoldForce
-  MaterialSet touched;          ///< since the simulation was made or reset: Simulation::touched. A new one is an event
+  bool undoing = false;     ///< an undo is in progress: nothing is felt or cut, and the values of a step are 0
+  bool redoing = false;     ///< a redo is in progress, with the same effect
+  bool force_held = false;  ///< by HoldForce
+  MaterialSet touched;  ///< since the simulation was made or reset: SimulationTotals::touched. A new one is an event
   std::uint32_t workpiece = 0;  ///< number of exchanges since the loop began: ChangedBlock::workpiece
 };
 

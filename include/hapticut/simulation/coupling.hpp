@@ -139,7 +139,7 @@ class VirtualCoupling {
   /// In the first tick, and after `reset`, the tool is placed at the hand as soon as it would touch no material there;
   /// until then it waits. If the simulation already had a tool in the workpiece before the coupling was made, that tool
   /// waits where it is. The tool also waits for the hand after `park`; after an exchange of the simulation's workpiece,
-  /// tool or materials (`undo`, `redo`, `restore`, `reset`, `set_tool` ...; as Rejoin::free); and when the hand has
+  /// tool or materials (`undo`, `redo`, `restore`, `reset`, another tool ...; as Rejoin::free); and when the hand has
   /// rotated by nearly half a revolution against a tool that could not follow.
   /// @param X_WD      pose of the hand's handle at the end of the tick
   /// @param V_WD      velocity [m/s] of its Ho and angular velocity [rad/s], in W, as the device estimates it; drives

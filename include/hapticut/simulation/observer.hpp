@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
@@ -54,7 +56,7 @@ struct ObservedStep {
   const StepResult& result;      ///< of the step
 };
 
-/// Observes every step of a simulation, including those that a loop or a coupling takes: see Simulation::add_observer.
+/// Observes every step of a simulation, including those that a loop or a coupling takes: see Simulation::observers.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
@@ -64,11 +66,28 @@ class StepObserver {
   virtual void on_step(const ObservedStep& step) noexcept = 0;
 
   /// Called between two steps, when something other than a step has changed the workpiece, tool or materials: see
-  /// Simulation::workpiece_exchanges.
+  /// SimulationTotals::exchanges.
   virtual void on_exchange() noexcept {}
 
   /// Called between two steps, when voxels were removed without cutting: see Simulation::remove_voxels.
   virtual void on_removal(const BlockVoxels& /*removed*/) noexcept {}
+};
+
+/// The observers of a simulation, in the order in which they are told of a step.
+class StepObservers {
+ public:
+  static constexpr std::size_t kMax = 8;
+
+  /// Adds an observer, which is told of every step from now on. It must live until it is removed.
+  /// @throws Error when it was added already, or there are kMax
+  void add(StepObserver& observer);
+
+  void remove(StepObserver& observer) noexcept;  ///< does nothing if it was not added
+  [[nodiscard]] std::span<StepObserver* const> all() const noexcept { return {observers_.data(), count_}; }
+
+ private:
+  std::array<StepObserver*, kMax> observers_ = {};
+  std::size_t count_ = 0;
 };
 
 }  // namespace hapticut

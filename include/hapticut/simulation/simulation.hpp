@@ -10,10 +10,12 @@
 
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/exchange.hpp"
+#include "hapticut/simulation/history.hpp"
 #include "hapticut/simulation/observer.hpp"
 #include "hapticut/simulation/spindle_drive.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/simulation/totals.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/material_set.hpp"
@@ -97,15 +99,15 @@ class Simulation {
   [[nodiscard]] double distance_to(MaterialId material, const Pose& X_WH,
                                    double max_distance = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Whether the next step will be the first of the tool: before the first one, and after `restore`, `undo`, `redo`,
-  /// `set_tool`, `set_materials`, `exchange` and `reset`. After these calls, the material that the tool is in is
-  /// neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing. Exceptions are
-  /// the very first step, and `reset` when no coupling holds the tool.
+  /// Whether the next step will be the first of the tool: before the first one, and after a way back in the
+  /// `history`, `set` of a tool or of materials, `exchange` and `reset`. After these calls, the material that the tool
+  /// is in is neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing.
+  /// Exceptions are the very first step, and `reset` when no coupling holds the tool.
   [[nodiscard]] bool next_step_is_first() const noexcept;
 
   /// Whether the simulation is as new: since construction or `reset` it has made no step and received no workpiece that
   /// a tool was in, and no `undo`, `redo` or `remove_voxels` has changed its workpiece. A recording begins with such a
-  /// simulation. Setters (`set_tool`, `set_friction` ...) do not matter.
+  /// simulation. What was `set` does not matter.
   [[nodiscard]] bool is_fresh() const noexcept;
 
   /// Upper bound on the work of a step.
@@ -129,129 +131,59 @@ class Simulation {
   /// Number of calls of `step` since construction or `reset`.
   [[nodiscard]] std::uint64_t steps() const noexcept;
 
-  /// How often something other than a step has changed the workpiece, tool or materials: `restore`, `reset`, `undo`,
-  /// `redo`, `set_tool`, `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. Observers are told
-  /// of each.
-  [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
-
-  /// How often the workpiece as a whole was replaced: by `restore`, `reset` and the exchange of a simulation. Also
-  /// counted in `workpiece_exchanges`.
-  [[nodiscard]] std::uint64_t workpiece_replacements() const noexcept;
-
   /// Box around all voxels that were not empty when the present workpiece was put in place. Unlike
   /// `Workpiece::bounds`, it does not shrink as material is cut.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] IndexBox first_bounds() const noexcept;
-
-  /// [m^3] cut since construction or reset, by MaterialId.
-  [[nodiscard]] const ByMaterial<double>& removed_volume_by_material() const;
-
-  /// [m^3] removed by `remove_voxels` since construction or reset, by MaterialId.
-  [[nodiscard]] const ByMaterial<double>& detached_volume_by_material() const noexcept;
 
   /// The materials that the last step touched for the first time since construction or `reset`: an event, for example
   /// of the pulp of a tooth.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] const MaterialSet& first_touched() const noexcept;
 
-  /// The materials that were touched since construction or `reset`, by steps that were not refused.
+  /// Sums since construction or `reset`; valid until the next `reset` or `exchange` of a simulation.
   /// @realtime no allocation, no lock; O(1)
-  [[nodiscard]] const MaterialSet& touched() const noexcept;
-
-  /// By MaterialId, the value of `steps()` after the step that touched a material for the first time since construction
-  /// or `reset`; 0: not yet.
-  [[nodiscard]] const ByMaterial<std::uint64_t>& first_touch_by_material() const noexcept;
+  [[nodiscard]] SimulationTotals totals() const noexcept;
 
   /// Times of the stages of the last step; see SimulationConfig::stage_times.
   [[nodiscard]] const StageTimes& stage_times() const;
 
-  // --- observers ----------------------------------------------------------------------------------------------------
-  static constexpr std::size_t kMaxObservers = 8;
+  /// The observers. They stay with this simulation when its workpiece is exchanged.
+  [[nodiscard]] StepObservers& observers() noexcept;
+  [[nodiscard]] const StepObservers& observers() const noexcept;
 
-  /// Adds an observer. It is told of every step from now on, after the observers that were added before. It must live
-  /// until it is removed. Observers stay with this simulation when its workpiece is exchanged.
-  /// @throws Error when it was added already, or there are kMaxObservers
-  void add_observer(StepObserver& observer);
-
-  void remove_observer(StepObserver& observer) noexcept;  ///< does nothing if it was not added
-  [[nodiscard]] std::span<StepObserver* const> observers() const noexcept;
-
-  // --- set-up calls, between steps ----------------------------------------------------------------------------------
+  // --- changes, between steps ---------------------------------------------------------------------------------------
   /// The spindle of the tool: its speed setting, a halt and a hold. Valid until `reset` or `exchange` of a simulation.
   [[nodiscard]] SpindleDrive& spindle() noexcept;
   [[nodiscard]] const SpindleDrive& spindle() const noexcept;
 
-  /// Sets the effects and limits of the output for the following steps.
-  /// @throws Error naming the field, its value and the allowed range; then nothing has changed
-  void set_effects(const Effects& effects);
+  /// The earlier states of the workpiece: restore, undo and redo.
+  [[nodiscard]] WorkpieceHistory history() noexcept { return WorkpieceHistory(*this); }
 
   /// Exchanges the tool. The workpiece with its cuts, undo marks, removed volumes and energies stay. The next
   /// step is the first of the new tool (`next_step_is_first`), with the speed of its own spindle.
   /// @throws Error when the head does not suit the voxels or the law; then nothing has changed
-  void set_tool(Tool tool);
+  void set(Tool tool);
 
   /// Exchanges the constants of the materials. Cuts, undo marks, removed volumes and energies stay. The next step
   /// is the first of the tool (`next_step_is_first`).
   /// @throws Error when the number of materials differs, or a stiffness is out of range; then nothing has changed
-  void set_materials(MaterialTable materials);
+  void set(MaterialTable materials);
 
   /// Sets SimulationConfig::friction for the following steps; empty: each material's own friction.
   /// @throws Error naming the constant, its value and the allowed range; then nothing has changed
-  void set_friction(const std::optional<DryFriction>& friction);
+  void set(const std::optional<DryFriction>& friction);
 
   /// Sets SimulationConfig::removal for the following steps. With `none` nothing is cut, whatever the spindle does.
-  void set_removal(RemovalLaw removal) noexcept;
+  void set(RemovalLaw removal) noexcept;
+
+  /// Sets the effects and limits of the output for the following steps.
+  /// @throws Error naming the field, its value and the allowed range; then nothing has changed
+  void set(const Effects& effects);
 
   /// Fills the pool of the workpiece up to `count` blocks.
   void reserve_blocks(std::size_t count);
 
-  [[nodiscard]] WorkpieceSnapshot snapshot() const;  ///< state of the workpiece, for `restore`
-  void restore(const WorkpieceSnapshot& snapshot);   ///< restores the workpiece; then `next_step_is_first`
-
-  /// Reserves memory for `set_undo_mark` and `undo`, also for workpieces of a later `reset`: see
-  /// Workpiece::reserve_undo.
-  void reserve_undo(std::size_t blocks);
-
-  // --- exchanges while a loop runs, between steps -------------------------------------------------------------------
-  /// `set_tool` without an allocation. `prepared` receives the old tool.
-  /// @return false, with nothing changed, when it was made for another voxel size
-  /// @realtime no allocation, no lock; O(materials)
-  [[nodiscard]] bool exchange(PreparedTool& prepared) noexcept;
-
-  /// `set_materials` without an allocation. `prepared` receives the old materials.
-  /// @return false, with nothing changed, when the number of materials differs
-  /// @realtime no allocation, no lock; O(materials)
-  [[nodiscard]] bool exchange(PreparedMaterials& prepared) noexcept;
-
-  /// Swaps in workpiece and tool of another simulation, which receives the old ones. Energies, removed volumes and undo
-  /// marks are those of the other simulation. Effects, friction and removal stay as they are set here. The observers of
-  /// both simulations stay with theirs, and are told of the exchange.
-  /// @realtime no allocation, no lock; O(1)
-  void exchange(Simulation& prepared) noexcept;
-
-  // --- undo while a loop runs, between steps ------------------------------------------------------------------------
-  /// Marks the present state of the workpiece, for `undo`.
-  /// @return false when there is no mark, because `reserve_undo` was not called
-  /// @realtime no allocation, no lock; O(1)
-  bool set_undo_mark() noexcept;
-
-  [[nodiscard]] std::size_t undo_marks() const noexcept;  ///< number of marks that `undo` can return to
-
-  /// Restores the state of the last mark, by up to `max_blocks` blocks a call (at least one), 0.3 us each;
-  /// `changed_blocks` then lists them. Call it until it returns true: the workpiece is then as at the mark, and the
-  /// mark is gone, and the next step is the first of the tool (`next_step_is_first`). Removed volumes are not reduced.
-  /// @return true when it is done, or there is no mark
-  /// @realtime no allocation, no lock; O(max_blocks)
-  bool undo(std::size_t max_blocks) noexcept;
-
-  [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< number of undone marks that `redo` can restore
-
-  /// Redoes the last `undo`: restores the state before it, and its mark. Called as `undo` is. Needs no memory beyond
-  /// that of `reserve_undo`. Cutting discards all redo marks.
-  /// @return true when it is done, or nothing was undone
-  /// @realtime no allocation, no lock; O(max_blocks)
-  bool redo(std::size_t max_blocks) noexcept;
-
   /// Removes voxels of one block without cutting them, between two steps. Their volume is counted in
-  /// `detached_volume_by_material`, not as removed volume. Elastic energy that was stored in them is
+  /// SimulationTotals::detached_volume, not as removed volume. Elastic energy that was stored in them is
   /// EnergyLedger::entered of the next step. Undo restores them.
   /// @return false, with nothing changed, when no reserved block is left for it
   /// @realtime no allocation, no lock; O(512)
@@ -262,7 +194,25 @@ class Simulation {
   /// @throws Error when the workpiece is empty, or the head thinner than a voxel; then nothing has changed
   void reset(Workpiece workpiece);
 
+  // --- exchanges while a loop runs ----------------------------------------------------------------------------------
+  /// `set` of a tool without an allocation. `prepared` receives the old tool.
+  /// @return false, with nothing changed, when it was made for another voxel size
+  /// @realtime no allocation, no lock; O(materials)
+  [[nodiscard]] bool exchange(PreparedTool& prepared) noexcept;
+
+  /// `set` of materials without an allocation. `prepared` receives the old materials.
+  /// @return false, with nothing changed, when the number of materials differs
+  /// @realtime no allocation, no lock; O(materials)
+  [[nodiscard]] bool exchange(PreparedMaterials& prepared) noexcept;
+
+  /// Swaps in workpiece and tool of another simulation, which receives the old ones. Energies, removed volumes and undo
+  /// marks are those of the other simulation. Effects, friction and removal stay as they are set here. The observers of
+  /// both simulations stay with theirs, and are told of the exchange.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange(Simulation& prepared) noexcept;
+
  private:
+  friend class WorkpieceHistory;
   friend struct SimulationMemory;
   struct State;
   explicit Simulation(std::unique_ptr<State> state) noexcept;

@@ -84,7 +84,7 @@ enum class StepStatus : std::uint32_t {
   /// CouplingGains::newton_steps.
   not_in_balance = 1U << 14,
   /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
-  /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::reset. No force, and
+  /// of workpiece, tool or materials (`undo`, `restore`, Simulation::set ...), or VirtualCoupling::reset. No force, and
   /// nothing is cut, while it is in there. Cure: move the hand out of the material, or after a refused input back to
   /// the tool. A script that must continue inside the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside.

@@ -187,13 +187,13 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
       options.buffered_steps, s.message, options.flush_period,
       BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
                                       [&s] { s.flush(); }});
-  simulation.add_observer(*this);
+  simulation.observers().add(*this);
   remains.path.clear();
 }
 
 Recorder::~Recorder() {
   State& s = *state_;
-  s.simulation.remove_observer(*this);
+  s.simulation.observers().remove(*this);
   if (!s.writer->running()) return;
   (void)s.end_writing();
   if (s.written == 0) ::unlink(s.growing.c_str());

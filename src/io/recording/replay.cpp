@@ -106,7 +106,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
     for (const RecordedStep& recorded : recording.read(first, std::min(kStepsPerRead, steps - first))) {
       look_for_interruption();
       if (next_effects != recording.effects().end() && next_effects->first_step == recorded.number)
-        simulation.set_effects((next_effects++)->effects);
+        simulation.set((next_effects++)->effects);
       prepare(simulation, recorded);
       RecordedStep replayed = recorded;
       replayed.free_blocks = simulation.workpiece().reserved_blocks();

@@ -164,11 +164,11 @@ template <class Happens>
 Recording interrupted(const std::filesystem::path& path, const Happens& happens) {
   const test::Scene& scene = test::find_scene(kScene);
   Simulation simulation = scene.make();
-  simulation.reserve_undo(10000);
+  simulation.history().reserve(10000);
   {
     Recorder recorder(path, simulation, test::patient());
     for (int tick = 0; tick < 350; ++tick) {
-      if (tick == 100) simulation.set_undo_mark();
+      if (tick == 100) simulation.history().mark();
       if (tick == 250) happens(simulation);
       recorder.step(scene.input(tick));
     }
@@ -179,12 +179,12 @@ Recording interrupted(const std::filesystem::path& path, const Happens& happens)
 
 TEST(ReplayPage, EndsWhereAnUndoHasEndedTheRecording) {
   const test::TemporaryFolder folder;
-  expect_what_was_recorded(interrupted(folder / "a.h5", [](Simulation& s) { (void)s.undo(10000); }), 250);
+  expect_what_was_recorded(interrupted(folder / "a.h5", [](Simulation& s) { (void)s.history().undo(10000); }), 250);
 }
 
 TEST(ReplayPage, EndsWhereAnotherToolHasEndedTheRecording) {
   const test::TemporaryFolder folder;
-  expect_what_was_recorded(interrupted(folder / "a.h5", [](Simulation& s) { s.set_tool(s.tool()); }), 250);
+  expect_what_was_recorded(interrupted(folder / "a.h5", [](Simulation& s) { s.set(s.tool()); }), 250);
 }
 
 /// A recording and a built page.

@@ -113,7 +113,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
   Pose X_WT = cli::start_pose(scene);
   const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};
-  const auto& removed = simulation.removed_volume_by_material();
+  const auto& removed = simulation.totals().removed_volume;
   for (int n = 0; n < 2000 && removed[1] + removed[2] < kWanted; ++n) {
     X_WT.translation += kDt * feed.linear;
     (void)simulation.step(X_WT * ball.X_HT().inverse(), feed, kDt);

@@ -57,10 +57,10 @@ TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
     }
   };
   press();
-  EXPECT_EQ(desk.model().removed_volume_by_material()[1], 0) << "the page has not looked at this scene yet";
+  EXPECT_EQ(desk.model().totals().removed_volume[1], 0) << "the page has not looked at this scene yet";
   desk.session.apply(view::LookAt{});
   press();
-  EXPECT_GT(desk.model().removed_volume_by_material()[1], 0);
+  EXPECT_GT(desk.model().totals().removed_volume[1], 0);
 }
 
 TEST(ViewSession, ThePointerCutsOnlyWhileItPresses) {

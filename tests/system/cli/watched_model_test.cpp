@@ -76,7 +76,7 @@ TEST(WatchedModel, ReportsTicksTheirLatenessAndTheRemovedVolume) {
   EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first tick has no lateness
   ASSERT_EQ(shown.removed.size(), 1U);
   EXPECT_GT(shown.removed[0], 0);
-  EXPECT_EQ(shown.removed[0], cut.scripted.simulation.removed_volume_by_material()[1]);
+  EXPECT_EQ(shown.removed[0], cut.scripted.simulation.totals().removed_volume[1]);
 }
 
 TEST(WatchedModel, ReportsTheSettingsAfterCommands) {

@@ -28,11 +28,11 @@ class Episode {
         voxel_(random_.between(0.12, 0.25) * mm),
         turns_(below(2, random_) == 0),
         simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // in this order
-        fresh_(simulation_.snapshot()),
+        fresh_(simulation_.workpiece().snapshot()),
         coupling_(simulation_, some_gains(turns_, random_)),
         invariants_(simulation_),
         hand_(simulation_.tool()) {
-    simulation_.reserve_undo(below(2, random_) == 0 ? 200 : 4096);
+    simulation_.history().reserve(below(2, random_) == 0 ? 200 : 4096);
     other_rate();
   }
 
@@ -119,18 +119,18 @@ class Episode {
         {"other_tool",
          [](Episode& e) {
            const Tool tool = some_tool(e.random_);
-           e.simulation_.set_tool(tool);
+           e.simulation_.set(tool);
            VirtualCoupling::Lists lists(e.simulation_.worst_case(), e.simulation_.config());
            e.coupling_.exchange_lists(lists);
            e.hand_.hold(tool);
            e.invariants_.forget_motor();
          },
          true},
-        {"other_materials", [](Episode& e) { e.simulation_.set_materials(some_materials(e.random_)); }, true},
+        {"other_materials", [](Episode& e) { e.simulation_.set(some_materials(e.random_)); }, true},
         {"other_friction",
          [](Episode& e) {
            const std::optional<DryFriction> friction = DryFriction{0.4, 0.3, 1000};
-           e.simulation_.set_friction(below(2, e.random_) == 0 ? std::nullopt : friction);
+           e.simulation_.set(below(2, e.random_) == 0 ? std::nullopt : friction);
          }},
         {"other_effects",
          [](Episode& e) {
@@ -141,7 +141,7 @@ class Episode {
              effects.limits.force_growth = 1000;
              effects.limits.ramp_time = 0.1;
            }
-           e.simulation_.set_effects(effects);
+           e.simulation_.set(effects);
          }},
         {"other_gains",
          [](Episode& e) {
@@ -151,17 +151,17 @@ class Episode {
         {"other_rate", [](Episode& e) { e.other_rate(); }},
         {"removal_changes",
          [](Episode& e) {
-           e.simulation_.set_removal(below(3, e.random_) == 0 ? RemovalLaw::none : RemovalLaw::constant_energy);
+           e.simulation_.set(below(3, e.random_) == 0 ? RemovalLaw::none : RemovalLaw::constant_energy);
          }},
-        {"mark", [](Episode& e) { e.simulation_.set_undo_mark(); }},
+        {"mark", [](Episode& e) { e.simulation_.history().mark(); }},
         {"undo", [](Episode& e) { undo_all(e.simulation_); }, true},
-        {"part_of_undo", [](Episode& e) { (void)e.simulation_.undo(1); }, true},
+        {"part_of_undo", [](Episode& e) { (void)e.simulation_.history().undo(1); }, true},
         {"redo", [](Episode& e) { redo_all(e.simulation_); }, true},
-        {"restore", [](Episode& e) { e.simulation_.restore(e.fresh_); }, true},
+        {"restore", [](Episode& e) { e.simulation_.history().restore(e.fresh_); }, true},
         {"other_workpiece",
          [](Episode& e) {
            e.simulation_.reset(some_piece(e.voxel_, e.random_));
-           e.fresh_ = e.simulation_.snapshot();
+           e.fresh_ = e.simulation_.workpiece().snapshot();
            e.invariants_.begin_ledger();
            e.invariants_.forget_motor();
          },

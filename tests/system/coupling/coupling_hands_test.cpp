@@ -223,7 +223,7 @@ class HandWork {
 HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
   HandWork work(scene);
   steps.last = scene.path.start;
-  scene.simulation.add_observer(steps);
+  scene.simulation.observers().add(steps);
   Pose last = scene.path.start;
   const long ticks = std::lround(std::ceil(scene.path.seconds / scene.period));
   for (long n = 0; n <= ticks; ++n) {
@@ -233,7 +233,7 @@ HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
     work.judge(steps.motor + (counts_turning ? steps.rotation : 0));
     last = pose;
   }
-  scene.simulation.remove_observer(steps);
+  scene.simulation.observers().remove(steps);
   return work;
 }
 
@@ -244,7 +244,7 @@ struct Tally {
 
   void add(const Scene& scene, const HandWork& work) {
     touched += work.max_force > 0.1 ? 1 : 0;
-    cut += scene.simulation.removed_volume_by_material()[1] > 0 ? 1 : 0;
+    cut += scene.simulation.totals().removed_volume[1] > 0 ? 1 : 0;
     got += work.given < -kNothing ? 1 : 0;
     max_got = std::max(max_got, -work.given);
   }
@@ -338,7 +338,7 @@ TEST(RandomHands, ThatTheForceMovesGetNothing) {
     loop.reset(scene.path.start);
     Steps steps;
     steps.last = scene.path.start;
-    scene.simulation.add_observer(steps);
+    scene.simulation.observers().add(steps);
     HandWork work(scene, config.encoder ? device.encoder_step : 0);
     Pose last = loop.plant().pose(), last_read = loop.read().X_BS;
     const long ticks = std::lround(1.5 * scene.path.seconds / scene.period);  // then it rests
@@ -352,7 +352,7 @@ TEST(RandomHands, ThatTheForceMovesGetNothing) {
       last = now, last_read = state.X_BS;
       loop.write(work.held);
     }
-    scene.simulation.remove_observer(steps);
+    scene.simulation.observers().remove(steps);
     expect_passive(scene, work);
     tally.add(scene, work);
   }

@@ -29,23 +29,23 @@ struct Exchange {
 const std::vector<Exchange>& exchanges() {
   static const std::vector<Exchange> all = {
       {"undo", [](Simulation& s, const auto&) { undo_all(s); }},
-      {"a part of an undo", [](Simulation& s, const auto&) { (void)s.undo(1); }},
+      {"a part of an undo", [](Simulation& s, const auto&) { (void)s.history().undo(1); }},
       {"redo",
        [](Simulation& s, const auto&) {
          undo_all(s);
          redo_all(s);
        }},
-      {"restore", [](Simulation& s, const auto& fresh) { s.restore(fresh); }},
-      {"larger tool", [](Simulation& s, const auto&) { s.set_tool(tool_of(SphereHead{2 * kRadius}, kSlow)); }},
+      {"restore", [](Simulation& s, const auto& fresh) { s.history().restore(fresh); }},
+      {"larger tool", [](Simulation& s, const auto&) { s.set(tool_of(SphereHead{2 * kRadius}, kSlow)); }},
       {"tool on a shank",
        [](Simulation& s, const auto&) {
-         s.set_tool(Tool(SphereHead{kRadius}, RayHandle{1 * mm}, Spindle{kSlow * units::rad_per_s}));
+         s.set(Tool(SphereHead{kRadius}, RayHandle{1 * mm}, Spindle{kSlow * units::rad_per_s}));
        }},
       {"materials",
        [](Simulation& s, const auto&) {
          Material harder = plain_material();
          harder.relative_stiffness *= 4;
-         s.set_materials(MaterialTable({harder}));
+         s.set(MaterialTable({harder}));
        }},
       {"another simulation",
        [](Simulation& s, const auto&) {
@@ -67,7 +67,7 @@ Simulation cutting_simulation(ContactTime time) {
   SimulationConfig config = implicit(1e14);
   config.contact_time = time;
   Simulation simulation(half_space(), ball(kSlow), config);
-  simulation.reserve_undo(4096);
+  simulation.history().reserve(4096);
   return simulation;
 }
 
@@ -75,9 +75,9 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   for (const Exchange& exchange : exchanges()) {
     SCOPED_TRACE(exchange.name);
     Simulation simulation = cutting_simulation(ContactTime::end);
-    const WorkpieceSnapshot fresh = simulation.snapshot();
+    const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
     VirtualCoupling coupling(simulation, touch_gains());
-    simulation.set_undo_mark();
+    simulation.history().mark();
     const Pose hand = at_height(kRadius - kDeep);
     for (int n = 0; n <= 1000; ++n) coupling.step(at_height(kRadius + 1e-3 - 3e-6 * n), {}, kTick);
     ASSERT_GT(coupling.last_result().hand.force.norm(), 0.1);
@@ -103,8 +103,8 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
     if (exchange.name == std::string("reset")) continue;  // like a new simulation, whose first step may be anywhere
     SCOPED_TRACE(exchange.name);
     Simulation simulation = cutting_simulation(ContactTime::middle);
-    const WorkpieceSnapshot fresh = simulation.snapshot();
-    simulation.set_undo_mark();
+    const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
+    simulation.history().mark();
     const Twist down = {Vec3(0, 0, -3e-3), Vec3::Zero()};
     for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), down, kTick);
     ASSERT_GT(simulation.last_result().force.norm(), 0.1);
@@ -200,11 +200,11 @@ TEST(PartedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
       VirtualCoupling coupling(simulation, touch_gains());
       for (int n = 0; n <= 600; ++n) coupling.step(at_height(kRadius + 0.1e-3 - 1e-6 * n), {}, kTick);
       const Pose hand = at_height(kRadius - 0.5e-3);
-      const double removed = simulation.removed_volume_by_material()[1];
+      const double removed = simulation.totals().removed_volume[1];
       if (rubbish_first) coupling.step(Pose::from_translation(Vec3::Constant(NAN)), {}, kTick);
       coupling.step(at_height(-8e-3), {}, kTick);
       for (int n = 0; n < 300; ++n) coupling.step(hand, {}, kTick);
-      EXPECT_LT(simulation.removed_volume_by_material()[1] - removed, 0.3e-9);
+      EXPECT_LT(simulation.totals().removed_volume[1] - removed, 0.3e-9);
       EXPECT_GT(coupling.last_result().X_WH.translation.z(), rubbish_first ? -8.1e-3 : 0.0);
       for (int n = 0; n < 10; ++n) coupling.step(at_height(10e-3), {}, kTick);
       EXPECT_LT(coupling.last_result().hand.force.norm(), 1e-6) << "in the air the hand holds the tool again";
@@ -231,7 +231,7 @@ TEST(PartedTool, FollowsAFastHandAtEveryRateAndVoxel) {
 TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), {}, kTick);
-  simulation.set_tool(tool_of(SphereHead{2 * kRadius}, kSlow));
+  simulation.set(tool_of(SphereHead{2 * kRadius}, kSlow));
   VirtualCoupling coupling(simulation, {});
   for (int n = 0; n < 10; ++n) expect_to_wait(coupling.step(at_height(kRadius - 1e-3), {}, kTick));
 }

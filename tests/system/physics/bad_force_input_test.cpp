@@ -140,10 +140,10 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
     if (tick > 50 && tick % 10 == 0) {
       Effects bad = config.effects;
       bad.vibration->frequency = 500;
-      EXPECT_THROW(disturbed.set_effects(bad), Error);
+      EXPECT_THROW(disturbed.set(bad), Error);
       EXPECT_THROW(disturbed.spindle().set_speed(std::nan("") * units::rad_per_s), Error);
       EXPECT_THROW(disturbed.reset(nothing()), Error);
-      EXPECT_THROW(disturbed.restore(WorkpieceSnapshot{}), Error);
+      EXPECT_THROW(disturbed.history().restore(WorkpieceSnapshot{}), Error);
       EXPECT_EQ(disturbed.steps(), calm.steps());
     }
     const Pose pose = Pose::from_translation(Vec3(0.03 * mm, 0.02 * mm, 1 * mm - 0.004 * mm * tick));

@@ -101,24 +101,24 @@ TEST(ChangedBlocks, AreNoneOfASpinningHeadThatTouchesButRemovesNothing) {
 TEST(Simulation, KeepsItsRedoUntilSomethingIsCut) {
   BallInItsCavity ball;
   Simulation& simulation = ball.simulation;
-  simulation.reserve_undo(2000);
+  simulation.history().reserve(2000);
   ball.move_to(-ball.kDepth, 5e-6);
   ball.wait(3000);
-  simulation.set_undo_mark();
+  simulation.history().mark();
   ball.move_to(-1.5 * ball.kDepth, 5e-6);
   ball.move_to(2e-3, 5e-5);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   ball.wait(1);
   const std::uint64_t shallow = simulation.workpiece().hash();
   int ticks_inside = 0;
   while (ball.height > -0.9 * ball.kDepth && simulation.workpiece().hash() == shallow) {  // into the cavity
-    ASSERT_EQ(simulation.redo_marks(), 1U) << ball.height;
+    ASSERT_EQ(simulation.workpiece().redo_marks(), 1U) << ball.height;
     ticks_inside += ball.height < 0 ? 1 : 0;
     ball.move_to(std::max(ball.height - 5e-6, -0.9 * ball.kDepth), 5e-6);
   }
   EXPECT_GT(ticks_inside, 20);
-  EXPECT_EQ(simulation.redo_marks(), simulation.workpiece().hash() == shallow ? 1U : 0U);
+  EXPECT_EQ(simulation.workpiece().redo_marks(), simulation.workpiece().hash() == shallow ? 1U : 0U);
 }
 
 // A stroke of 30 mm in one step: 600 sub-steps, which list most blocks many times.
@@ -151,10 +151,10 @@ TEST(Simulation, ContinuesFromARestoredSnapshotAsFromTheFreshWorkpiece) {
     }
     return forces;
   };
-  const WorkpieceSnapshot fresh = simulation.snapshot();
+  const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
   const std::vector<Vec3> first = forces_again();
   const std::uint64_t hash = simulation.workpiece().hash();
-  simulation.restore(fresh);
+  simulation.history().restore(fresh);
   EXPECT_EQ(forces_again(), first);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
@@ -173,13 +173,13 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   Counter told;
-  simulation.add_observer(told);
+  simulation.observers().add(told);
   EXPECT_EQ(simulation.steps(), 0U);
-  const WorkpieceSnapshot fresh = simulation.snapshot();
+  const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
   for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).X_WH, {}, 1e-3);
   EXPECT_EQ(simulation.steps(), 3U);
   EXPECT_EQ(told.exchanges, 0);
-  simulation.restore(fresh);
+  simulation.history().restore(fresh);
   EXPECT_EQ(simulation.steps(), 3U);
   EXPECT_EQ(told.exchanges, 1);
   simulation.reset(simulation.workpiece().clone());
@@ -190,19 +190,19 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   simulation.step(nowhere, {}, 1e-3);
   EXPECT_EQ(told.steps, 4) << "a rejected step counts";
   Counter another;
-  simulation.add_observer(another);
-  EXPECT_THROW(simulation.add_observer(told), Error);
+  simulation.observers().add(another);
+  EXPECT_THROW(simulation.observers().add(told), Error);
   simulation.step(scene.input(0).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 1);
-  simulation.remove_observer(told);
+  simulation.observers().remove(told);
   simulation.step(scene.input(1).X_WH, {}, 1e-3);
   EXPECT_EQ(told.steps, 5);
   EXPECT_EQ(another.steps, 2);
-  std::array<Counter, Simulation::kMaxObservers> many;
-  for (std::size_t n = 1; n < many.size(); ++n) simulation.add_observer(many[n]);
-  EXPECT_THROW(simulation.add_observer(many[0]), Error);
-  EXPECT_EQ(simulation.observers().size(), Simulation::kMaxObservers);
+  std::array<Counter, StepObservers::kMax> many;
+  for (std::size_t n = 1; n < many.size(); ++n) simulation.observers().add(many[n]);
+  EXPECT_THROW(simulation.observers().add(many[0]), Error);
+  EXPECT_EQ(simulation.observers().all().size(), StepObservers::kMax);
   simulation.spindle().set_speed(-7 * units::rad_per_s);
   EXPECT_EQ(simulation.spindle().setting(), -7);
 }

@@ -57,7 +57,7 @@ struct Press {
     return forces.back();
   }
   [[nodiscard]] const EnergyLedger& energy() const { return simulation.last_result().energy; }
-  [[nodiscard]] double crushed() const { return simulation.removed_volume_by_material()[1]; }
+  [[nodiscard]] double crushed() const { return simulation.totals().removed_volume[1]; }
 
   Mat3 R;
   Simulation simulation;

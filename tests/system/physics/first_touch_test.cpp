@@ -68,18 +68,18 @@ TEST(FirstTouch, ComesOnceForEachMaterialWhereItsDistanceBecomesZero) {
       const MaterialSet now = simulation.first_touched();
       now.for_each([&](MaterialId id) {
         order.push_back(id);
-        EXPECT_TRUE(simulation.touched().has(id));
-        EXPECT_EQ(simulation.first_touch_by_material()[id], simulation.steps());
+        EXPECT_TRUE(simulation.totals().touched.has(id));
+        EXPECT_EQ(simulation.totals().first_touch[id], simulation.steps());
         // The step moves the head by 0.05 voxels, and cuts.
         EXPECT_LT(simulation.distance_to(id, fed(n)), 0.1 * kVoxel) << int(id);
         EXPECT_GT(simulation.distance_to(id, fed(n - 2)), 0) << int(id);
         EXPECT_NEAR(-(fed(n).translation.z() - kRadius), 0.3 * mm * (id - 1), kVoxel) << int(id);
       });
-      ASSERT_EQ(simulation.touched().size(), int(order.size()));
+      ASSERT_EQ(simulation.totals().touched.size(), int(order.size()));
     }
     ASSERT_EQ(order.size(), std::size_t(count));
     for (int id = 1; id <= count; ++id) EXPECT_EQ(order[std::size_t(id - 1)], id) << "from the top down";
-    EXPECT_EQ(simulation.first_touch_by_material()[0], 0U);
+    EXPECT_EQ(simulation.totals().first_touch[0], 0U);
   }
 }
 
@@ -90,7 +90,7 @@ TEST(FirstTouch, OfAStepIsForgottenByTheNextOneAndNotByTheSet) {
   EXPECT_EQ(ids_of(simulation.first_touched()), std::vector<MaterialId>{kFirst});
   (void)simulation.step(fed(n), kDown, kTick);
   EXPECT_TRUE(simulation.first_touched().empty());
-  EXPECT_EQ(ids_of(simulation.touched()), std::vector<MaterialId>{kFirst});
+  EXPECT_EQ(ids_of(simulation.totals().touched), std::vector<MaterialId>{kFirst});
 }
 
 TEST(FirstTouch, IsThatOfEveryLawWithItsHead) {
@@ -104,39 +104,39 @@ TEST(FirstTouch, IsThatOfEveryLawWithItsHead) {
     for (int n = 0; n <= 200 && !met; ++n) {
       const Pose X_WH = Pose::from_translation(Vec3(0, 0, 0.1 * mm - lowest - kFeed * n * kTick));
       met = simulation.step(X_WH, kDown, kTick).contact.voxels > 0;
-      EXPECT_EQ(simulation.touched().has(kFirst), met) << named.name << " " << n;
+      EXPECT_EQ(simulation.totals().touched.has(kFirst), met) << named.name << " " << n;
     }
     EXPECT_TRUE(met) << named.name;
-    EXPECT_FALSE(simulation.touched().has(kSecond)) << named.name;
+    EXPECT_FALSE(simulation.totals().touched.has(kSecond)) << named.name;
   }
 }
 
 TEST(FirstTouch, StaysThroughExchangesOfTheToolAndRestoresButNotThroughAReset) {
   Simulation simulation(layers(3), drill());
-  const WorkpieceSnapshot whole = simulation.snapshot();
+  const WorkpieceSnapshot whole = simulation.workpiece().snapshot();
   for (int n = 1; n <= 50; ++n) (void)simulation.step(fed(n), kDown, kTick);
-  ASSERT_TRUE(simulation.touched().has(kFirst));
-  const std::uint64_t first = simulation.first_touch_by_material()[kFirst];
-  simulation.set_tool(test::tool_of(SphereHead{0.5 * mm}, test::kSpin));
-  simulation.restore(whole);
-  EXPECT_TRUE(simulation.touched().has(kFirst));
-  EXPECT_EQ(simulation.first_touch_by_material()[kFirst], first);
+  ASSERT_TRUE(simulation.totals().touched.has(kFirst));
+  const std::uint64_t first = simulation.totals().first_touch[kFirst];
+  simulation.set(test::tool_of(SphereHead{0.5 * mm}, test::kSpin));
+  simulation.history().restore(whole);
+  EXPECT_TRUE(simulation.totals().touched.has(kFirst));
+  EXPECT_EQ(simulation.totals().first_touch[kFirst], first);
   simulation.reset(layers(3));
-  EXPECT_TRUE(simulation.touched().empty());
+  EXPECT_TRUE(simulation.totals().touched.empty());
   EXPECT_TRUE(simulation.first_touched().empty());
-  EXPECT_EQ(simulation.first_touch_by_material()[kFirst], 0U);
+  EXPECT_EQ(simulation.totals().first_touch[kFirst], 0U);
 }
 
 TEST(FirstTouch, NeedsAStepThatIsTaken) {
   Simulation simulation(layers(1), drill());
   (void)simulation.step(fed(1), kDown, kTick);
-  (void)simulation.restore(simulation.snapshot());
+  (void)simulation.history().restore(simulation.workpiece().snapshot());
   EXPECT_TRUE(has_any(simulation.step(fed(60), kDown, kTick).status, StepStatus::tool_waits));
-  EXPECT_TRUE(simulation.touched().empty()) << "the tool waits: it feels nothing";
+  EXPECT_TRUE(simulation.totals().touched.empty()) << "the tool waits: it feels nothing";
   EXPECT_TRUE(has_any(simulation.step(fed(60), kDown, -1).status, StepStatus::dt_rejected));
   (void)simulation.probe(fed(60), kDown, kTick);
   (void)simulation.touches(fed(60));
-  EXPECT_TRUE(simulation.touched().empty()) << "questions change nothing";
+  EXPECT_TRUE(simulation.totals().touched.empty()) << "questions change nothing";
 }
 
 TEST(FirstTouch, ThroughACouplingIsThatOfAllPartsOfTheTick) {
@@ -152,7 +152,7 @@ TEST(FirstTouch, ThroughACouplingIsThatOfAllPartsOfTheTick) {
     const CoupledResult& tick = coupling.step(X_WD, {Vec3(0, 0, -fast), Vec3::Zero()}, kTick);
     ticks += tick.first_touched.empty() ? 0 : 1;
     events.insert(tick.first_touched);
-    EXPECT_EQ(events, simulation.touched()) << n;
+    EXPECT_EQ(events, simulation.totals().touched) << n;
   }
   EXPECT_TRUE(events.has(kFirst));
   EXPECT_GE(ticks, 1);

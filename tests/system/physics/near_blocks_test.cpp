@@ -85,10 +85,10 @@ TEST_P(NearBlocks, GiveTheSameBitsWhateverWasFoundBefore) {
     if (tick % 3 == 0) (void)asked.touches(Pose::from_translation(Vec3(5, 5, 5) * mm));
     if (tick % 3 == 1) (void)asked.touches({X_WH.rotation, X_WH.translation + random.vector(0.2 * kVoxel)});
     if (tick == 200) {
-      ASSERT_TRUE(plain.set_undo_mark() && asked.set_undo_mark());
+      ASSERT_TRUE(plain.history().mark() && asked.history().mark());
     }
     if (tick == 300) {
-      ASSERT_TRUE(plain.undo(10000) && asked.undo(10000));
+      ASSERT_TRUE(plain.history().undo(10000) && asked.history().undo(10000));
       X_WH.translation.z() += 2 * mm;
     }
     if (tick == 301) X_WH.translation.z() -= 2 * mm;

@@ -122,15 +122,15 @@ TEST(NoAllocation, WhileDistancesAreMeasuredAndMaterialsAreFirstTouched) {
   });
   EXPECT_GT(sum, 0);
   EXPECT_EQ(hits, 500);
-  EXPECT_GT(simulation.touched().size(), 5);
+  EXPECT_GT(simulation.totals().touched.size(), 5);
 }
 
 TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
   const double voxel = 0.1 * units::mm;
   Workpiece bar = build_block({Vec3::Zero(), voxel * Vec3(24, 24, 80)}, voxel, test::named("bone"));
   Simulation simulation(std::move(bar), Tool(SphereHead{0.6 * units::mm}));
-  simulation.reserve_undo(100);
-  simulation.set_undo_mark();
+  simulation.history().reserve(100);
+  simulation.history().mark();
   BlockVoxels layer;  // between the two halves
   for (int x = 0; x < kBlockEdge; ++x)
     for (int y = 0; y < kBlockEdge; ++y) layer.voxels.add(block_offset(x, y, 0));

@@ -48,7 +48,7 @@ Felt lower(const SimulationConfig& config, const ToolHead& head, AngularSpeed sp
     low = std::min(low, force), high = std::max(high, force);
   }
   felt.restless = high - low;
-  felt.removed = simulation.removed_volume_by_material()[1];
+  felt.removed = simulation.totals().removed_volume[1];
   return felt;
 }
 

@@ -21,7 +21,8 @@ constexpr double kLever = 0.1;      // [m] of the longest handle
 void expect_equal(const ContactProbe& probed, const StepResult& stepped, const std::string& where) {
   ASSERT_LT((probed.wrench.force - stepped.model.force).norm(), kNothing + kRounding * stepped.model.force.norm())
       << where;
-  ASSERT_LT((probed.wrench.torque - stepped.model.torque).norm(), kNothing + kRounding * kLever * stepped.model.force.norm())
+  ASSERT_LT((probed.wrench.torque - stepped.model.torque).norm(),
+            kNothing + kRounding * kLever * stepped.model.force.norm())
       << where;
   ASSERT_EQ(probed.contact.voxels, stepped.contact.voxels) << where;
   ASSERT_LT((probed.contact.point_W - stepped.contact.point_W).norm(), kRounding * kLever) << where;
@@ -103,7 +104,7 @@ TEST(Probe, HasDryFrictionAndDeepContactAndNoEffects) {
 TEST(Probe, BeforeTheFirstStepOfAnotherToolHasNoSpringsOfTheOldOne) {
   Simulation simulation = rough_block(0), fresh = rough_block(0);
   for (int tick = 0; tick < 300; ++tick) step_to(simulation, pressed_to(tick));
-  simulation.set_tool(tool_of(SphereHead{kRadius}));
+  simulation.set(tool_of(SphereHead{kRadius}));
   const Pose at = Pose::from_translation(pressed_to(280));
   const ContactProbe probed = simulation.probe(at, {}, kTick), expected = fresh.probe(at, {}, kTick);
   EXPECT_GT(expected.wrench.force.norm(), 0.1);

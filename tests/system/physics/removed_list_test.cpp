@@ -40,7 +40,7 @@ TEST(RemovedList, CanBeLeftOutAndChangesNothingElse) {
     expect_equal_but_for_the_list(result, step_to(bare, to, velocity));
   }
   EXPECT_GT(listed, 100U);
-  EXPECT_EQ(bare.removed_volume_by_material(), listing.removed_volume_by_material());
+  EXPECT_EQ(bare.totals().removed_volume, listing.totals().removed_volume);
 }
 
 TEST(RemovedList, StaysLeftOutAfterAnExchangeOfTheTool) {

@@ -102,10 +102,10 @@ TEST(Spindle, WithACutterThatDoesNotSuitTheMaterialsIsReported) {
   EXPECT_FALSE(is_told(-0.05 * mm)) << "in the air";
 
   simulation = Simulation(block(presets::dentin()), tool({}));
-  simulation.set_tool(tool(Cutter{twist_drill}));
+  simulation.set(tool(Cutter{twist_drill}));
   (void)is_told(-0.1 * mm);
   EXPECT_TRUE(is_told());
-  simulation.set_materials(MaterialTable({presets::dentin(twist_drill)}));
+  simulation.set(MaterialTable({presets::dentin(twist_drill)}));
   (void)is_told(-0.1 * mm);
   EXPECT_FALSE(is_told());
 }

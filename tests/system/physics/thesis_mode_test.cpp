@@ -210,7 +210,7 @@ struct Lowered {
       max = std::max(max, last);
       if (tick == 150) middle = last;
     }
-    removed = simulation.removed_volume_by_material()[1];
+    removed = simulation.totals().removed_volume[1];
   }
 };
 
@@ -282,7 +282,7 @@ double cut_by_a_press(const ToolHead& head, AngularSpeed speed, double stiffness
     before = z;
     z = std::max(z - 5e-6, felt.X_WH.translation.z() - force / coupling.gains().stiffness);
   }
-  return simulation.removed_volume_by_material()[1];
+  return simulation.totals().removed_volume[1];
 }
 
 // Proves: thesis mode.

@@ -60,7 +60,7 @@ TEST(CInterface, GivesEveryStepBitByBitAsCppDoes) {
   auto info = sized<hapticut_material_info>();
   ASSERT_EQ(hapticut_material(simulation.get(), 1, &info), HAPTICUT_OK);
   EXPECT_STREQ(info.name, "cortical_bone");
-  EXPECT_EQ(info.removed_volume, expected.removed_volume_by_material()[1]);
+  EXPECT_EQ(info.removed_volume, expected.totals().removed_volume[1]);
   auto ledger = sized<hapticut_energy_ledger>();
   ASSERT_EQ(hapticut_energy(simulation.get(), &ledger), HAPTICUT_OK);
   EXPECT_EQ(ledger.cutting, expected.last_result().energy.cutting);

@@ -159,12 +159,12 @@ TEST(HeatCollector, HandsItsHeatToAnotherThread) {
 
 TEST(HeatCollector, ContinuesAfterAnUndoWithRestoredMaterial) {
   Drilling drilling;
-  drilling.simulation.reserve_undo(500);
-  drilling.simulation.set_undo_mark();
+  drilling.simulation.history().reserve(500);
+  drilling.simulation.history().mark();
   drilling.down(1);
   const Vec3 in_hole = Vec3(0, 0, -0.6) * mm;
   EXPECT_TRUE(std::isnan(drilling.field.temperature_at(in_hole)));
-  while (!drilling.simulation.undo(64)) {
+  while (!drilling.simulation.history().undo(64)) {
   }
   for (int tick = 0; tick < 400; ++tick) {
     drilling.stay_in_the_air();

@@ -28,7 +28,7 @@ class RecordedLoop {
         simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // in this order
         hand_(simulation_.tool()),
         device_(*this) {
-    simulation_.reserve_undo(2000);
+    simulation_.history().reserve(2000);
   }
 
   /// Records a run of the loop, and replays it. The next run begins with a clone of the workpiece.
@@ -49,7 +49,7 @@ class RecordedLoop {
       steps_ += log.bits().size();
     }
     simulation_.reset(simulation_.workpiece().clone());
-    simulation_.set_removal(RemovalLaw::constant_energy);
+    simulation_.set(RemovalLaw::constant_energy);
   }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }                      // recorded ones
   [[nodiscard]] std::uint64_t held_in_contact() const { return held_in_contact_; }  // ticks

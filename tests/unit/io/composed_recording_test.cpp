@@ -34,9 +34,9 @@ struct Seen {
 class SeenSteps final : public StepObserver {
  public:
   SeenSteps(Simulation& simulation, Seen& seen) : simulation_(simulation), seen_(seen) {
-    simulation.add_observer(*this);
+    simulation.observers().add(*this);
   }
-  ~SeenSteps() override { simulation_.remove_observer(*this); }
+  ~SeenSteps() override { simulation_.observers().remove(*this); }
   SeenSteps(const SeenSteps&) = delete;
   SeenSteps& operator=(const SeenSteps&) = delete;
 
@@ -65,11 +65,11 @@ class RecordedRun {
         voxel_(random_.between(0.12, 0.25) * mm),
         config_(some_settings()),
         simulation_{some_piece(voxel_, random_), some_tool(random_), config_},  // in this order
-        fresh_(simulation_.snapshot()),
+        fresh_(simulation_.workpiece().snapshot()),
         hand_(simulation_.tool()),
         seen_(seen) {
     if (drive == Drive::coupling) coupling_.emplace(simulation_, some_gains(false, random_));
-    simulation_.reserve_undo(200);
+    simulation_.history().reserve(200);
   }
 
   /// Records a part of the run, and replays it. The next part begins where this one ends, with a clone of the
@@ -95,9 +95,9 @@ class RecordedRun {
       recorder.close();
       expect_repeats(path, log);
     }
-    if (simulation_.config().removal == RemovalLaw::none) simulation_.set_removal(RemovalLaw::constant_energy);
+    if (simulation_.config().removal == RemovalLaw::none) simulation_.set(RemovalLaw::constant_energy);
     simulation_.reset(below(4, random_) == 0 ? some_piece(voxel_, random_) : simulation_.workpiece().clone());
-    fresh_ = simulation_.snapshot();
+    fresh_ = simulation_.workpiece().snapshot();
   }
   [[nodiscard]] const std::string& events() const { return happened_; }
 
@@ -181,9 +181,9 @@ class RecordedRun {
         {"hold", [](RecordedRun& r) { r.simulation_.spindle().hold(true); }},
         {"let_go", [](RecordedRun& r) { r.simulation_.spindle().hold(false); }},
         {"let_go", [](RecordedRun& r) { r.simulation_.spindle().hold(false); }},
-        {"effects", [](RecordedRun& r) { r.simulation_.set_effects(r.some_effects()); }},
+        {"effects", [](RecordedRun& r) { r.simulation_.set(r.some_effects()); }},
         {"reserve", [](RecordedRun& r) { r.simulation_.reserve_blocks(r.some_reserve()); }},
-        {"mark", [](RecordedRun& r) { r.simulation_.set_undo_mark(); }},
+        {"mark", [](RecordedRun& r) { r.simulation_.history().mark(); }},
         {"release", [](RecordedRun& r) { r.simulation_.release_hand(); }},
         {"leave",
          [](RecordedRun& r) {
@@ -196,7 +196,7 @@ class RecordedRun {
         {"ask", [](RecordedRun& r) {
            (void)r.simulation_.touches(r.hand_.X_WD());
            (void)r.simulation_.probe(r.hand_.X_WD(), r.hand_.velocity(), 1e-3);
-           (void)r.simulation_.snapshot();
+           (void)r.simulation_.workpiece().snapshot();
          }}};
     return all;
   }
@@ -206,18 +206,18 @@ class RecordedRun {
     static const std::vector<Event> all = {
         {"tool",
          [](RecordedRun& r) {
-           r.simulation_.set_tool(some_tool(r.random_));
+           r.simulation_.set(some_tool(r.random_));
            r.hold_tool();
          }},
-        {"materials", [](RecordedRun& r) { r.simulation_.set_materials(some_materials(r.random_)); }},
+        {"materials", [](RecordedRun& r) { r.simulation_.set(some_materials(r.random_)); }},
         {"friction",
          [](RecordedRun& r) {
            const std::optional<DryFriction> friction = DryFriction{0.4, 0.3, 1000};
-           r.simulation_.set_friction(below(2, r.random_) == 0 ? std::nullopt : friction);
+           r.simulation_.set(below(2, r.random_) == 0 ? std::nullopt : friction);
          }},
         {"removal", [](RecordedRun& r) {
            const bool cuts = r.simulation_.config().removal != RemovalLaw::none;
-           r.simulation_.set_removal(cuts ? RemovalLaw::none : RemovalLaw::constant_energy);
+           r.simulation_.set(cuts ? RemovalLaw::none : RemovalLaw::constant_energy);
          }}};
     return all;
   }
@@ -226,13 +226,13 @@ class RecordedRun {
   static const std::vector<Event>& exchanges() {
     static const std::vector<Event> all = {
         {"undo", [](RecordedRun& r) { undo_all(r.simulation_); }},
-        {"part_of_undo", [](RecordedRun& r) { (void)r.simulation_.undo(1); }},
+        {"part_of_undo", [](RecordedRun& r) { (void)r.simulation_.history().undo(1); }},
         {"redo",
          [](RecordedRun& r) {
            undo_all(r.simulation_);
            redo_all(r.simulation_);
          }},
-        {"restore", [](RecordedRun& r) { r.simulation_.restore(r.fresh_); }},
+        {"restore", [](RecordedRun& r) { r.simulation_.history().restore(r.fresh_); }},
         {"reset", [](RecordedRun& r) { r.simulation_.reset(some_piece(r.voxel_, r.random_)); }},
         {"remove", [](RecordedRun& r) { (void)r.simulation_.remove_voxels(r.some_voxels()); }},
         {"exchange",

@@ -186,13 +186,13 @@ TEST(Recorder, EndsTheRecordingWhereTheWorkpieceIsExchanged) {
   const test::Scene& scene = test::find_scene("axial_flat");
   for (const bool reset : {false, true}) {
     Simulation simulation = scene.make();
-    const WorkpieceSnapshot fresh = simulation.snapshot();
+    const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
     Recorder recorder(folder / "a.h5", simulation, patient());
     for (int tick = 0; tick < 100; ++tick) recorder.step(scene.input(tick));
     if (reset)
       simulation.reset(simulation.workpiece().clone());
     else
-      simulation.restore(fresh);
+      simulation.history().restore(fresh);
     for (int tick = 0; tick < 200; ++tick) recorder.step(scene.input(tick));
     EXPECT_EQ(recorder.recorded(), 100U);
     EXPECT_EQ(recorder.lost(), 200U);
@@ -228,7 +228,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   EXPECT_GT(parts, std::uint64_t(kTicks)) << "some ticks were cut into parts";
   EXPECT_EQ(recorder.recorded(), parts);
   EXPECT_EQ(recorder.lost(), 0U);
-  EXPECT_GT(simulation.removed_volume_by_material()[1], 0);
+  EXPECT_GT(simulation.totals().removed_volume[1], 0);
   const Recording recording = read_recording(folder / "a.h5");
   const ReplayReport report = replay(recording);
   EXPECT_TRUE(report.identical) << report.first_difference->column << " in step " << report.first_difference->step;
@@ -330,7 +330,7 @@ TEST(Recorder, IsOneOfTheObserversOfItsSimulation) {
     EXPECT_EQ(first.recorded(), 10U);
     EXPECT_EQ(second.recorded(), 10U);
   }
-  EXPECT_TRUE(simulation.observers().empty());
+  EXPECT_TRUE(simulation.observers().all().empty());
 }
 
 }  // namespace

@@ -134,9 +134,9 @@ TEST(Recording, ReplaysSettingsBetweenStepsAndRejectedSteps) {
       effects.enabled.torque[1] = false;
       effects.limits.max_force = 2;
       effects.limits.ramp_time = 0.1;
-      simulation.set_effects(effects);
+      simulation.set(effects);
     }
-    if (tick == 250) simulation.set_effects({});
+    if (tick == 250) simulation.set(Effects{});
     if (tick % 40 == 0) simulation.reserve_blocks(simulation.config().reserved_blocks + std::size_t(tick / 400));
     StepInput input = plunge(simulation, tick);
     if (tick == 300) input.X_WH.translation.x() = std::numeric_limits<double>::quiet_NaN();
@@ -180,7 +180,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
     Simulation simulation = small_cut(config, tool);
     Material material = test::plain_material();
     material.cutter = CutterKind::twist_drill;  // no tool has this kind, which the status reports
-    simulation.set_materials(MaterialTable({material}));
+    simulation.set(MaterialTable({material}));
     record_plunge(folder / "a.h5", simulation, 200);
     const Recording recording = read_recording(folder / "a.h5");
     EXPECT_EQ(recording.tool().head().shape().index(), tool.head().shape().index());

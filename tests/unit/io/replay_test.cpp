@@ -107,7 +107,7 @@ TEST(Replay, KnowsOnlyTheMotorThatIsRecorded) {
   slow.acceleration_limit = 1e4;
   Simulation simulation = soft_cut(slow);
   simulation.spindle().halt();
-  simulation.set_tool(simulation.tool());
+  simulation.set(simulation.tool());
   (void)record_and_repeat(
       simulation, 100, [](int) {}, folder / "a.h5");
 }
@@ -187,11 +187,11 @@ TEST(Replay, IsIdenticalWhenTheWorkpieceChangesAfterTheLastStep) {
   const TemporaryFolder folder;
   const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
-  simulation.reserve_undo(1000);
-  simulation.set_undo_mark();
+  simulation.history().reserve(1000);
+  simulation.history().mark();
   Recorder recorder(folder / "a.h5", simulation, patient());
   for (int tick = 0; tick < 300; ++tick) recorder.step(scene.input(tick));
-  ASSERT_GT(simulation.removed_volume_by_material()[1], 0);
+  ASSERT_GT(simulation.totals().removed_volume[1], 0);
   test::undo_all(simulation);
   recorder.close();
   const Recording recording = read_recording(folder / "a.h5");

@@ -36,7 +36,7 @@ void record_alone(const std::filesystem::path& path, const std::vector<std::file
     const std::string refusal = test::refusal([&] { Recorder(name, other, patient()); });
     for (const char* part : {"cannot write the recording", "a.h5'", "still writing", "another file"})
       test::expect_part(refusal, part);
-    EXPECT_TRUE(other.observers().empty());
+    EXPECT_TRUE(other.observers().all().empty());
   }
   step_in_the_air(recorder, 10);
   recorder.close();

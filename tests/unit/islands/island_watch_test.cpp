@@ -44,8 +44,8 @@ double volume_of(const Workpiece& workpiece) {
 
 TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(500);
-  simulation.set_undo_mark();
+  simulation.history().reserve(500);
+  simulation.history().mark();
   const double whole = volume_of(simulation.workpiece());
   const std::uint64_t hash = simulation.workpiece().hash();
   IslandFinder finder(simulation.workpiece());
@@ -57,7 +57,7 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   }
   ASSERT_EQ(islands.size(), 1U);
   EXPECT_NEAR(double(islands[0].voxels), 8 * 8 * 15, 60) << "from 4.6 mm to 6 mm, and the dome that the ball leaves";
-  const double cut = sum(simulation.removed_volume_by_material()), cutting = simulation.last_result().energy.cutting;
+  const double cut = sum(simulation.totals().removed_volume), cutting = simulation.last_result().energy.cutting;
   IslandRemoval removal{islands[0]};
   int slices = 0;
   while (!remove_island(simulation, removal, 2)) ++slices;
@@ -65,24 +65,24 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   EXPECT_GE(slices, 2);
   EXPECT_FALSE(simulation.changed_blocks().origins.empty());
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  const double left = sum(simulation.detached_volume_by_material());
+  const double left = sum(simulation.totals().detached_volume);
   EXPECT_NEAR(left, double(islands[0].voxels) * std::pow(kVoxel, 3), 0.05 * left);
-  EXPECT_EQ(sum(simulation.removed_volume_by_material()), cut);
+  EXPECT_EQ(sum(simulation.totals().removed_volume), cut);
   EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
   EXPECT_NEAR(volume_of(simulation.workpiece()) + cut + left, whole, 1e-9 * whole);
   for (int z = 46; z < 60; ++z) EXPECT_EQ(simulation.workpiece().material_at({4, 4, z}), kEmpty) << z;
   // The tool continues, and the ledger closes.
   for (int tick = kThrough; tick < kThrough + 50; ++tick) cut_through(simulation, tick);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
 
 TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(500);
-  simulation.set_undo_mark();
+  simulation.history().reserve(500);
+  simulation.history().mark();
   for (int tick = 1; tick <= kThrough; ++tick) cut_through(simulation, tick);
   const std::vector<Island> islands = find_islands(simulation.workpiece());
   ASSERT_EQ(islands.size(), 1U);
@@ -90,7 +90,7 @@ TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
   EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1))
       << "all blocks were checked, one was removed";
   EXPECT_GT(half.removed, 0U);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   const std::uint64_t hash = simulation.workpiece().hash();
   EXPECT_TRUE(remove_island(simulation, half, 64));
@@ -112,7 +112,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   others.origin = {8, 8, 8};
   EXPECT_TRUE(simulation.remove_voxels(some));
   EXPECT_FALSE(simulation.remove_voxels(others));
-  EXPECT_NEAR(sum(simulation.detached_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
+  EXPECT_NEAR(sum(simulation.totals().detached_volume), 8 * std::pow(kVoxel, 3), 1e-20);
   simulation.reserve_blocks(4);
   EXPECT_TRUE(simulation.remove_voxels(others));
 }
@@ -131,7 +131,7 @@ TEST(IslandWatch, RemovesAPieceBesideACustomLoop) {
   }
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  EXPECT_GT(sum(simulation.detached_volume_by_material()), 0);
+  EXPECT_GT(sum(simulation.totals().detached_volume), 0);
   std::vector<Island> left;
   while (left.empty()) {
     left = watch.removed();
@@ -177,11 +177,11 @@ void wait(Simulation& simulation, IslandWatch& watch, int ticks) {
 void cut_layer(Simulation& simulation, IslandWatch& watch, int k) {
   const std::uint64_t before = watch.count();
   for (;;) {
-    simulation.set_undo_mark();
+    simulation.history().mark();
     ASSERT_TRUE(simulation.remove_voxels(layer(k)));
     wait(simulation, watch, 200);
     if (watch.count() > before) break;
-    while (!simulation.undo(64)) {
+    while (!simulation.history().undo(64)) {
     }
     wait(simulation, watch, 200);
   }
@@ -190,7 +190,7 @@ void cut_layer(Simulation& simulation, IslandWatch& watch, int k) {
 TEST(IslandWatch, LeavesTheBodiesOfAnotherWorkpieceAndWatchesThem) {
   for (const bool exchanged : {false, true}) {
     Simulation simulation = bar_and_ball();
-    simulation.reserve_undo(100);
+    simulation.history().reserve(100);
     IslandWatch watch(simulation, quick_watch());
     wait(simulation, watch, 20);
     Workpiece two = bar(0, 6);
@@ -198,7 +198,7 @@ TEST(IslandWatch, LeavesTheBodiesOfAnotherWorkpieceAndWatchesThem) {
     two.empty_voxels({0, 0, 16}, layer(20).voxels);  // two bodies, of 20 and 39 layers
     if (exchanged) {
       Simulation other(std::move(two), simulation.tool(), simulation.config());
-      other.reserve_undo(100);
+      other.history().reserve(100);
       simulation.exchange(other);
     } else {
       simulation.reset(std::move(two));
@@ -215,7 +215,7 @@ TEST(IslandWatch, FollowsTheFrameAndTheBoundsOfAnotherWorkpiece) {
   IslandWatchOptions options = quick_watch();
   options.islands.fixed = Box{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0.5) * mm};
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(200);
+  simulation.history().reserve(200);
   IslandWatch watch(simulation, options);
   simulation.reset(bar(-3, 9));
   cut_layer(simulation, watch, 40);  // 1 mm above the origin; the part above the cut is the longer one
@@ -244,7 +244,7 @@ TEST(IslandWatch, SaysWhyItDoesNotWatchAWorkpieceAndWatchesTheNext) {
   test::expect_part(watch.fault().value_or(""), "blocks, more than 3.35544e+07 in which islands can be found");
   simulation.reset(bar(0, 6));
   while (watch.fault()) wait(simulation, watch, 1);
-  simulation.reserve_undo(200);
+  simulation.history().reserve(200);
   cut_layer(simulation, watch, 40);
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_EQ(watch.fault(), std::nullopt);
@@ -252,13 +252,13 @@ TEST(IslandWatch, SaysWhyItDoesNotWatchAWorkpieceAndWatchesTheNext) {
 
 TEST(IslandWatch, RemovesALoosePieceAgainThatAnUndoBringsBack) {
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(200);
+  simulation.history().reserve(200);
   IslandWatch watch(simulation, quick_watch());
   ASSERT_TRUE(simulation.remove_voxels(layer(40)));
-  simulation.set_undo_mark();
+  simulation.history().mark();
   while (watch.count() == 0) wait(simulation, watch, 1);
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 40 * kInLayer);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 59 * kInLayer);
   while (watch.count() == 1) wait(simulation, watch, 1);
@@ -271,7 +271,7 @@ TEST(IslandWatch, RemovesAPieceWhosePartsItSawAtDifferentTimes) {
   options.period = 1e-4;
   options.blocks.blocks_per_step = 1;
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(200);
+  simulation.history().reserve(200);
   IslandWatch watch(simulation, options);
   const auto wait_slowly = [&](int ticks) {
     for (int n = 0; n < ticks; ++n) {
@@ -280,11 +280,11 @@ TEST(IslandWatch, RemovesAPieceWhosePartsItSawAtDifferentTimes) {
     }
   };
   wait_slowly(20);
-  simulation.set_undo_mark();
+  simulation.history().mark();
   ASSERT_TRUE(simulation.remove_voxels(layer(30)));
   wait_slowly(100);
   ASSERT_EQ(watch.count(), 1U);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   ASSERT_TRUE(simulation.remove_voxels(layer(30)));
   wait_slowly(300);
@@ -298,18 +298,18 @@ TEST(IslandWatch, RemovesAPieceWhileMoreChangesThanTheFeedSends) {
   options.period = 1e-4;
   options.blocks.blocks_per_step = 1;
   Simulation simulation = bar_and_ball();
-  simulation.reserve_undo(200);
+  simulation.history().reserve(200);
   IslandWatch watch(simulation, options);
   const auto tick = [&] {
     wait(simulation, watch, 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
   for (int n = 0; n < 20; ++n) tick();
-  simulation.set_undo_mark();
+  simulation.history().mark();
   ASSERT_TRUE(simulation.remove_voxels(layer(10)));
   for (int n = 0; n < 100; ++n) tick();
   ASSERT_EQ(watch.count(), 1U);
-  while (!simulation.undo(64)) {
+  while (!simulation.history().undo(64)) {
   }
   ASSERT_TRUE(simulation.remove_voxels(layer(10)));
   for (int n = 0; n < 200; ++n) {
@@ -365,7 +365,7 @@ TEST(IslandModel, RemovesIslandsAndSendsTheirBlocks) {
         }
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
-  const double cut_out = sum(simulation.detached_volume_by_material());
+  const double cut_out = sum(simulation.totals().detached_volume);
   ChangeFeed feed(simulation, without.region(), 10000);
   feed.attach();
   (void)device->run(
@@ -380,7 +380,7 @@ TEST(IslandModel, RemovesIslandsAndSendsTheirBlocks) {
       simulated_run());
   EXPECT_EQ(model.watch().count(), 1U);
   EXPECT_GE(feed.waiting(), 27U);
-  EXPECT_NEAR(sum(simulation.detached_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
+  EXPECT_NEAR(sum(simulation.totals().detached_volume) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
   while (left.empty()) {

@@ -48,20 +48,20 @@ Vec3 drill(Simulation& simulation, double radius, double x = 0) {
 
 TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
   Simulation simulation(block(), ball(1e-3), config());
-  simulation.reserve_undo(1000);
-  simulation.set_undo_mark();
+  simulation.history().reserve(1000);
+  simulation.history().mark();
   drill(simulation, 1e-3);
   const std::uint64_t cut = simulation.workpiece().hash(), steps = simulation.steps();
-  const double removed = simulation.removed_volume_by_material()[1], spent = simulation.last_result().energy.cutting;
+  const double removed = simulation.totals().removed_volume[1], spent = simulation.last_result().energy.cutting;
   ASSERT_GT(removed, 0);
-  simulation.set_tool(ball(2e-3, 1000));
+  simulation.set(ball(2e-3, 1000));
   EXPECT_EQ(simulation.workpiece().hash(), cut);
-  EXPECT_EQ(simulation.removed_volume_by_material()[1], removed);
+  EXPECT_EQ(simulation.totals().removed_volume[1], removed);
   EXPECT_EQ(simulation.last_result().energy.cutting, spent);
   EXPECT_EQ(simulation.steps(), steps);
-  EXPECT_EQ(simulation.undo_marks(), 1U);
+  EXPECT_EQ(simulation.workpiece().marks(), 1U);
   EXPECT_EQ(simulation.spindle().setting(), 1000);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 1U) << "a recording ends here";
+  EXPECT_EQ(simulation.totals().exchanges, 1U) << "a recording ends here";
   EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 2e-3);
   EXPECT_TRUE(simulation.last_result().removed_voxels.empty());
   EXPECT_TRUE(simulation.changed_blocks().origins.empty());
@@ -74,7 +74,7 @@ TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
     of_stiffness.reference_stiffness = stiffness;
     Simulation with(block(), ball(radius), of_stiffness);
     Simulation changed(block(), ball(1e-3), of_stiffness);
-    changed.set_tool(ball(radius));
+    changed.set(ball(radius));
     EXPECT_EQ(changed.config().reference_stiffness, with.config().reference_stiffness);
     EXPECT_EQ(changed.worst_case().voxels, with.worst_case().voxels);
     EXPECT_EQ(changed.worst_case().blocks, with.worst_case().blocks);
@@ -87,16 +87,16 @@ TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
 
 TEST(SetTool, RefusesTheToolsThatTheConstructorRefusesAndThenChangesNothing) {
   Simulation simulation(block(), ball(1e-3), config());
-  EXPECT_THROW(simulation.set_tool(ball(0.5e-4)), Error);  // thinner than a voxel
-  EXPECT_THROW(simulation.set_tool(ball(1)), Error);       // not millimetres
+  EXPECT_THROW(simulation.set(ball(0.5e-4)), Error);  // thinner than a voxel
+  EXPECT_THROW(simulation.set(ball(1)), Error);       // not millimetres
   EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 1e-3);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+  EXPECT_EQ(simulation.totals().exchanges, 0U);
 
   SimulationConfig of_a_drill = config();
   of_a_drill.law = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{});
   Simulation drilled(block(), Tool(twist_drill_head(2e-3, 4e-3), RayHandle{0}, Spindle{1000 * units::rad_per_s}),
                      of_a_drill);
-  EXPECT_THROW(drilled.set_tool(ball(1e-3)), Error) << "the law is for another kind of head";
+  EXPECT_THROW(drilled.set(ball(1e-3)), Error) << "the law is for another kind of head";
 }
 
 TEST(PreparedTool, IsForVoxelsOfOneSize) {
@@ -119,18 +119,18 @@ TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
   Simulation simulation(block(), ball(1e-3), config());
   drill(simulation, 1e-3);
   const std::uint64_t cut = simulation.workpiece().hash();
-  const double removed = simulation.removed_volume_by_material()[1];
+  const double removed = simulation.totals().removed_volume[1];
   MaterialTable harder({material(9e8)});
-  simulation.set_materials(harder);
+  simulation.set(harder);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
-  EXPECT_EQ(simulation.removed_volume_by_material()[1], removed);
+  EXPECT_EQ(simulation.totals().removed_volume[1], removed);
   EXPECT_EQ(simulation.workpiece().materials()[1].specific_cutting_energy, 9e8);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
+  EXPECT_EQ(simulation.totals().exchanges, 1U);
 
   // In fresh material every bit equals that of a simulation built with this material, also while the spindle starts.
   for (const double speed : {3000.0, 1.0}) {
     Simulation was(block(), ball(1e-3, speed), config());
-    was.set_materials(harder);
+    was.set(harder);
     Simulation is(build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, 2e-4, material(9e8)), ball(1e-3, speed),
                   config());
     EXPECT_EQ(drill(was, 1e-3), drill(is, 1e-3));
@@ -147,7 +147,7 @@ TEST(SetMaterials, ChangesTheStiffnessOnlyToWhatTheDeviceRenders) {
   Simulation automatic(block(), ball(1e-3), {}), rendered(block(), ball(1e-3), of_device),
       given(block(), ball(1e-3), config());
   const double chosen = stiffness_in(automatic), before = stiffness_in(rendered);
-  for (Simulation* simulation : {&automatic, &rendered, &given}) simulation->set_materials(MaterialTable({stiffer}));
+  for (Simulation* simulation : {&automatic, &rendered, &given}) simulation->set(MaterialTable({stiffer}));
   EXPECT_EQ(stiffness_in(automatic), chosen) << "it belongs to the head alone";
   EXPECT_DOUBLE_EQ(stiffness_in(rendered), before / 4);
   EXPECT_EQ(stiffness_in(given), 1e13);
@@ -157,7 +157,7 @@ TEST(SetMaterials, TakesTheirFrictionOver) {
   Material rough = material(3e8);
   rough.static_friction = rough.dynamic_friction = 0.9;
   Simulation was(block(), ball(1e-3, 0), config());
-  was.set_materials(MaterialTable({rough}));
+  was.set(MaterialTable({rough}));
   Simulation is(build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, 2e-4, rough), ball(1e-3, 0), config());
   Simulation smooth(block(), ball(1e-3, 0), config());
   const auto drag = [](Simulation& simulation) {
@@ -174,12 +174,12 @@ TEST(SetMaterials, TakesTheirFrictionOver) {
 TEST(SetMaterials, RefusesAnotherNumberOfThemAndStiffnessesOutOfRange) {
   Simulation simulation(block(), ball(1e-3), config());
   MaterialTable two({material(3e8), material(3e8, "other")});
-  EXPECT_THROW(simulation.set_materials(two), Error);
+  EXPECT_THROW(simulation.set(two), Error);
   Material stiff = material(3e8);
   stiff.relative_stiffness = 1e20;
-  EXPECT_THROW(simulation.set_materials(MaterialTable({stiff})), Error);
+  EXPECT_THROW(simulation.set(MaterialTable({stiff})), Error);
   EXPECT_EQ(simulation.workpiece().materials().size(), 1);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+  EXPECT_EQ(simulation.totals().exchanges, 0U);
   PreparedMaterials prepared(two, config());
   EXPECT_FALSE(simulation.exchange(prepared));
   EXPECT_EQ(prepared.materials().size(), 2);
@@ -194,26 +194,26 @@ TEST(SetFriction, ActsFromTheNextStepOn) {
     return std::abs(force.x()) / force.z();
   };
   const double before = drag(0);
-  EXPECT_THROW(simulation.set_friction(DryFriction{-1, -1, 1000}), Error);
-  simulation.set_friction(DryFriction{0.05, 0.05, 1000});
+  EXPECT_THROW(simulation.set(DryFriction{-1, -1, 1000}), Error);
+  simulation.set(DryFriction{0.05, 0.05, 1000});
   EXPECT_LT(drag(2e-3), 0.06);
-  simulation.set_friction(std::nullopt);
+  simulation.set(std::nullopt);
   EXPECT_NEAR(drag(-2e-3), before, 0.1 * before);  // elsewhere on the face, where voxels differ
-  EXPECT_EQ(simulation.workpiece_exchanges(), 2U);
+  EXPECT_EQ(simulation.totals().exchanges, 2U);
 }
 
 TEST(SetRemoval, SwitchesCuttingOffAndOn) {
   Simulation simulation(block(), ball(1e-3), config());
-  simulation.set_removal(RemovalLaw::none);
+  simulation.set(RemovalLaw::none);
   drill(simulation, 1e-3);
-  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
-  simulation.set_removal(RemovalLaw::constant_energy);
+  EXPECT_EQ(simulation.totals().removed_volume[1], 0);
+  simulation.set(RemovalLaw::constant_energy);
   drill(simulation, 1e-3, 3e-3);
-  EXPECT_GT(simulation.removed_volume_by_material()[1], 0);
-  const std::uint64_t exchanges = simulation.workpiece_exchanges();
+  EXPECT_GT(simulation.totals().removed_volume[1], 0);
+  const std::uint64_t exchanges = simulation.totals().exchanges;
   EXPECT_EQ(exchanges, 2U);
-  simulation.set_removal(RemovalLaw::constant_energy);
-  EXPECT_EQ(simulation.workpiece_exchanges(), exchanges) << "nothing has changed";
+  simulation.set(RemovalLaw::constant_energy);
+  EXPECT_EQ(simulation.totals().exchanges, exchanges) << "nothing has changed";
 }
 
 TEST(ExchangeOfAWorkpiece, BringsWorkpieceToolAndCountsOfTheOtherAndKeepsTheSettings) {
@@ -221,18 +221,18 @@ TEST(ExchangeOfAWorkpiece, BringsWorkpieceToolAndCountsOfTheOtherAndKeepsTheSett
   drill(simulation, 1e-3);
   Effects effects;
   effects.enabled.force = {true, false, true};
-  simulation.set_effects(effects);
-  simulation.set_removal(RemovalLaw::none);
-  simulation.set_friction(DryFriction{0.1, 0.1, 500});
-  const std::uint64_t cut = simulation.workpiece().hash(), exchanges = simulation.workpiece_exchanges();
+  simulation.set(effects);
+  simulation.set(RemovalLaw::none);
+  simulation.set(DryFriction{0.1, 0.1, 500});
+  const std::uint64_t cut = simulation.workpiece().hash(), exchanges = simulation.totals().exchanges;
   Simulation other(block(1e-4), ball(0.5e-3), config());
   const std::uint64_t fresh = other.workpiece().hash();
   simulation.exchange(other);
   EXPECT_EQ(simulation.workpiece().hash(), fresh);
   EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 0.5e-3);
-  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
+  EXPECT_EQ(simulation.totals().removed_volume[1], 0);
   EXPECT_EQ(simulation.steps(), 0U);
-  EXPECT_GT(simulation.workpiece_exchanges(), exchanges);
+  EXPECT_GT(simulation.totals().exchanges, exchanges);
   EXPECT_EQ(simulation.config().effects.enabled.force, effects.enabled.force);
   EXPECT_EQ(simulation.config().removal, RemovalLaw::none);
   EXPECT_EQ(simulation.config().friction->static_friction, 0.1);
@@ -249,7 +249,7 @@ TEST(HaltSpindle, StopsAtOnceWithAnyRamp) {
   simulation.spindle().halt();
   drill(simulation, 1e-3);
   EXPECT_EQ(simulation.last_result().spindle.speed, 0);
-  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
+  EXPECT_EQ(simulation.totals().removed_volume[1], 0);
 }
 
 }  // namespace

@@ -314,7 +314,7 @@ TEST(LiveCommands, RefuseObjectsInTheLoopThatDoNotSuitThePresentOnes) {
   other.name = "other";
   EXPECT_FALSE(scripted.tell(scripted.model.prepare_materials(MaterialTable({test::plain_material(), other}))));
   EXPECT_EQ(radius_of(scripted.simulation.tool()), kRadius);
-  EXPECT_EQ(scripted.simulation.workpiece_exchanges(), 0U);
+  EXPECT_EQ(scripted.simulation.totals().exchanges, 0U);
   scripted.run(
       300, [](int) { return 1e-3; }, nothing, nothing);
   EXPECT_EQ(scripted.events(SafetyEvent::model_swapped), 0U) << "nothing was swapped";

@@ -40,7 +40,7 @@ class Watch final : public StepObserver {
  public:
   void on_step(const ObservedStep& step) noexcept override {
     distance = step.simulation.distance_to(1, step.input.X_WH);
-    is_touched = step.simulation.touched().has(1);
+    is_touched = step.simulation.totals().touched.has(1);
     events += step.simulation.first_touched().has(1) ? 1 : 0;
     if (is_touched && nearest_before < 0) nearest_before = last;
     last = distance;
@@ -54,7 +54,7 @@ TEST(LoopTouch, IsInTheSnapshotAndAnObserverMeasuresTheDistance) {
   const auto device = test::scripted_loop::stiff_mock("press");
   Simulation simulation = block_under_the_ball();
   Watch watch;
-  simulation.add_observer(watch);
+  simulation.observers().add(watch);
   SimulationModel model(simulation, *device, ball_above_the_block());
   RealtimeLoop loop(*device, model, options_for(0.5));
   loop.start();
@@ -71,7 +71,7 @@ TEST(LoopTouch, IsInTheSnapshotAndAnObserverMeasuresTheDistance) {
   EXPECT_EQ(watch.events, 1);
   EXPECT_LT(watch.distance, kVoxel) << "within a voxel of what it cuts";
   EXPECT_LT(watch.nearest_before, 0.2 * kVoxel) << "it came near before it touched";
-  simulation.remove_observer(watch);
+  simulation.observers().remove(watch);
 }
 
 }  // namespace

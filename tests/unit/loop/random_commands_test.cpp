@@ -200,11 +200,11 @@ void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
       ASSERT_EQ(content.fill, now.fill);
     }
   // The workpiece can still be undone and redone.
-  const std::size_t marks = simulation.undo_marks();
-  while (simulation.undo_marks() > 0)
-    while (!simulation.undo(16)) {
+  const std::size_t marks = simulation.workpiece().marks();
+  while (simulation.workpiece().marks() > 0)
+    while (!simulation.history().undo(16)) {
     }
-  EXPECT_GE(simulation.redo_marks(), marks);
+  EXPECT_GE(simulation.workpiece().redo_marks(), marks);
 }
 
 TEST(RandomCommands, AHundredThousandAtRandomInSimulatedTime) { send_a_hundred_thousand(true, false, 1); }

@@ -356,8 +356,8 @@ TEST(ChangeFeed, SendsTheChangesOfAnUndoAndAllOfAnotherWorkpiece) {
   Simulation simulation = make(), other = make();
   simulation.reserve_blocks(10);
   other.reserve_blocks(10);
-  simulation.reserve_undo(10);
-  ASSERT_TRUE(simulation.set_undo_mark());
+  simulation.history().reserve(10);
+  ASSERT_TRUE(simulation.history().mark());
   constexpr std::uint32_t kNumber = 3;
   ChangeFeed feed(simulation);
   const auto origins_received = [&] {
@@ -373,7 +373,7 @@ TEST(ChangeFeed, SendsTheChangesOfAnUndoAndAllOfAnotherWorkpiece) {
   ASSERT_TRUE(simulation.remove_voxels(some));
   feed.tick(16, kNumber);
   EXPECT_EQ(origins_received(), std::vector{some.origin});
-  ASSERT_TRUE(simulation.undo(16));
+  ASSERT_TRUE(simulation.history().undo(16));
   feed.tick(16, kNumber);
   EXPECT_EQ(origins_received(), std::vector{some.origin});
   feed.tick(16, kNumber);

@@ -32,8 +32,8 @@ TEST(SimulationMemory, ACopyOfAnySceneHasTheSameMemoryAfterTheSameSteps) {
       make_steps(simulation, scene, made, kAfter);
       ASSERT_EQ(copy.last_result().force, simulation.last_result().force);
       ASSERT_EQ(copy.workpiece().hash(), simulation.workpiece().hash());
-      ASSERT_EQ(copy.touched(), simulation.touched());
-      ASSERT_EQ(copy.first_touch_by_material(), simulation.first_touch_by_material());
+      ASSERT_EQ(copy.totals().touched, simulation.totals().touched);
+      ASSERT_EQ(copy.totals().first_touch, simulation.totals().first_touch);
       ASSERT_FALSE(copy.is_fresh());
       ASSERT_EQ(SimulationMemory::bytes_of(copy), SimulationMemory::bytes_of(simulation));
     }
@@ -72,11 +72,11 @@ TEST(SimulationMemory, OfAnotherLengthIsRefused) {
 
 TEST(SimulationMemory, RefusesMarksForUndo) {
   Simulation simulation = test::scenes().front().make();
-  simulation.reserve_undo(8);
-  ASSERT_TRUE(simulation.set_undo_mark());
+  simulation.history().reserve(8);
+  ASSERT_TRUE(simulation.history().mark());
   EXPECT_THROW((void)copy_of(simulation), Error);
-  simulation.reserve_undo(8);
-  EXPECT_EQ(copy_of(simulation).undo_marks(), 0U);
+  simulation.history().reserve(8);
+  EXPECT_EQ(copy_of(simulation).workpiece().marks(), 0U);
 }
 
 }  // namespace

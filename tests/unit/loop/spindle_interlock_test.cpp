@@ -73,7 +73,7 @@ TEST(SpindleInterlock, KeepsTheSpeedSettingOfTheSpindle) {
   interlock.update(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), speed) << "the speed stays";
   simulation.spindle().hold(true);
-  simulation.set_tool(ball());
+  simulation.set(ball());
   EXPECT_EQ(speed_of_step(), 0);
   simulation.reset(block());
   EXPECT_EQ(speed_of_step(), 0);

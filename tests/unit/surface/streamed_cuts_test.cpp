@@ -147,7 +147,7 @@ TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
   config.reserved_blocks = 1000;
   Simulation simulation(test::two_materials(5 * mm, kVoxel),
                         Tool(SphereHead{0.7 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
-  simulation.reserve_undo(500);
+  simulation.history().reserve(500);
   ChangeFeed feed(simulation);
   SurfaceStream stream(simulation.workpiece());
   Pages pages;
@@ -173,12 +173,12 @@ TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
     }
   };
   const Pages whole = pages;
-  simulation.set_undo_mark();
+  simulation.history().mark();
   cut(0.4 * mm, 1 * mm);
   ASSERT_GT(simulation.last_result().energy.cutting, 0);
   EXPECT_FALSE(are_equal(pages, whole));
   EXPECT_TRUE(are_equal(pages, pages_of(simulation.workpiece())));
-  while (!simulation.undo(100)) {
+  while (!simulation.history().undo(100)) {
   }
   cut(-0.8 * mm, 0.6 * mm);  // the feed sends the undone blocks while the next hole is cut
   EXPECT_TRUE(are_equal(pages, pages_of(simulation.workpiece())));

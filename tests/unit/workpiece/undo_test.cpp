@@ -27,7 +27,7 @@ Simulation slab(std::size_t undo_blocks) {
   Simulation simulation(build_layered_slab({Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0.3e-4)}, 1e-4,
                                            {{test::plain_material(), 1.23e-3}, {below, 2.8e-3}}),
                         Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
-  simulation.reserve_undo(undo_blocks);
+  simulation.history().reserve(undo_blocks);
   return simulation;
 }
 
@@ -56,22 +56,22 @@ class Wandering {
 };
 
 void undo_by(Simulation& simulation, std::size_t max_blocks) {
-  while (!simulation.undo(max_blocks)) {
+  while (!simulation.history().undo(max_blocks)) {
     EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
     EXPECT_TRUE(simulation.changed_blocks().complete);
   }
 }
 void redo_by(Simulation& simulation, std::size_t max_blocks) {
-  while (!simulation.redo(max_blocks)) EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
+  while (!simulation.history().redo(max_blocks)) EXPECT_LE(simulation.changed_blocks().origins.size(), max_blocks);
 }
 
 TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   Simulation simulation = slab(4000);
   Wandering(3).cut(simulation, 400);
-  simulation.set_undo_mark();
-  EXPECT_TRUE(simulation.undo(1))
+  simulation.history().mark();
+  EXPECT_TRUE(simulation.history().undo(1))
       << "nothing was cut, but the next step is the first of the tool, as in the second run";
-  simulation.set_undo_mark();
+  simulation.history().mark();
   Wandering tool(4);
   tool.cut(simulation, 300);
   const Vec3 first = tool.last_force;
@@ -81,13 +81,13 @@ TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
   again.cut(simulation, 300);
   EXPECT_EQ(again.last_force, first);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
-  EXPECT_TRUE(simulation.undo(1)) << "there is no mark left";
+  EXPECT_TRUE(simulation.history().undo(1)) << "there is no mark left";
 }
 
 TEST(Undo, ReportsEveryBlockThatItRestores) {
   Simulation simulation = slab(4000);
   std::set<VoxelIndex> cut, named;
-  simulation.set_undo_mark();
+  simulation.history().mark();
   Wandering tool(5);
   for (int n = 0; n < 500; ++n) {
     tool.cut(simulation, 1);
@@ -95,7 +95,7 @@ TEST(Undo, ReportsEveryBlockThatItRestores) {
     cut.insert(changed.origins.begin(), changed.origins.end());
   }
   for (bool done = false; !done;) {
-    done = simulation.undo(7);
+    done = simulation.history().undo(7);
     const ChangedBlocks changed = simulation.changed_blocks();
     EXPECT_TRUE(changed.complete);
     named.insert(changed.origins.begin(), changed.origins.end());
@@ -109,45 +109,45 @@ TEST(Undo, DeletesTheOldestMarkWhenTheMemoryIsFullAndRedoNeedsNoMemory) {
   std::vector<std::uint64_t> hashes;
   for (int n = 0; n < 10; ++n) {
     hashes.push_back(simulation.workpiece().hash());
-    simulation.set_undo_mark();
+    simulation.history().mark();
     tool.cut(simulation, 60);
   }
   const std::uint64_t last = simulation.workpiece().hash();
-  const std::size_t kept = simulation.undo_marks();
+  const std::size_t kept = simulation.workpiece().marks();
   EXPECT_GT(kept, 0U);
   EXPECT_LT(kept, 10U);
   for (std::size_t n = 0; n < kept; ++n) {
     undo_by(simulation, 8);
     EXPECT_EQ(simulation.workpiece().hash(), hashes[9 - n]);
   }
-  EXPECT_EQ(simulation.redo_marks(), kept);
+  EXPECT_EQ(simulation.workpiece().redo_marks(), kept);
   for (std::size_t n = 0; n < kept; ++n) redo_by(simulation, 8);
   EXPECT_EQ(simulation.workpiece().hash(), last);
 
   Simulation tiny = slab(1);
-  tiny.set_undo_mark();
+  tiny.history().mark();
   tool.cut(tiny, 100);
-  EXPECT_EQ(tiny.undo_marks(), 0U) << "one block does not suffice for undo";
-  EXPECT_TRUE(tiny.undo(1));
+  EXPECT_EQ(tiny.workpiece().marks(), 0U) << "one block does not suffice for undo";
+  EXPECT_TRUE(tiny.history().undo(1));
 }
 
 TEST(Undo, DoesNothingWithoutMemoryAndBeginsAfreshAfterARestore) {
   Simulation without = slab(0);
-  EXPECT_FALSE(without.set_undo_mark()) << "otherwise `undo` would seem to work";
-  EXPECT_EQ(without.undo_marks(), 0U);
-  EXPECT_EQ(without.redo_marks(), 0U);
-  EXPECT_TRUE(without.undo(10));
-  EXPECT_TRUE(without.redo(10));
+  EXPECT_FALSE(without.history().mark()) << "otherwise `undo` would seem to work";
+  EXPECT_EQ(without.workpiece().marks(), 0U);
+  EXPECT_EQ(without.workpiece().redo_marks(), 0U);
+  EXPECT_TRUE(without.history().undo(10));
+  EXPECT_TRUE(without.history().redo(10));
 
   Simulation simulation = slab(1000);
-  const WorkpieceSnapshot fresh = simulation.snapshot();
+  const WorkpieceSnapshot fresh = simulation.workpiece().snapshot();
   const std::uint64_t hash = simulation.workpiece().hash();
-  simulation.set_undo_mark();
+  simulation.history().mark();
   Wandering tool(7);
   tool.cut(simulation, 200);
-  simulation.restore(fresh);
-  EXPECT_EQ(simulation.undo_marks(), 0U);
-  simulation.set_undo_mark();
+  simulation.history().restore(fresh);
+  EXPECT_EQ(simulation.workpiece().marks(), 0U);
+  simulation.history().mark();
   tool.cut(simulation, 200);
   EXPECT_NE(simulation.workpiece().hash(), hash);
   undo_by(simulation, 10);
@@ -158,12 +158,12 @@ TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
   for (const std::size_t max_blocks : {std::size_t(0), ~std::size_t(0)}) {
     Simulation simulation = slab(4000);
     const std::uint64_t hash = simulation.workpiece().hash();
-    simulation.set_undo_mark();
+    simulation.history().mark();
     Wandering tool(8);
     tool.cut(simulation, 2000);
     EXPECT_NE(simulation.workpiece().hash(), hash);
     int calls = 1;
-    while (!simulation.undo(max_blocks) && calls < 10000) ++calls;
+    while (!simulation.history().undo(max_blocks) && calls < 10000) ++calls;
     EXPECT_EQ(simulation.workpiece().hash(), hash) << max_blocks;
     if (max_blocks == 0) {
       EXPECT_GT(calls, 100) << "one block per call";
@@ -177,13 +177,13 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
   Simulation simulation = slab(1000);
   const Workpiece fresh = simulation.workpiece().clone();
   Wandering(9).cut(simulation, 100);
-  simulation.set_undo_mark();
+  simulation.history().mark();
   simulation.reset(fresh.clone());
-  EXPECT_EQ(simulation.undo_marks(), 0U) << "of another workpiece";
+  EXPECT_EQ(simulation.workpiece().marks(), 0U) << "of another workpiece";
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 1000U);
   const std::uint64_t hash = simulation.workpiece().hash();
-  simulation.set_undo_mark();
-  EXPECT_EQ(simulation.undo_marks(), 1U);
+  simulation.history().mark();
+  EXPECT_EQ(simulation.workpiece().marks(), 1U);
   Wandering(10).cut(simulation, 200);
   EXPECT_NE(simulation.workpiece().hash(), hash);
   undo_by(simulation, 10);
@@ -199,12 +199,12 @@ TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
 
 TEST(Undo, RefusesImpossibleMemoryAndChangesNothingThen) {
   Simulation simulation = slab(100);
-  simulation.set_undo_mark();
+  simulation.history().mark();
   for (const std::size_t blocks : {~std::size_t(0), std::size_t(1) << 40, (std::size_t(1) << 22) + 1}) {
     const std::string number = std::to_string(blocks);
-    test::expect_refused([&] { simulation.reserve_undo(blocks); }, {number.c_str(), "Reserve"});
+    test::expect_refused([&] { simulation.history().reserve(blocks); }, {number.c_str(), "Reserve"});
   }
-  EXPECT_EQ(simulation.undo_marks(), 1U);
+  EXPECT_EQ(simulation.workpiece().marks(), 1U);
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
@@ -230,7 +230,7 @@ TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
     for (int n = 0; n < 100; ++n) {
       const auto what = random() % 5;
       if (what < 2) {
-        simulation.set_undo_mark();
+        simulation.history().mark();
         do tool.cut(simulation, 1 + int(random() % 200));
         while (state() == states[here]);  // repeats while the tool is in the air
         states.resize(++here);
@@ -245,8 +245,8 @@ TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
         if (here + 1 < states.size()) ++here, ++forth;
         ASSERT_EQ(state(), states[here]) << seed << ", " << n;
       }
-      ASSERT_EQ(simulation.undo_marks(), here);
-      ASSERT_EQ(simulation.redo_marks(), states.size() - 1 - here);
+      ASSERT_EQ(simulation.workpiece().marks(), here);
+      ASSERT_EQ(simulation.workpiece().redo_marks(), states.size() - 1 - here);
     }
     EXPECT_GT(back, 10);
     EXPECT_GT(forth, 3);
@@ -255,49 +255,49 @@ TEST(Redo, RestoresEveryUndoneStateUntilSomethingElseIsCut) {
 
 TEST(Redo, EndsWithACutAndOnlyThen) {
   Simulation simulation = slab(4000);
-  simulation.set_undo_mark();
+  simulation.history().mark();
   Wandering(11).cut(simulation, 300);
   const std::uint64_t cut = simulation.workpiece().hash();
   undo_by(simulation, 16);
-  EXPECT_EQ(simulation.redo_marks(), 1U);
+  EXPECT_EQ(simulation.workpiece().redo_marks(), 1U);
   for (int n = 0; n < 50; ++n) (void)simulation.step(Pose::from_translation({0, 0, 5e-3}), {}, 1e-3);
-  EXPECT_EQ(simulation.redo_marks(), 1U) << "a step in the air cuts nothing";
+  EXPECT_EQ(simulation.workpiece().redo_marks(), 1U) << "a step in the air cuts nothing";
   redo_by(simulation, 16);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
-  EXPECT_EQ(simulation.redo_marks(), 0U);
-  EXPECT_TRUE(simulation.redo(16)) << "there is nothing to redo";
+  EXPECT_EQ(simulation.workpiece().redo_marks(), 0U);
+  EXPECT_TRUE(simulation.history().redo(16)) << "there is nothing to redo";
   undo_by(simulation, 16);
   Wandering(12).cut(simulation, 300);
-  EXPECT_EQ(simulation.redo_marks(), 0U);
-  EXPECT_TRUE(simulation.redo(16));
+  EXPECT_EQ(simulation.workpiece().redo_marks(), 0U);
+  EXPECT_TRUE(simulation.history().redo(16));
 }
 
 TEST(Redo, ReversesHalfWay) {
   Simulation simulation = slab(4000);
   const std::uint64_t whole = simulation.workpiece().hash();
-  simulation.set_undo_mark();
+  simulation.history().mark();
   Wandering(13).cut(simulation, 600);
   const std::uint64_t cut = simulation.workpiece().hash();
-  EXPECT_FALSE(simulation.undo(5));
-  EXPECT_EQ(simulation.redo_marks(), 1U) << "a mark that is half undone can be redone";
+  EXPECT_FALSE(simulation.history().undo(5));
+  EXPECT_EQ(simulation.workpiece().redo_marks(), 1U) << "a mark that is half undone can be redone";
   redo_by(simulation, 3);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
   undo_by(simulation, 100);
-  EXPECT_FALSE(simulation.redo(5));
+  EXPECT_FALSE(simulation.history().redo(5));
   undo_by(simulation, 2);
   EXPECT_EQ(simulation.workpiece().hash(), whole);
-  EXPECT_EQ(simulation.undo_marks(), 0U);
+  EXPECT_EQ(simulation.workpiece().marks(), 0U);
   redo_by(simulation, 1000);
   EXPECT_EQ(simulation.workpiece().hash(), cut);
 }
 
 TEST(Undo, KeepsNoMoreThan64MarksThereAndBack) {
   Simulation simulation = slab(1000);
-  for (int n = 0; n < 100; ++n) simulation.set_undo_mark();
-  EXPECT_EQ(simulation.undo_marks(), 64U);
-  for (int n = 0; n < 40; ++n) EXPECT_TRUE(simulation.undo(8));
-  for (int n = 0; n < 100; ++n) simulation.set_undo_mark();
-  EXPECT_LE(simulation.undo_marks() + simulation.redo_marks(), 64U);
+  for (int n = 0; n < 100; ++n) simulation.history().mark();
+  EXPECT_EQ(simulation.workpiece().marks(), 64U);
+  for (int n = 0; n < 40; ++n) EXPECT_TRUE(simulation.history().undo(8));
+  for (int n = 0; n < 100; ++n) simulation.history().mark();
+  EXPECT_LE(simulation.workpiece().marks() + simulation.workpiece().redo_marks(), 64U);
 }
 
 }  // namespace
