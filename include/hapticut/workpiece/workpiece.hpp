@@ -105,6 +105,7 @@ class Workpiece {
   [[nodiscard]] bool exchange_materials(MaterialTable& materials) noexcept;
 
   // --- undo ---------------------------------------------------------------------------------------------------------
+  /// The present state, to be restored later.
   [[nodiscard]] WorkpieceSnapshot snapshot() const;
 
   /// @throws Error when the snapshot is empty, or of a workpiece with another frame or number of materials
