@@ -150,11 +150,6 @@ std::vector<TimedPose> follow(const PathSettings& s) {
 
 }  // namespace
 
-Vec3 tip_in_head(const ToolHead& head) {
-  if (const auto* sphere = std::get_if<SphereHead>(&head.shape())) return {0, 0, -sphere->radius};
-  return Vec3::Zero();
-}
-
 std::vector<Setting> settings_of(PathSettings& p) {
   std::vector<Setting> settings = {
       choice("path.kind", "--path", p.kind, kinds(), "shape of the path of the tool"),
@@ -191,7 +186,7 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
 
   // Pose of the head relative to the chosen point.
   Pose X_PT = Pose::from_translation(Vec3::Zero());
-  if (point == Point::tip) X_PT.translation = -tip_in_head(tool.head());
+  if (point == Point::tip) X_PT.translation = -Vec3(0, 0, tool.head().profile().tip);
   if (point == Point::handle) X_PT = tool.X_HT();
   for (TimedPose& timed : motion) timed.pose = timed.pose * X_PT;
   return Motion(std::move(motion));

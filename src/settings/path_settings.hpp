@@ -14,7 +14,7 @@ namespace hapticut::settings {
 /// `[path]` of a settings file: the motion of the tool. All positions in W.
 struct PathSettings {
   enum class Kind { line, circle, spiral, cavity, poses };
-  enum class Point { tip, head, handle };
+  enum class Point { tip, head, handle };  ///< tip: the lower end of the head on the spindle axis
 
   std::optional<Kind> kind;
   std::optional<Point> point;           ///< point of the tool that follows the path
@@ -38,8 +38,5 @@ struct PathSettings {
 /// Motion of the tool head, X_WT over time.
 /// @throws Error when this kind of path lacks a setting, or a setting of another kind is set
 [[nodiscard]] Motion make_motion(const PathSettings& settings, const Tool& tool);
-
-/// The point `Point::tip` in T: the lower end of the head on the spindle axis.
-[[nodiscard]] Vec3 tip_in_head(const ToolHead& head);
 
 }  // namespace hapticut::settings

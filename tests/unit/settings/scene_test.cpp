@@ -86,6 +86,18 @@ TEST(Scene, MovesTheHeadAlongItsPath) {
   EXPECT_LT((scene.motion->pose_at(0.5).translation - Vec3(1.5, 1.5, 1.5) * mm).norm(), 1e-12);
 }
 
+// The origin of a ball is its centre, also on a shank.
+TEST(Scene, MovesTheTipOfABallAlongItsPathAlsoOnAShank) {
+  std::string text = kScene + kPath;
+  const std::string point = "point = \"head\"\n", head = "head = \"sphere\"\n";
+  text.erase(text.find(point), point.size());
+  const auto centre = [&] { return settings::from_toml(text).motion->pose_at(0.5).translation; };
+  const Vec3 of_a_ball = centre();
+  EXPECT_LT((of_a_ball - Vec3(1.5, 1.5, 1.5 + 0.8) * mm).norm(), 1e-12);
+  text.insert(text.find(head), "shank = \"friction_grip\"\nshank_neck_mm = 0.6\n");
+  EXPECT_EQ(centre(), of_a_ball);
+}
+
 TEST(Scene, LeavesTheTablesOfTheProgramAlone) {
   EXPECT_EQ(settings::from_toml(kScene + "[output]\njson = 7\n[loop]\nanything = true\n").config.update_rate, 2000);
 }
