@@ -79,6 +79,12 @@ struct WideOf {
 #define HAPTICUT_FORMULA HWY_INLINE
 #include "hapticut/formulas/springs.inl"
 //
+#include "hapticut/formulas/sphere.inl"
+//
+#include "hapticut/formulas/cone.inl"
+//
+#include "hapticut/formulas/flat.inl"
+//
 #include "hapticut/formulas/curves.inl"
 //
 #include "hapticut/formulas/vectors.inl"

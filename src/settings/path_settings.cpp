@@ -186,7 +186,7 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
 
   // Pose of the head relative to the chosen point.
   Pose X_PT = Pose::from_translation(Vec3::Zero());
-  if (point == Point::tip) X_PT.translation = -Vec3(0, 0, tool.head().profile().tip);
+  if (point == Point::tip) X_PT.translation = -Vec3(0, 0, tool.head().tip());
   if (point == Point::handle) X_PT = tool.X_HT();
   for (TimedPose& timed : motion) timed.pose = timed.pose * X_PT;
   return Motion(std::move(motion));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of hapticut/tool/shapes.hpp and of the kernels: the spring at a point of each shape of head.
+// Text of hapticut/tool/shapes.hpp and of the kernels: what the springs of all shapes of head have in common.
 
 /// [m] Depth w at a distance below a surface with a scale of 1 or kSmoothScale. Outside, w equals the (negative)
 /// distance for either surface, so that the nearest surface decides there.
@@ -44,77 +44,4 @@ struct MeridianSpring {
   [[nodiscard]] HAPTICUT_FORMULA auto on_smooth() const { return smooth > 0; }
   /// [1] Change of w per distance along n, as Spring::scale.
   [[nodiscard]] HAPTICUT_FORMULA Real scale() const { return select(on_smooth(), Real(kSmoothScale), Real(1)); }
-};
-
-/// The data of a sphere that the hot loop needs, in the precision of the loop. Each shape has such a struct with the
-/// functions `spring` and `margin`; so must a custom shape.
-template <class Real>
-struct SphereSprings {
-  Real radius;
-
-  HAPTICUT_FORMULA explicit SphereSprings(const SphereHead& head) : radius(Real(head.radius)) {}
-
-  struct Central {
-    Real depth;    ///< [m] w
-    Real inverse;  ///< [1/m] n = x inverse
-  };
-  /// @param squared  [m^2] |x|^2
-  [[nodiscard]] HAPTICUT_FORMULA Central about_center(Real squared) const {
-    const Real inverse = inverse_root(max(squared, Real(1e-24)));  // finite in the centre
-    return {radius - squared * inverse, inverse};
-  }
-  [[nodiscard]] HAPTICUT_FORMULA MeridianSpring<Real> spring(Real rho, Real z) const {
-    const Central c = about_center(rho * rho + z * z);
-    return {c.depth, rho * c.inverse, z * c.inverse};
-  }
-  [[nodiscard]] HAPTICUT_FORMULA Real margin(Real rho, Real z) const { return radius - sqrt(rho * rho + z * z); }
-};
-
-template <class Real>
-struct ConeSprings {
-  Real sine, cosine, height, base_radius;
-
-  HAPTICUT_FORMULA explicit ConeSprings(const ConeHead& head)
-      : sine(Real(std::sin(head.half_angle))),
-        cosine(Real(std::cos(head.half_angle))),
-        height(Real(head.height)),
-        base_radius(Real(head.height * std::tan(head.half_angle))) {}
-
-  [[nodiscard]] HAPTICUT_FORMULA MeridianSpring<Real> spring(Real rho, Real z) const {
-    const Real side = z * sine - rho * cosine, above = height - z, base = depth_below(above, Real(kSmoothScale));
-    const auto on_base = base < side;
-    return {depth_below_both(side, base), select(on_base, Real(0), cosine), select(on_base, Real(1), -sine),
-            select(on_base, square_from_corner(base_radius - rho, above), Real(0))};
-  }
-  [[nodiscard]] HAPTICUT_FORMULA Real margin(Real rho, Real z) const {
-    return min(z * sine - rho * cosine, height - z);
-  }
-};
-
-template <class Real, FlatRule kRule>
-struct FlatSprings {
-  Real radius, height;
-
-  HAPTICUT_FORMULA explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)) {}
-
-  [[nodiscard]] HAPTICUT_FORMULA MeridianSpring<Real> spring(Real rho, Real z) const {
-    const Real side = radius - rho, above = height - z;
-    if constexpr (kRule == FlatRule::bottom_only) {
-      return {select(above > 0 && side > 0, z, Real(-1)), Real(0), Real(-1)};
-    } else if constexpr (kRule == FlatRule::side_only) {
-      return {select(above > 0 && z > 0, side, Real(-1)), Real(1), Real(0)};
-    } else if constexpr (kRule == FlatRule::both) {
-      // Two parallel springs, side * radial - z * axial, equal one spring of depth |sum| along the sum with the same
-      // stored energy: side^2/2 + z^2/2.
-      const Real squared = side * side + z * z, inverse = inverse_root(max(squared, Real(1e-24)));
-      return {select(margin(rho, z) > 0, squared * inverse, Real(-1)), side * inverse, -z * inverse};
-    } else {
-      const Real cutting = min(side, z), top = depth_below(above, Real(kSmoothScale));
-      const auto on_top = top < cutting, on_side = side < z;
-      return {depth_below_both(cutting, top), select(on_top, Real(0), select(on_side, Real(1), Real(0))),
-              select(on_top, Real(1), select(on_side, Real(0), Real(-1))),
-              select(on_top, square_from_corner(side, above), Real(0))};
-    }
-  }
-  [[nodiscard]] HAPTICUT_FORMULA Real margin(Real rho, Real z) const { return min(min(z, height - z), radius - rho); }
 };

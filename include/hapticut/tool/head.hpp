@@ -2,28 +2,20 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
-#include "hapticut/core/errors.hpp"
-#include "hapticut/core/units.hpp"
+#include "hapticut/tool/cone.hpp"
+#include "hapticut/tool/flat.hpp"
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/tool/shapes.hpp"
+#include "hapticut/tool/sphere.hpp"
 
 namespace hapticut {
-namespace detail {
-/// Text of a length [m]: "2 mm".
-[[nodiscard]] inline std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
-}  // namespace detail
-
-/// Extent of a head in its own frame T.
-struct HeadBox {
-  Vec3 min;  ///< [m]
-  Vec3 max;  ///< [m]
-};
 
 /// The spring at one point of a head, in T.
 struct Spring {
@@ -50,35 +42,31 @@ class ToolHead {
   // NOLINTNEXTLINE(google-explicit-constructor): as above
   requires std::is_constructible_v<Shape, S> ToolHead(const S& shape) : ToolHead(Shape(shape)) {}
 
+  /// The shape of the head, e.g. a SphereHead.
   [[nodiscard]] const Shape& shape() const { return shape_; }
+
+  /// Calls `function(shape)`. Whatever depends on the shape asks it in this way.
+  // Not std::visit, which can throw.
+  template <std::size_t kIndex = 0, class Function>
+  decltype(auto) visit(const Function& function) const {
+    if constexpr (kIndex + 1 < std::variant_size_v<Shape>)
+      if (shape_.index() != kIndex) return visit<kIndex + 1>(function);
+    return function(*std::get_if<kIndex>(&shape_));
+  }
 
   /// The smallest axis-aligned box around the head, in T, exact.
   [[nodiscard]] HeadBox bounding_box() const {
-    const auto around_axis = [](double radius, double low, double high) {
-      return HeadBox{Vec3(-radius, -radius, low), Vec3(radius, radius, high)};
-    };
-    if (const auto* h = as<SphereHead>()) return around_axis(h->radius, -h->radius, h->radius);
-    if (const auto* h = as<ConeHead>()) return around_axis(base_radius(*h), 0, h->height);
-    if (const auto* h = as<FlatHead>()) return around_axis(h->radius, 0, h->height);
-    const ProfileTable& table = as<ProfileHead>()->table();
-    return around_axis(table.radius, table.bottom, table.top);
+    return visit([](const auto& shape) { return shape.bounding_box(); });
   }
 
   /// [m] radius of the ball about the frame's origin that contains the head, exact.
   [[nodiscard]] double reach() const {
-    if (const auto* h = as<SphereHead>()) return h->radius;
-    if (const auto* h = as<ConeHead>()) return std::hypot(base_radius(*h), h->height);
-    if (const auto* h = as<FlatHead>()) return std::hypot(h->radius, h->height);
-    return as<ProfileHead>()->reach();
+    return visit([](const auto& shape) { return shape.reach(); });
   }
 
   /// [m^3] volume of the head, exact.
   [[nodiscard]] double volume() const {
-    using units::kPi;
-    if (const auto* h = as<SphereHead>()) return 4 * kPi / 3 * h->radius * h->radius * h->radius;
-    if (const auto* h = as<ConeHead>()) return kPi / 3 * base_radius(*h) * base_radius(*h) * h->height;
-    if (const auto* h = as<FlatHead>()) return kPi * h->radius * h->radius * h->height;
-    return as<ProfileHead>()->volume();
+    return visit([](const auto& shape) { return shape.volume(); });
   }
 
   /// [m] Largest radius of the head about its axis: R for sphere and flat head, the base radius for a cone, the largest
@@ -87,58 +75,32 @@ class ToolHead {
 
   /// [m] Largest radius of the cutting edges, without neck and shank.
   [[nodiscard]] double cutting_radius() const {
-    const auto* profile = as<ProfileHead>();
-    return profile == nullptr ? max_radius() : profile->cutting_radius();
+    return visit([](const auto& shape) { return shape.cutting_radius(); });
+  }
+
+  /// [m] Height of the tip, where the axis enters the head: -R for a sphere, 0 for a cone and a flat head.
+  [[nodiscard]] double tip() const {
+    return visit([](const auto& shape) { return shape.tip(); });
   }
 
   /// Shape and size for messages: "a cone of half angle 30 deg and height 2 mm".
   [[nodiscard]] std::string description() const {
-    using detail::in_mm;
-    if (const auto* h = as<SphereHead>()) return "a sphere of radius " + in_mm(h->radius);
-    if (const auto* h = as<ConeHead>())
-      return "a cone of half angle " + format_number(h->half_angle / units::deg) + " deg and height " +
-             in_mm(h->height);
-    if (const auto* h = as<FlatHead>())
-      return "a flat head of radius " + in_mm(h->radius) + " and height " + in_mm(h->height);
-    const ProfileTable& table = as<ProfileHead>()->table();
-    return "a profile of radius " + in_mm(table.radius) + " and height " +
-           in_mm(double(table.top) - double(table.bottom));
+    return visit([](const auto& shape) { return shape.description(); });
   }
 
   /// The outline as a meridian of lines and arcs. The surfaces of a flat head that its rule does not use are smooth.
   [[nodiscard]] Profile profile() const {
-    constexpr EdgeKind kCutting = EdgeKind::cutting, kSmooth = EdgeKind::smooth;
-    if (const auto* h = as<SphereHead>()) return {-h->radius, {{0, h->radius, h->radius, kCutting}}};
-    if (const auto* h = as<ConeHead>())
-      return {0, {{base_radius(*h), h->height, 0, kCutting}, {0, h->height, 0, kSmooth}}};
-    if (const auto* h = as<FlatHead>()) {
-      const EdgeKind bottom = h->rule == FlatRule::side_only ? kSmooth : kCutting;
-      const EdgeKind side = h->rule == FlatRule::bottom_only ? kSmooth : kCutting;
-      return {0, {{h->radius, 0, 0, bottom}, {h->radius, h->height, 0, side}, {0, h->height, 0, kSmooth}}};
-    }
-    return as<ProfileHead>()->profile();
+    return visit([](const auto& shape) -> Profile {
+      const auto& edges = shape.edges();
+      return {shape.tip(), {edges.begin(), edges.end()}};
+    });
   }
 
-  /// Calls `function(springs)` with the springs of this head's shape in precision `Real`. Only this function dispatches
-  /// on the shape. Call it once per block of points, not once per point.
+  /// Calls `function(springs)` with the springs of this head's shape in precision `Real`. Call it once per block of
+  /// points, not once per point.
   template <class Real, class Function>
-  decltype(auto) visit_springs(Function&& function) const {
-    if (const auto* sphere = std::get_if<SphereHead>(&shape_)) return function(SphereSprings<Real>(*sphere));
-    if (const auto* cone = std::get_if<ConeHead>(&shape_)) return function(ConeSprings<Real>(*cone));
-    if (const auto* profile = std::get_if<ProfileHead>(&shape_))
-      return function(ProfileSprings<Real>(profile->table()));
-    const FlatHead& flat = *std::get_if<FlatHead>(&shape_);
-    switch (flat.rule) {
-      case FlatRule::bottom_only:
-        return function(FlatSprings<Real, FlatRule::bottom_only>(flat));
-      case FlatRule::side_only:
-        return function(FlatSprings<Real, FlatRule::side_only>(flat));
-      case FlatRule::both:
-        return function(FlatSprings<Real, FlatRule::both>(flat));
-      case FlatRule::nearest:
-        break;
-    }
-    return function(FlatSprings<Real, FlatRule::nearest>(flat));
+  decltype(auto) visit_springs(const Function& function) const {
+    return visit([&](const auto& shape) -> decltype(auto) { return formulas::with_springs<Real>(shape, function); });
   }
 
   /// The spring at one point, for tests and set-up code.  @param p_TQ  [m]
@@ -163,25 +125,23 @@ class ToolHead {
   }
 
  private:
-  [[nodiscard]] static double base_radius(const ConeHead& cone) { return cone.height * std::tan(cone.half_angle); }
-
-  template <class S>
-  [[nodiscard]] const S* as() const {
-    return std::get_if<S>(&shape_);
-  }
-
   void validate() const {
-    if (const auto* h = as<SphereHead>()) require_fields_within(*h, "SphereHead::");
-    if (const auto* h = as<FlatHead>()) require_fields_within(*h, "FlatHead::");
-    const auto* cone = as<ConeHead>();  // a profile was checked when it was made
-    if (cone == nullptr) return;
-    require_fields_within(*cone, "ConeHead::");
-    if (!(cone->half_angle < units::kPi / 2))
-      throw Error("ConeHead::half_angle = " + format_number(cone->half_angle) +
-                  " rad; must be less than pi/2. Give half of the opening angle, in radians.");
+    visit([]<class S>(const S& shape) {
+      if constexpr (Described<S>) require_fields_within(shape, std::string(S::kName) + "::");
+      if constexpr (requires { shape.validate(); }) shape.validate();
+    });
   }
 
   Shape shape_;
 };
+
+/// Calls `function(Of<Shape>{})` for each shape of head.
+template <std::size_t kIndex = 0, class Function>
+constexpr void for_each_shape(const Function& function) {
+  using Shape = std::variant_alternative_t<kIndex, ToolHead::Shape>;
+  static_assert(ShapeOfHead<Shape>);
+  function(Of<Shape>{});
+  if constexpr (kIndex + 1 < std::variant_size_v<ToolHead::Shape>) for_each_shape<kIndex + 1>(function);
+}
 
 }  // namespace hapticut

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "hapticut/core/description.hpp"
 #include "hapticut/tool/profile_table.hpp"
 
 namespace hapticut {
@@ -12,43 +12,6 @@ namespace hapticut {
 namespace detail {
 class Meridian;
 }
-
-/// Whether an edge of a profile cuts.
-enum class EdgeKind {
-  cutting,  ///< the edge presses and cuts
-  smooth    ///< safe side, margin, neck or shank: presses and rubs, and cuts only close to a cutting edge
-};
-
-constexpr auto names_of(Of<EdgeKind>) {
-  using enum EdgeKind;
-  return std::array{
-      Named{cutting, "cutting"},
-      Named{smooth, "smooth"},
-  };
-}
-
-/// One edge of a meridian. It begins at the end of the previous edge.
-struct ProfileEdge {
-  double rho = 0;  ///< [m] end: distance from the axis, >= 0
-  double z = 0;    ///< [m] end: height
-  /// [m] 0: straight; > 0: arc that bulges outwards; < 0: hollow arc. At most a half circle.
-  double radius = 0;
-  EdgeKind kind = EdgeKind::cutting;
-};
-
-/// The meridian of a body of revolution, in the tool frame: from its tip on the axis outwards, up and back to the axis
-/// on the shank's side, with the body to the left.
-///
-///       z ^
-///         +-----+       edges: tip -> (R, 0) -> (R, H) -> (0, H)
-///         |     |
-///         |     |
-///     tip +-----+--> rho
-///
-struct Profile {
-  double tip = 0;  ///< [m] z of the starting point, at rho = 0
-  std::vector<ProfileEdge> edges;
-};
 
 /// A head of any profile of revolution.
 ///
@@ -62,6 +25,8 @@ struct Profile {
 /// the corner leaves (HeadMotion, ContactMaterial::land).
 class ProfileHead {
  public:
+  static constexpr char kWord[] = "profile", kName[] = "ProfileHead";
+
   /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height,
   ///                   1e-4 ... 0.1; only points where three edges are equally near have an error
   /// @throws Error if the profile is not closed, crosses its axis or itself, runs in the wrong direction, has an edge
@@ -72,11 +37,21 @@ class ProfileHead {
   [[nodiscard]] const ProfileTable& table() const { return *table_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] bound on the relative error of depths
 
+  [[nodiscard]] HeadBox bounding_box() const {
+    return HeadBox::around_axis(table_->radius, table_->bottom, table_->top);
+  }
+  [[nodiscard]] double tip() const { return profile_.tip; }  ///< [m] z of the starting point
+  [[nodiscard]] const std::vector<ProfileEdge>& edges() const { return profile_.edges; }
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] largest distance from the frame's origin, exact
 
   /// [m] Largest rho of the cutting edges, exact.
   [[nodiscard]] double cutting_radius() const { return cutting_radius_; }
+
+  [[nodiscard]] std::string description() const {
+    return "a profile of radius " + detail::in_mm(table_->radius) + " and height " +
+           detail::in_mm(double(table_->top) - double(table_->bottom));
+  }
 
   /// Depth and direction from all edges, without the table.  @realtime O(edges); for tests and set-up code
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
@@ -90,5 +65,13 @@ class ProfileHead {
   std::shared_ptr<const detail::Meridian> meridian_;
   std::shared_ptr<const ProfileTable> table_;
 };
+
+namespace formulas {
+/// Calls `function(springs)` with the springs of a profile.
+template <class Real, class Function>
+decltype(auto) with_springs(const ProfileHead& head, const Function& function) {
+  return function(ProfileSprings<Real>(head.table()));
+}
+}  // namespace formulas
 
 }  // namespace hapticut

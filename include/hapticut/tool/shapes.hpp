@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <string>
+#include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/formulas/numbers.hpp"
 
 /// @file
-/// The shapes of cutting heads (docs/model.md, heads; thesis section 5.2.1).
+/// What the shapes of cutting heads have in common (docs/model.md, heads; thesis section 5.2.1). Each shape is a struct
+/// in a file of its own; `ToolHead::Shape` lists them.
 ///
 /// Tool frame T: +z is the spindle axis, pointing from the cutting tip towards the shank. Every head is a body of
 /// revolution about z, so a point enters only by its distance `rho` from the axis and its height `z`, and the direction
 /// from the local spring centre through it lies in the same meridian plane.
 ///
-/// Each shape answers two questions:
+/// The springs of a shape answer two questions:
 /// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
 ///   there pushes the material;
 /// * `margin(rho, z)` [m]: a function that changes by at most one per unit of length and is positive exactly inside the
 ///   head; it serves to skip whole blocks that the head cannot touch.
 namespace hapticut {
+namespace detail {
+/// Text of a length [m]: "2 mm".
+[[nodiscard]] inline std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
+}  // namespace detail
 
 /// [1] beta: the depth w grows beta times as fast below a smooth surface as below a cutting surface. A wall then
 /// presses on a smooth side earlier than on the cutting edges, and the corner leaves less uncut material. The value 2
@@ -28,71 +38,76 @@ namespace hapticut {
 /// smooth sides too stiff for single precision and for the coupling.
 inline constexpr double kSmoothScale = 2;
 
-/// A ball. Frame origin = centre = spring centre.  `w = R - |x|`, `n = x/|x|`.
-struct SphereHead {
-  double radius;
+/// Extent of a head in its own frame T.
+struct HeadBox {
+  Vec3 min;  ///< [m]
+  Vec3 max;  ///< [m]
+
+  /// The box around a body of revolution.
+  [[nodiscard]] static HeadBox around_axis(double radius, double low, double high) {
+    return {Vec3(-radius, -radius, low), Vec3(radius, radius, high)};
+  }
 };
 
-constexpr auto fields_of(Of<SphereHead>) {
-  return std::tuple{field("radius", &SphereHead::radius, "m", Range::positive(), "of the ball")};
-}
-
-/// A cone standing on its apex. Frame origin = apex. Below its side `w = z sin(a) - rho cos(a)`, `n = (cos(a) radial,
-/// -sin(a) axial)`; the base disk at z = height is smooth.
-struct ConeHead {
-  double half_angle;
-  double height;
+/// Whether an edge of a profile cuts.
+enum class EdgeKind {
+  cutting,  ///< the edge presses and cuts
+  smooth    ///< safe side, margin, neck or shank: presses and rubs, and cuts only close to a cutting edge
 };
 
-constexpr auto fields_of(Of<ConeHead>) {
-  return std::tuple{
-      field("half_angle", &ConeHead::half_angle, "rad", Range{0, units::kPi / 2, true},
-            "between axis and generatrix, less than pi/2"),
-      field("height", &ConeHead::height, "m", Range::positive(), "from the apex to the base"),
-  };
-}
-
-/// How a flat head chooses between its bottom disk and its side wall.
-enum class FlatRule {
-  nearest,      ///< the surface with the smaller depth: continuous and conservative (default)
-  bottom_only,  ///< `w = z` everywhere in the head, pushing along the axis: not conservative at the side
-  side_only,    ///< `w = R - rho` everywhere, pushing away from the axis: not conservative at bottom and top
-  both          ///< the sum of the two springs
-};
-
-constexpr auto names_of(Of<FlatRule>) {
-  using enum FlatRule;
+constexpr auto names_of(Of<EdgeKind>) {
+  using enum EdgeKind;
   return std::array{
-      Named{nearest, "nearest"},
-      Named{bottom_only, "bottom_only"},
-      Named{side_only, "side_only"},
-      Named{both, "both"},
+      Named{cutting, "cutting"},
+      Named{smooth, "smooth"},
   };
 }
 
-/// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall. The top disk is smooth with rule `nearest`
-/// and has no spring with the other rules. Frame origin = centre of the bottom disk.
-struct FlatHead {
-  double radius;
-  double height;
-  FlatRule rule = FlatRule::nearest;
+/// One edge of a meridian. It begins at the end of the previous edge.
+struct ProfileEdge {
+  double rho = 0;  ///< [m] end: distance from the axis, >= 0
+  double z = 0;    ///< [m] end: height
+  /// [m] 0: straight; > 0: arc that bulges outwards; < 0: hollow arc. At most a half circle.
+  double radius = 0;
+  EdgeKind kind = EdgeKind::cutting;
 };
 
-constexpr auto fields_of(Of<FlatHead>) {
-  return std::tuple{
-      field("radius", &FlatHead::radius, "m", Range::positive(), "of the cylinder"),
-      field("height", &FlatHead::height, "m", Range::positive(), "of the side wall"),
-      field("rule", &FlatHead::rule, "which surface carries the spring"),
-  };
-}
+/// The meridian of a body of revolution, in the tool frame: from its tip on the axis outwards, up and back to the axis
+/// on the shank's side, with the body to the left.
+///
+///       z ^
+///         +-----+       edges: tip -> (R, 0) -> (R, H) -> (0, H)
+///         |     |
+///         |     |
+///     tip +-----+--> rho
+///
+struct Profile {
+  double tip = 0;  ///< [m] z of the starting point, at rho = 0
+  std::vector<ProfileEdge> edges;
+};
+
+/// What a shape of head has, in T. A shape with dimensions also has `fields_of`, and a shape whose dimensions have
+/// limits beyond their ranges a function `validate`. Its springs are `formulas::with_springs`.
+template <class S>
+concept ShapeOfHead = requires(const S& shape) {
+  // In settings and recordings, "cone"; in C++ and Python, "ConeHead"; shape and size, for messages.
+  { S::kWord } -> std::convertible_to<std::string>;
+  { S::kName } -> std::convertible_to<std::string>;
+  { shape.description() } -> std::same_as<std::string>;
+  // Extent; [m] largest distance from the origin; [m] largest rho of the cutting edges; [m^3]. All are exact.
+  { shape.bounding_box() } -> std::same_as<HeadBox>;
+  { shape.reach() } -> std::same_as<double>;
+  { shape.cutting_radius() } -> std::same_as<double>;
+  { shape.volume() } -> std::same_as<double>;
+  // [m] Where the meridian begins on the axis; its edges. Surfaces without a spring are smooth.
+  { shape.tip() } -> std::same_as<double>;
+  { *shape.edges().begin() } -> std::convertible_to<ProfileEdge>;
+};
 
 namespace formulas {
 #include "hapticut/formulas/springs.inl"
 }  // namespace formulas
 
-using formulas::ConeSprings;
-using formulas::FlatSprings;
 using formulas::MeridianSpring;
-using formulas::SphereSprings;
 
 }  // namespace hapticut

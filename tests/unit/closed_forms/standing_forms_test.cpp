@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "hapticut/closed_forms.hpp"
-#include "hapticut/tool/shapes.hpp"
+#include "hapticut/tool/head.hpp"
 
 namespace hapticut::standing_forms_test {
 namespace {
