@@ -98,7 +98,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
         y = shifted(y, 1);
         z = shifted(z, 2);
       }
-      const SpringVectors<RowWide> spring = springs.at(x, y, z);
+      const formulas::SpatialSpring<RowWide> spring = springs.at(x, y, z);
       const Mask may_be_inside = hn::And(bound.hits(x, y, z).m, mask_of(solid, part));
       const Mask is_inside = hn::And((spring.depth > 0).m, may_be_inside);
       inside |= bits_of(is_inside, part);

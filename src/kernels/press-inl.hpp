@@ -72,7 +72,7 @@ class Press {
     for (int first = 0; first < reached.count; first += int(kWidth)) {
       const auto voxels = hn::PromoteTo(ints, hn::LoadU(shorts, reached.voxels + first));
       const Place r = place_of(voxels, base);
-      const SpringVectors<Wide> spring = springs_.at(r.x, r.y, r.z);
+      const formulas::SpatialSpring<Wide> spring = springs_.at(r.x, r.y, r.z);
       if (!Springs::kCentral && !any(spring.depth > reach)) continue;
       const Wide fill = block.fill == nullptr ? Wide(1) : Wide(hn::GatherIndex(d, block.fill, voxels));
       Mask listed = hn::FirstN(d, std::size_t(std::min(reached.count - first, int(kWidth))));
@@ -124,7 +124,7 @@ class Press {
   }
 
   /// [m] Distance below the surface.
-  [[nodiscard]] HWY_INLINE static Wide distance_of(const SpringVectors<Wide>& spring) {
+  [[nodiscard]] HWY_INLINE static Wide distance_of(const formulas::SpatialSpring<Wide>& spring) {
     if constexpr (!Springs::kSmooth) return spring.depth;
     return formulas::distance_below(spring.depth, select(spring.smooth > 0, Wide(kSmoothScale), 1));
   }

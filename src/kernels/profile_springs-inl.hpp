@@ -12,24 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
 
-/// Springs at a vector of points (x, y, z). Heads are bodies of revolution: the outward normal lies in the plane
-/// through the spindle's axis, n = (x radial, y radial, axial).
-template <class W>
-struct SpringVectors {
-  W depth;   // [m] w
-  W radial;  // [1/m]
-  W axial;   // [1]
-  W smooth;  // [m^2] MeridianSpring::smooth
-};
-
-/// The springs of a body of revolution, from those in its half-plane.
-template <class Springs, class W>
-HWY_INLINE SpringVectors<W> about_axis(const Springs& springs, W x, W y, W z) {
-  const W squared = x * x + y * y, inverse_rho = inverse_root(max(squared, 1e-24F));  // finite on the axis
-  const formulas::MeridianSpring<W> spring = springs.spring(squared * inverse_rho, z);
-  return {spring.depth, spring.n_radial * inverse_rho, spring.n_axial, spring.smooth};
-}
-
 /// Bounds of a profile: which points may be inside.
 template <class W>
 struct ProfileBounds {
@@ -102,7 +84,7 @@ struct PlainProfileVectors : ProfileBounds<W> {
         second(curve(t, ProfileCell::second(t.everywhere))),
         lid(curve(t, t.lid)) {}
 
-  HWY_INLINE SpringVectors<W> at(W x, W y, W z) const { return about_axis(*this, x, y, z); }
+  HWY_INLINE formulas::SpatialSpring<W> at(W x, W y, W z) const { return formulas::about_axis(*this, x, y, z); }
   HWY_INLINE formulas::MeridianSpring<W> spring(W rho, W z) const {
     formulas::DecidingCurve<W> found(first, rho, z);
     if (rule != CellRule::first) found.decide(rule, second, rho, z);
@@ -125,7 +107,7 @@ struct ProfileVectors : ProfileBounds<W> {
   ProfileSprings<float> table;
   HWY_INLINE explicit ProfileVectors(const ProfileTable& t) : Base(t), table(t) {}
 
-  HWY_INLINE SpringVectors<W> at(W x, W y, W z) const { return about_axis(*this, x, y, z); }
+  HWY_INLINE formulas::SpatialSpring<W> at(W x, W y, W z) const { return formulas::about_axis(*this, x, y, z); }
   HWY_INLINE formulas::MeridianSpring<W> spring(W rho, W z) const {
     const hn::RebindToSigned<D> ints;
     const auto column =
@@ -167,6 +149,15 @@ struct ProfileVectors : ProfileBounds<W> {
     return each([&](const float* all) HWY_ATTR -> W { return hn::GatherIndex(D(), all, curve); });
   }
 };
+
+namespace formulas {
+/// Calls `function(springs)` with the springs of a profile.
+template <class W, class Function>
+HWY_INLINE decltype(auto) with_springs(const ProfileHead& head, const Function& function) {
+  return head.table().everywhere != 0 ? function(PlainProfileVectors<W>(head.table()))
+                                      : function(ProfileVectors<W>(head.table()));
+}
+}  // namespace formulas
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -74,7 +74,7 @@ class Whole {
   /// @param id      material of all of them
   /// @param listed  which lanes have a voxel
   /// @return the lanes that are left
-  HWY_INLINE Mask press_lanes(MaterialId id, const Place& r, const SpringVectors<Wide>& spring, Wide fill,
+  HWY_INLINE Mask press_lanes(MaterialId id, const Place& r, const formulas::SpatialSpring<Wide>& spring, Wide fill,
                               Mask listed) {
     const Wide advance = rate_of(r, spring.radial, spring.axial, m_.velocity, m_.angular_velocity) * m_.duration;
     Mask deep = hn::And(listed, (fill >= 1 && spring.depth > abs(advance) + deep_enough_).m);
@@ -113,7 +113,7 @@ class Whole {
       twice_after = twice_after + k * (at_end * at_end + voxel_size * voxel_size / 12);
       return pushed;
     }
-    /// @param radial, axial  of the normals, as in SpringVectors
+    /// @param radial, axial  of the normals, as in SpatialSpring
     HWY_INLINE void add_push(const Place& r, Wide radial, Wide axial, Wide push) {
       const Wide across = push * radial;
       force = {force.x + across * r.x, force.y + across * r.y, force.z + push * axial};
@@ -134,7 +134,7 @@ class Whole {
     }
   };
 
-  HWY_INLINE void collect(MaterialId id, const Place& r, const SpringVectors<Wide>& spring, unsigned lanes) {
+  HWY_INLINE void collect(MaterialId id, const Place& r, const formulas::SpatialSpring<Wide>& spring, unsigned lanes) {
     if (count_ > 0 && id != id_) run(count_);
     id_ = id;
     const Wide values[kColumns] = {r.x, r.y, r.z, spring.depth, spring.radial, spring.axial};

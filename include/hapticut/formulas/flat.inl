@@ -3,9 +3,12 @@
 
 template <class Real, FlatRule kRule>
 struct FlatSprings {
+  static constexpr bool kCentral = false, kSmooth = kRule == FlatRule::nearest;
   Real radius, height;
+  float outer, upper;  ///< [m] radius and height, for the bound
 
-  HAPTICUT_FORMULA explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)) {}
+  HAPTICUT_FORMULA explicit FlatSprings(const FlatHead& head)
+      : radius(Real(head.radius)), height(Real(head.height)), outer(float(head.radius)), upper(float(head.height)) {}
 
   [[nodiscard]] HAPTICUT_FORMULA MeridianSpring<Real> spring(Real rho, Real z) const {
     const Real side = radius - rho, above = height - z;
@@ -27,6 +30,20 @@ struct FlatSprings {
     }
   }
   [[nodiscard]] HAPTICUT_FORMULA Real margin(Real rho, Real z) const { return min(min(z, height - z), radius - rho); }
+
+  [[nodiscard]] HAPTICUT_FORMULA SpatialSpring<Real> at(Real x, Real y, Real z) const {
+    return about_axis(*this, x, y, z);
+  }
+  struct Grown {
+    float squared, bottom, top;
+    [[nodiscard]] HAPTICUT_FORMULA auto hits(Real x, Real y, Real z) const {
+      return x * x + y * y < Real(squared) && (z > Real(bottom) && z < Real(top));
+    }
+  };
+  [[nodiscard]] HAPTICUT_FORMULA Grown grown(float margin) const {
+    const float r = std::max(0.0F, outer + margin);
+    return {r * r, -margin, upper + margin};
+  }
 };
 
 /// Calls `function(springs)` with the springs of a flat head.

@@ -3,9 +3,12 @@
 
 template <class Real>
 struct SphereSprings {
+  static constexpr bool kCentral = true, kSmooth = false;
   Real radius;
+  float outer;  ///< [m] radius, for the bound
 
-  HAPTICUT_FORMULA explicit SphereSprings(const SphereHead& head) : radius(Real(head.radius)) {}
+  HAPTICUT_FORMULA explicit SphereSprings(const SphereHead& head)
+      : radius(Real(head.radius)), outer(float(head.radius)) {}
 
   struct Central {
     Real depth;    ///< [m] w
@@ -21,6 +24,21 @@ struct SphereSprings {
     return {c.depth, rho * c.inverse, z * c.inverse};
   }
   [[nodiscard]] HAPTICUT_FORMULA Real margin(Real rho, Real z) const { return radius - sqrt(rho * rho + z * z); }
+
+  [[nodiscard]] HAPTICUT_FORMULA SpatialSpring<Real> at(Real x, Real y, Real z) const {
+    const auto [depth, inverse] = about_center(x * x + (y * y + z * z));
+    return {depth, inverse, z * inverse, Real(0)};
+  }
+  struct Grown {
+    float squared;
+    [[nodiscard]] HAPTICUT_FORMULA auto hits(Real x, Real y, Real z) const {
+      return x * x + (y * y + z * z) < Real(squared);
+    }
+  };
+  [[nodiscard]] HAPTICUT_FORMULA Grown grown(float margin) const {
+    const float r = std::max(0.0F, outer + margin);
+    return {r * r};
+  }
 };
 
 /// Calls `function(springs)` with the springs of a ball.

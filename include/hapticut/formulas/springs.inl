@@ -45,3 +45,32 @@ struct MeridianSpring {
   /// [1] Change of w per distance along n, as Spring::scale.
   [[nodiscard]] HAPTICUT_FORMULA Real scale() const { return select(on_smooth(), Real(kSmoothScale), Real(1)); }
 };
+
+/// The spring at a point (x, y, z) of a body of revolution: its normal lies in the plane through the spindle's axis,
+/// n = (x radial, y radial, axial).
+template <class Real>
+struct SpatialSpring {
+  Real depth;   ///< [m] w
+  Real radial;  ///< [1/m]
+  Real axial;   ///< [1]
+  Real smooth;  ///< [m^2] as MeridianSpring::smooth
+};
+
+/// The spring at a point, from that in its half-plane.
+template <class Springs, class Real>
+[[nodiscard]] HAPTICUT_FORMULA SpatialSpring<Real> about_axis(const Springs& springs, Real x, Real y, Real z) {
+  const Real squared = x * x + y * y, inverse_rho = inverse_root(max(squared, Real(1e-24)));  // finite on the axis
+  const MeridianSpring<Real> spring = springs.spring(squared * inverse_rho, z);
+  return {spring.depth, spring.n_radial * inverse_rho, spring.n_axial, spring.smooth};
+}
+
+// The springs of each shape have these functions:
+// * `spring(rho, z)`: the spring at a point of the meridian plane, also outside the head.
+// * `margin(rho, z)` [m]: changes by at most one per unit of length, and is positive exactly inside the head. It serves
+//   to skip whole blocks that the head cannot touch.
+// The kernels also need:
+// * `at(x, y, z)`: the spring at a point in space.
+// * `grown(margin)`: a bound of the head grown by a margin [m], also a negative one. Its `hits(x, y, z)` tells which
+//   points may be inside, as far as is known without a square root.
+// * `kCentral`: all normals meet in the head's origin, so that the springs have no torque about it.
+// * `kSmooth`: some of the surface may be smooth.

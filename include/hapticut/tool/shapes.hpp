@@ -20,12 +20,6 @@
 /// Tool frame T: +z is the spindle axis, pointing from the cutting tip towards the shank. Every head is a body of
 /// revolution about z, so a point enters only by its distance `rho` from the axis and its height `z`, and the direction
 /// from the local spring centre through it lies in the same meridian plane.
-///
-/// The springs of a shape answer two questions:
-/// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
-///   there pushes the material;
-/// * `margin(rho, z)` [m]: a function that changes by at most one per unit of length and is positive exactly inside the
-///   head; it serves to skip whole blocks that the head cannot touch.
 namespace hapticut {
 namespace detail {
 /// Text of a length [m]: "2 mm".
