@@ -67,7 +67,7 @@ std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) 
   // The centroid of a surface voxel lies half a voxel off its centre, along an axis of the grid.
   const double beyond = quadrature_ == Quadrature::sub_voxel ? double(kVoxelReach) : 0.5;
   const kernels::ContactJob job = job_at(at);
-  const bool stands_as_ball = at.motion.spin == 0 && std::holds_alternative<SphereHead>(head_.shape());
+  const bool stands_as_ball = at.motion.spin == 0 && head_.ball() != nullptr;
   return near_.find(workpiece_, job, at.X_VT, bounds_, beyond, law_->is_foundation() && !stands_as_ball);
 }
 
@@ -100,7 +100,7 @@ Encounter ContactStages::meet(std::span<const FoundBlock> blocks, const HeadPlac
 
 /// Whether some material may be deeper than its crushing depth, which is less below a smooth surface (a ball has none).
 bool ContactStages::crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept {
-  const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
+  const double scale = head_.ball() != nullptr ? 1 : kSmoothScale;
   return scale * encounter.resultant.depth > crushing_depth(motion, scale);
 }
 

@@ -162,7 +162,7 @@ void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& en
 
 DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Encounter& encounter,
                                              DeepContact& deep) noexcept {
-  const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
+  const SphereHead* ball = tool.head().ball();
   if (ball == nullptr || !config.deep_contact || !config.law->holds_deep_contact()) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;

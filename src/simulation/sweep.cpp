@@ -42,8 +42,7 @@ double Simulation::State::farthest_between(const Pose& from, const Pose& to) con
 /// [m] Smallest depth at which a standing rim crushes in a sub-step; 0 where nothing is that deep, the head turns or is
 /// a ball, or a point bears the force that is thinner than the voxels, which do not resolve what it crushes.
 double Simulation::State::crushing_depth_in(const SubStep& sub_step, const Encounter& encounter) const noexcept {
-  const bool may_be_rim =
-      !std::holds_alternative<SphereHead>(tool.head().shape()) && !contact_stages.is_point_thin(encounter.resultant);
+  const bool may_be_rim = tool.head().ball() == nullptr && !contact_stages.is_point_thin(encounter.resultant);
   if (!may_be_rim || sub_step.head.motion.spin != 0 || !sub_step.head.motion.crushes) return 0;
   const double depth = contact_stages.crushing_depth(sub_step.head.motion);
   return encounter.resultant.depth > depth ? depth : 0.0;

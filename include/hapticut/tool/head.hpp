@@ -54,6 +54,9 @@ class ToolHead {
     return function(*std::get_if<kIndex>(&shape_));
   }
 
+  /// The ball, if the head is one; else null. Only a ball has neither an edge nor a smooth surface.
+  [[nodiscard]] const SphereHead* ball() const { return std::get_if<SphereHead>(&shape_); }
+
   /// The smallest axis-aligned box around the head, in T, exact.
   [[nodiscard]] HeadBox bounding_box() const {
     return visit([](const auto& shape) { return shape.bounding_box(); });

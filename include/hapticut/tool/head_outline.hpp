@@ -21,19 +21,7 @@ class HeadOutline {
  public:
   /// @param head  must outlive the outline
   explicit HeadOutline(const ToolHead& head) noexcept {
-    if (const auto* ball = std::get_if<SphereHead>(&head.shape())) {
-      ball_radius_ = ball->radius;
-    } else if (const auto* cone = std::get_if<ConeHead>(&head.shape())) {
-      const double base = cone->height * std::tan(cone->half_angle);
-      add({0, 0}, {base, cone->height});
-      add({base, cone->height}, {0, cone->height});
-    } else if (const auto* flat = std::get_if<FlatHead>(&head.shape())) {
-      add({0, 0}, {flat->radius, 0});
-      add({flat->radius, 0}, {flat->radius, flat->height});
-      add({flat->radius, flat->height}, {0, flat->height});
-    } else {
-      profile_ = std::get<ProfileHead>(head.shape()).table().exact_pieces;
-    }
+    head.visit([this](const auto& shape) { take(shape); });
   }
 
   /// A point seen from the head.
@@ -74,17 +62,22 @@ class HeadOutline {
   }
 
  private:
-  struct End {
-    double rho, z;
-  };
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     double rho = 0, z = 0;                // [m] point of the piece
     double normal_rho = 0, normal_z = 1;  // [1] out of the head
   };
 
-  void add(const End& from, const End& to) noexcept {
-    straight_[count_++] = {from.rho, from.z, to.rho, to.z, 0, 0, 0, 0, 0};
+  void take(const SphereHead& ball) noexcept { ball_radius_ = ball.radius; }
+  void take(const ProfileHead& profile) noexcept { profile_ = profile.table().exact_pieces; }
+  void take(const auto& shape) noexcept {  // a shape of straight edges
+    const auto edges = shape.edges();
+    static_assert(edges.size() <= kMaxEdges);
+    double rho = 0, z = shape.tip();
+    for (const ProfileEdge& edge : edges) {
+      straight_[count_++] = {rho, z, edge.rho, edge.z, 0, 0, 0, 0, 0};
+      rho = edge.rho, z = edge.z;
+    }
   }
   [[nodiscard]] std::span<const ProfilePiece<double>> pieces() const noexcept {
     return count_ > 0 ? std::span<const ProfilePiece<double>>(straight_.data(), count_) : profile_;
@@ -118,10 +111,11 @@ class HeadOutline {
     return found;
   }
 
-  double ball_radius_ = 0;                             // [m] 0: not a ball
-  std::array<ProfilePiece<double>, 3> straight_ = {};  // of a cone or a flat head
-  std::size_t count_ = 0;                              // of `straight_`
-  std::span<const ProfilePiece<double>> profile_;      // of a profile
+  static constexpr std::size_t kMaxEdges = 3;
+  double ball_radius_ = 0;                                     // [m] 0: not a ball
+  std::array<ProfilePiece<double>, kMaxEdges> straight_ = {};  // of a shape of straight edges
+  std::size_t count_ = 0;                                      // of `straight_`
+  std::span<const ProfilePiece<double>> profile_;              // of a profile
 };
 
 }  // namespace hapticut

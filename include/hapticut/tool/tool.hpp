@@ -16,12 +16,9 @@ namespace hapticut {
 
 /// The default cutter of a head: a twist drill if only a conical point cuts and the side above it is smooth, as in
 /// `twist_drill_head`; else a carbide bur.
-// Not inlined: GCC 12 would otherwise warn that the profile of a ball is used uninitialised.
-[[nodiscard, gnu::noinline]] inline Cutter usual_cutter(const ToolHead& head) {
-  const auto* shape = std::get_if<ProfileHead>(&head.shape());
-  if (shape == nullptr) return {};
-  const std::vector<ProfileEdge>& edges = shape->profile().edges;
-  const bool points = edges[0].kind == EdgeKind::cutting && edges[0].radius == 0 && edges[0].z > shape->profile().tip;
+[[nodiscard]] inline Cutter usual_cutter(const ToolHead& head) {
+  const std::vector<ProfileEdge> edges = head.profile().edges;
+  const bool points = edges[0].kind == EdgeKind::cutting && edges[0].radius == 0 && edges[0].z > head.tip();
   const bool smooth_above =
       edges.size() > 2 && edges[1].z > edges[0].z &&
       std::all_of(edges.begin() + 1, edges.end(), [](const ProfileEdge& e) { return e.kind == EdgeKind::smooth; });

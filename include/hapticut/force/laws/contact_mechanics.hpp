@@ -29,7 +29,7 @@ class ContactMechanicsLaw final : public LumpedLaw {
   [[nodiscard]] double effective_modulus() const { return modulus_; }  ///< [Pa] E*
 
   void require_head(const ToolHead& head) const override {
-    if (std::holds_alternative<ProfileHead>(head.shape()))
+    if (head.visit([](const auto& shape) { return power_of(shape); }) == 0)
       throw Error("ContactMechanicsLaw was given " + head.description() +
                   "; it has formulas for a sphere, a cone and a flat head. Choose one of these, or FoundationLaw.");
   }
@@ -56,35 +56,48 @@ class ContactMechanicsLaw final : public LumpedLaw {
 
   /// [N] at depth d [m].
   [[nodiscard]] double force(const ToolHead& head, double d) const {
-    if (const auto* flat = std::get_if<FlatHead>(&head.shape())) return 2 * flat->radius * modulus_ * d;
-    if (const auto* sphere = std::get_if<SphereHead>(&head.shape()))
-      return 4.0 / 3 * modulus_ * std::sqrt(sphere->radius) * std::pow(d, 1.5);
-    if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
-      return 2 / units::kPi * modulus_ * std::tan(cone->half_angle) * d * d;
-    return 0;
+    return head.visit([&](const auto& shape) { return force_of(shape, modulus_, d); });
   }
 
   /// [J] at depth d [m].
   [[nodiscard]] double energy(const ToolHead& head, double d) const {
-    if (std::holds_alternative<FlatHead>(head.shape())) return force(head, d) * d / 2;
-    if (std::holds_alternative<SphereHead>(head.shape())) return force(head, d) * d / 2.5;
-    return force(head, d) * d / 3;
+    return force(head, d) * d / head.visit([](const auto& shape) { return power_of(shape); });
   }
 
   /// [m] depth at which a half space fills this volume [m^3] of a head, tip first; at most the height of the head.
   [[nodiscard]] static double depth_of(const ToolHead& head, double volume) {
-    using units::kPi;
-    if (const auto* flat = std::get_if<FlatHead>(&head.shape()))
-      return std::min(volume / (kPi * flat->radius * flat->radius), flat->height);
-    if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
-      return std::min(std::cbrt(3 * volume / (kPi * std::pow(std::tan(cone->half_angle), 2))), cone->height);
-    // pi d^2 (R - d/3) = V is, with z = 1 - d/R and s = V over the ball's volume, z^3 - 3 z + 2 - 4 s = 0; z = 2 cos t.
-    const double R = std::get_if<SphereHead>(&head.shape())->radius;
-    const double fraction = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
-    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * fraction - 1)) / 3));
+    return head.visit([&](const auto& shape) { return depth_in(shape, volume); });
   }
 
  private:
+  // The power of d in the energy; 0: the shape has no formula.
+  [[nodiscard]] static double power_of(const FlatHead& /*head*/) { return 2; }
+  [[nodiscard]] static double power_of(const SphereHead& /*head*/) { return 2.5; }
+  [[nodiscard]] static double power_of(const ConeHead& /*head*/) { return 3; }
+  [[nodiscard]] static double power_of(const auto& /*head*/) { return 0; }
+
+  [[nodiscard]] static double force_of(const FlatHead& flat, double E, double d) { return 2 * flat.radius * E * d; }
+  [[nodiscard]] static double force_of(const SphereHead& sphere, double E, double d) {
+    return 4.0 / 3 * E * std::sqrt(sphere.radius) * std::pow(d, 1.5);
+  }
+  [[nodiscard]] static double force_of(const ConeHead& cone, double E, double d) {
+    return 2 / units::kPi * E * std::tan(cone.half_angle) * d * d;
+  }
+  [[nodiscard]] static double force_of(const auto& /*head*/, double /*E*/, double /*d*/) { return 0; }
+
+  [[nodiscard]] static double depth_in(const FlatHead& flat, double volume) {
+    return std::min(volume / (units::kPi * flat.radius * flat.radius), flat.height);
+  }
+  [[nodiscard]] static double depth_in(const ConeHead& cone, double volume) {
+    return std::min(std::cbrt(3 * volume / (units::kPi * std::pow(std::tan(cone.half_angle), 2))), cone.height);
+  }
+  // pi d^2 (R - d/3) = V is, with z = 1 - d/R and s = V over the ball's volume, z^3 - 3 z + 2 - 4 s = 0; z = 2 cos t.
+  [[nodiscard]] static double depth_in(const SphereHead& sphere, double volume) {
+    const double fraction = std::clamp(volume / sphere.volume(), 0.0, 1.0);
+    return sphere.radius * (1 - 2 * std::cos((2 * units::kPi - std::acos(2 * fraction - 1)) / 3));
+  }
+  [[nodiscard]] static double depth_in(const auto& /*head*/, double /*volume*/) { return 0; }
+
   double modulus_;
 };
 

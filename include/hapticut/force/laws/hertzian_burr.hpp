@@ -32,14 +32,14 @@ class HertzianBurrLaw final : public LumpedLaw {
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [Pa] C1
 
   void require_head(const ToolHead& head) const override {
-    if (!std::holds_alternative<SphereHead>(head.shape()))
+    if (head.ball() == nullptr)
       throw Error("HertzianBurrLaw was given " + head.description() +
                   "; it has a formula for a round burr only. Choose SphereHead, or FoundationLaw for other heads.");
   }
 
   [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
                                  const ContactMoments& moments) const noexcept override {
-    const double R = std::get_if<SphereHead>(&head.shape())->radius;
+    const double R = head.ball()->radius;
     const double arm = moments.first_moment.norm();
     if (!(arm > 1e-9 * R * moments.volume)) return {};  // buried: no direction
     const Vec3 n = moments.first_moment / arm;

@@ -76,19 +76,20 @@ class TwistDrillLaw final : public LumpedLaw {
   }
   /// [rad] full angle of the point; 0: the head is not a drill.
   [[nodiscard]] static double point_angle(const ToolHead& head) {
-    if (const auto* cone = std::get_if<ConeHead>(&head.shape())) return 2 * cone->half_angle;
-    if (std::holds_alternative<FlatHead>(head.shape())) return units::kPi;
-    const auto* shape = std::get_if<ProfileHead>(&head.shape());
-    if (shape == nullptr) return 0;
-    const Profile& profile = shape->profile();
-    const ProfileEdge& point = profile.edges.front();
-    const auto cutting = [](const ProfileEdge& edge) { return edge.kind == EdgeKind::cutting; };
-    if (!cutting(point) || point.radius != 0 || std::count_if(profile.edges.begin(), profile.edges.end(), cutting) > 1)
-      return 0;
-    return 2 * std::atan2(point.rho, point.z - profile.tip);
+    return head.visit([](const auto& shape) { return angle_of(shape); });
   }
 
  private:
+  [[nodiscard]] static double angle_of(const ConeHead& cone) { return 2 * cone.half_angle; }
+  [[nodiscard]] static double angle_of(const FlatHead& /*its bottom is the point*/) { return units::kPi; }
+  [[nodiscard]] static double angle_of(const auto& shape) {
+    const auto& edges = shape.edges();
+    const ProfileEdge& point = edges.front();
+    const auto cutting = [](const ProfileEdge& edge) { return edge.kind == EdgeKind::cutting; };
+    if (!cutting(point) || point.radius != 0 || std::count_if(edges.begin(), edges.end(), cutting) > 1) return 0;
+    return 2 * std::atan2(point.rho, point.z - shape.tip());
+  }
+
   Constants c_;
 };
 
