@@ -2,6 +2,7 @@
 #include "io/recording/recording_settings.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "hapticut/force/laws/foundation.hpp"
@@ -15,18 +16,20 @@ using StoredApart = Except<std::shared_ptr<const ForceLaw>, std::optional<DryFri
 
 // --- heads and handles ----------------------------------------------------------------------------------------------
 
-constexpr const char* kHeads[] = {"sphere", "cone", "flat", "profile"};  // in the order of ToolHead::Shape
 constexpr std::pair<const char*, double ProfileEdge::*> kEdges[] = {
     {"profile_rho", &ProfileEdge::rho}, {"profile_z", &ProfileEdge::z}, {"profile_radius", &ProfileEdge::radius}};
 
-/// A head of a few numbers.
-template <class Archive, class Head>
-void visit_head(Archive& archive, Head& head) {
-  visit_fields(archive, "", head, Except<FlatRule>{});
-  if constexpr (std::is_same_v<std::remove_const_t<Head>, FlatHead>) archive("flat_rule", head.rule);
+/// A shape with dimensions. What is not a number has the shape in its name: "flat_rule".
+template <class Archive, class Shape>
+void visit_shape(Archive& archive, Shape& shape) {
+  for_each_field<std::remove_const_t<Shape>>([&](const auto& field) {
+    constexpr bool kNumber = kIsNumber<typename std::remove_cvref_t<decltype(field)>::Type>;
+    visit_value(archive, (kNumber ? "" : std::string(Shape::kWord) + "_") + field.name, field.unit,
+                shape.*field.member);
+  });
 }
 
-void visit_head(SettingsWriter& write, const ProfileHead& head) {
+void visit_shape(SettingsWriter& write, const ProfileHead& head) {
   const std::vector<ProfileEdge>& edges = head.profile().edges;
   std::vector<double> numbers(edges.size());
   write("profile_tip", "m", head.profile().tip);
@@ -41,11 +44,20 @@ void visit_head(SettingsWriter& write, const ProfileHead& head) {
 }
 
 void write_head(SettingsWriter& write, const ToolHead& head) {
-  write("head", std::string(kHeads[head.shape().index()]));
-  std::visit([&](const auto& shape) { visit_head(write, shape); }, head.shape());
+  head.visit([&]<class Shape>(const Shape& shape) {
+    write("head", std::string(Shape::kWord));
+    visit_shape(write, shape);
+  });
 }
 
-ToolHead read_profile(SettingsReader& read) {
+template <Described Shape>
+ToolHead read_shape(SettingsReader& read, Of<Shape>) {
+  Shape shape{};
+  visit_shape(read, shape);
+  return shape;
+}
+
+ToolHead read_shape(SettingsReader& read, Of<ProfileHead>) {
   Profile profile;
   double tolerance = 0;
   std::vector<double> numbers, cutting;
@@ -63,17 +75,15 @@ ToolHead read_profile(SettingsReader& read) {
 }
 
 ToolHead read_head(SettingsReader& read) {
-  std::string kind;
+  std::string kind, words;
   read("head", kind);
-  const auto of_numbers = [&](auto head) {
-    visit_head(read, head);
-    return ToolHead(head);
-  };
-  if (kind == kHeads[0]) return of_numbers(SphereHead{});
-  if (kind == kHeads[1]) return of_numbers(ConeHead{});
-  if (kind == kHeads[2]) return of_numbers(FlatHead{});
-  if (kind == kHeads[3]) return read_profile(read);
-  throw Error("its 'tool/head' is \"" + kind + "\", but must be one of sphere, cone, flat, profile");
+  std::optional<ToolHead> head;
+  for_each_shape([&]<class Shape>(Of<Shape> shape) {
+    if (kind == Shape::kWord) head = read_shape(read, shape);
+    words += (words.empty() ? "" : ", ") + std::string(Shape::kWord);
+  });
+  if (!head) throw Error("its 'tool/head' is \"" + kind + "\", but must be one of " + words);
+  return *std::move(head);
 }
 
 void write_handle(SettingsWriter& write, const Handle& handle) {
