@@ -13,22 +13,18 @@
 
 namespace hapticut::python {
 
-template <>
-inline constexpr bool kNumbersAreRequired<SphereHead> = true;
-template <>
-inline constexpr bool kNumbersAreRequired<ConeHead> = true;
-template <>
-inline constexpr bool kNumbersAreRequired<FlatHead> = true;
+template <ShapeOfHead Shape>
+inline constexpr bool kNumbersAreRequired<Shape> = true;
 template <>
 inline constexpr bool kNumbersAreRequired<RayHandle> = true;
 
 namespace {
 
 void bind_shapes(py::module_& m) {
-  bind_described<SphereHead>(m, "SphereHead");
-  bind_described<ConeHead>(m, "ConeHead");
   bind_enum<FlatRule>(m, "FlatRule");
-  bind_described<FlatHead>(m, "FlatHead");
+  for_each_shape([&]<class Shape>(Of<Shape>) {
+    if constexpr (Described<Shape>) bind_described<Shape>(m, Shape::kName);
+  });
   bind_enum<EdgeKind>(m, "EdgeKind");
   bind_struct<ProfileEdge>(m, "ProfileEdge", field("rho", &ProfileEdge::rho), field("z", &ProfileEdge::z),
                            field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
@@ -69,11 +65,11 @@ void bind_heads(py::module_& m) {
   py::class_<ToolHead> head_class(m, "ToolHead", doc("ToolHead"));
   pickled_by_constructor(head_class, {"shape"});
   head_class.def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
-      .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
-                             "SphereHead, ConeHead, FlatHead or ProfileHead.")
+      .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy, doc("ToolHead::shape"))
       .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
       .def("reach", &ToolHead::reach, doc("ToolHead::reach"))
       .def("volume", &ToolHead::volume, doc("ToolHead::volume"))
+      .def("tip", &ToolHead::tip, doc("ToolHead::tip"))
       .def("max_radius", &ToolHead::max_radius, doc("ToolHead::max_radius"))
       .def("cutting_radius", &ToolHead::cutting_radius, doc("ToolHead::cutting_radius"))
       .def("description", &ToolHead::description, doc("ToolHead::description"))

@@ -64,8 +64,8 @@
 /// The other files, when you meet their names:
 ///
 ///     wide-inl.hpp              a number for each lane, and with it the formulas
-///     springs-inl.hpp           depth and direction of a vector of points, for each shape of head;
-///     profile_springs-inl.hpp   those of profiles
+///     springs-inl.hpp           the springs of a head, of the text of its shape in hapticut/formulas;
+///     profile_springs-inl.hpp   those of a profile, for a vector of points
 ///     strips-inl.hpp            lanes and masks of a strip
 ///     sums.hpp                  sums of a sub-step in double precision, lane by lane
 ///     points-inl.hpp            sample_contact and sum_resultant for all other laws

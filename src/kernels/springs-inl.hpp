@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth and direction of the material below a head's surface, for a vector of points; included once per instruction
-// set.
+// The springs of a head of any shape, for a vector of points; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_SPRINGS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_SPRINGS_INL_HPP
 #undef HAPTICUT_KERNELS_SPRINGS_INL_HPP

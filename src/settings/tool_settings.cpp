@@ -42,15 +42,20 @@ std::string heads_with(HeadDimension dimension) {
   return "choose --head " + joined(names, " or ");
 }
 
+/// "sphere, cone".
+std::string words_of_shapes() {
+  std::vector<std::string> words;
+  for_each_shape([&]<class Shape>(Of<Shape>) { words.emplace_back(Shape::kWord); });
+  return joined(words);
+}
+
 ToolHead make_head(const ToolSettings& s) {
   if (!s.head)
-    throw Error(
-        "the head of the tool is missing. Set --head to sphere, cone, flat, profile or a name of the catalogue, or "
-        "head under "
-        "[tool] in the settings file.");
+    throw Error("the head of the tool is missing. Set --head to " + words_of_shapes() +
+                " or a name of the catalogue, or head under [tool] in the settings file.");
   const HeadShape* shape = *s.head;
   const char* owner = shape != nullptr ? shape->in_sentences : "a profile head";
-  const bool is_flat = shape != nullptr && shape->name == std::string_view("flat");
+  const bool is_flat = shape != nullptr && shape->name == std::string_view(FlatHead::kWord);
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
     if (shape == nullptr || shape->find(one.value) == nullptr)
       refuse(s.dimension(one.value), key_of(one.value), owner, heads_with(one.value));
@@ -75,7 +80,7 @@ ToolHead make_head(const ToolSettings& s) {
 std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
   std::vector<std::pair<std::string, const HeadShape*>> names;
   for (const HeadShape& shape : head_shapes()) names.emplace_back(shape.name, &shape);
-  names.emplace_back("profile", nullptr);
+  names.emplace_back(ProfileHead::kWord, nullptr);
   return names;
 }
 

@@ -142,6 +142,77 @@ ToolHead twist_drill_head(double diameter, double length, double point_angle) {
   return closed({{R, point}, {R, length, 0, kSmooth}});
 }
 
+namespace {
+
+using Values = std::span<const double>;
+
+/// The entry of a shape; its dimensions are those of its fields that are numbers.
+template <class Shape>
+HeadShape entry_of() {
+  HeadShape entry = {
+      Shape::kWord, Shape::kInSentences, {}, [](Values values) {
+        Shape shape = Shape::usual();
+        for_each_number<Shape>([&, n = values.begin()](const auto& field) mutable { shape.*field.member = *n++; });
+        return ToolHead(shape);
+      }};
+  for_each_number<Shape>([&](const auto& field) {
+    entry.dimensions.push_back({value_named<HeadDimension>(field.name).value(), Shape::usual().*field.member});
+  });
+  return entry;
+}
+
+std::vector<HeadShape> burs() {
+  using enum HeadDimension;
+  using units::mm;
+  return {{"round", "a round head", {{diameter, 1.4 * mm}}, [](Values v) { return round_head(v[0]); }},
+          {"inverted_cone",
+           "an inverted cone",
+           {{tip_diameter, 1.4 * mm}, {neck_diameter, 0.9 * mm}, {length, 1.2 * mm}},
+           [](Values v) { return inverted_cone_head(v[0], v[1], v[2]); }},
+          {"cylinder",
+           "a cylinder",
+           {{diameter, 1.2 * mm}, {length, 4 * mm}},
+           [](Values v) { return cylinder_head(v[0], v[1]); }},
+          {"round_end_cylinder",
+           "a round-end cylinder",
+           {{diameter, 1.2 * mm}, {length, 4 * mm}},
+           [](Values v) { return round_end_cylinder_head(v[0], v[1]); }},
+          {"tapered",
+           "a tapered head",
+           {{tip_diameter, 0.9 * mm}, {diameter, 1.6 * mm}, {length, 4 * mm}},
+           [](Values v) { return tapered_head(v[0], v[1], v[2]); }},
+          {"round_end_tapered",
+           "a round-end tapered head",
+           {{tip_diameter, 0.8 * mm}, {diameter, 1.6 * mm}, {length, 4 * mm}},
+           [](Values v) { return round_end_tapered_head(v[0], v[1], v[2]); }},
+          {"needle",
+           "a needle",
+           {{diameter, 1.2 * mm}, {length, 5 * mm}},
+           [](Values v) { return needle_head(v[0], v[1]); }},
+          {"flame",
+           "a flame",
+           {{diameter, 1.4 * mm}, {length, 4 * mm}, {neck_diameter, 0.9 * mm}, {widest_height, 2 * mm}},
+           [](Values v) { return flame_head(v[0], v[1], v[2], v[3]); }},
+          {"pear",
+           "a pear",
+           {{diameter, 1.4 * mm}, {length, 2.6 * mm}, {neck_diameter, 0.8 * mm}},
+           [](Values v) { return pear_head(v[0], v[1], v[2]); }},
+          {"wheel",
+           "a wheel",
+           {{diameter, 4 * mm}, {length, 0.8 * mm}, {shank_diameter, 1.4 * mm}},
+           [](Values v) { return wheel_head(v[0], v[1], v[2]); }},
+          {"christmas_tree",
+           "a christmas tree",
+           {{diameter, 2 * mm}, {length, 3 * mm}, {tiers, 3}},
+           [](Values v) { return christmas_tree_head(v[0], v[1], int(v[2])); }},
+          {"twist_drill",
+           "a twist drill",
+           {{diameter, 2 * mm}, {length, 5 * mm}, {point_angle, kCommonDrillPoint, true}},
+           [](Values v) { return twist_drill_head(v[0], v[1], v[2]); }}};
+}
+
+}  // namespace
+
 const HeadShape::Dimension* HeadShape::find(HeadDimension dimension) const {
   for (const Dimension& one : dimensions)
     if (one.what == dimension) return &one;
@@ -155,68 +226,14 @@ ToolHead HeadShape::usual() const {
 }
 
 const std::vector<HeadShape>& head_shapes() {
-  using enum HeadDimension;
-  using units::deg, units::mm;
-  using Values = std::span<const double>;
-  static const std::vector<HeadShape> shapes = {
-      {"sphere", "a sphere", {{radius, 1 * mm}}, [](Values v) { return ToolHead(SphereHead{v[0]}); }},
-      {"cone",
-       "a cone, given by angle and height,",
-       {{half_angle, 30 * deg}, {height, 2 * mm}},
-       [](Values v) {
-         return ToolHead(ConeHead{v[0], v[1]});
-       }},
-      {"flat",
-       "a flat head",
-       {{radius, 1 * mm}, {height, 2 * mm}},
-       [](Values v) {
-         return ToolHead(FlatHead{v[0], v[1]});
-       }},
-      {"round", "a round head", {{diameter, 1.4 * mm}}, [](Values v) { return round_head(v[0]); }},
-      {"inverted_cone",
-       "an inverted cone",
-       {{tip_diameter, 1.4 * mm}, {neck_diameter, 0.9 * mm}, {length, 1.2 * mm}},
-       [](Values v) { return inverted_cone_head(v[0], v[1], v[2]); }},
-      {"cylinder",
-       "a cylinder",
-       {{diameter, 1.2 * mm}, {length, 4 * mm}},
-       [](Values v) { return cylinder_head(v[0], v[1]); }},
-      {"round_end_cylinder",
-       "a round-end cylinder",
-       {{diameter, 1.2 * mm}, {length, 4 * mm}},
-       [](Values v) { return round_end_cylinder_head(v[0], v[1]); }},
-      {"tapered",
-       "a tapered head",
-       {{tip_diameter, 0.9 * mm}, {diameter, 1.6 * mm}, {length, 4 * mm}},
-       [](Values v) { return tapered_head(v[0], v[1], v[2]); }},
-      {"round_end_tapered",
-       "a round-end tapered head",
-       {{tip_diameter, 0.8 * mm}, {diameter, 1.6 * mm}, {length, 4 * mm}},
-       [](Values v) { return round_end_tapered_head(v[0], v[1], v[2]); }},
-      {"needle",
-       "a needle",
-       {{diameter, 1.2 * mm}, {length, 5 * mm}},
-       [](Values v) { return needle_head(v[0], v[1]); }},
-      {"flame",
-       "a flame",
-       {{diameter, 1.4 * mm}, {length, 4 * mm}, {neck_diameter, 0.9 * mm}, {widest_height, 2 * mm}},
-       [](Values v) { return flame_head(v[0], v[1], v[2], v[3]); }},
-      {"pear",
-       "a pear",
-       {{diameter, 1.4 * mm}, {length, 2.6 * mm}, {neck_diameter, 0.8 * mm}},
-       [](Values v) { return pear_head(v[0], v[1], v[2]); }},
-      {"wheel",
-       "a wheel",
-       {{diameter, 4 * mm}, {length, 0.8 * mm}, {shank_diameter, 1.4 * mm}},
-       [](Values v) { return wheel_head(v[0], v[1], v[2]); }},
-      {"christmas_tree",
-       "a christmas tree",
-       {{diameter, 2 * mm}, {length, 3 * mm}, {tiers, 3}},
-       [](Values v) { return christmas_tree_head(v[0], v[1], int(v[2])); }},
-      {"twist_drill",
-       "a twist drill",
-       {{diameter, 2 * mm}, {length, 5 * mm}, {point_angle, kCommonDrillPoint, true}},
-       [](Values v) { return twist_drill_head(v[0], v[1], v[2]); }}};
+  static const std::vector<HeadShape> shapes = [] {
+    std::vector<HeadShape> all;
+    for_each_shape([&]<class Shape>(Of<Shape>) {
+      if constexpr (Described<Shape>) all.push_back(entry_of<Shape>());
+    });
+    for (HeadShape& bur : burs()) all.push_back(std::move(bur));
+    return all;
+  }();
   return shapes;
 }
 

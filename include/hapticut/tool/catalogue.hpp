@@ -124,7 +124,7 @@ struct HeadShape {
   /// The head with its usual dimensions.
   [[nodiscard]] ToolHead usual() const;
 };
-/// The sphere, cone and flat head and the catalogue above.
+/// The shapes of ToolHead that have dimensions, and the catalogue above.
 [[nodiscard]] const std::vector<HeadShape>& head_shapes();
 
 }  // namespace hapticut

@@ -12,12 +12,13 @@ namespace hapticut {
 /// A cone standing on its apex. Frame origin = apex. Below its side `w = z sin(a) - rho cos(a)`, `n = (cos(a) radial,
 /// -sin(a) axial)`; the base disk at z = height is smooth.
 struct ConeHead {
-  static constexpr char kWord[] = "cone", kName[] = "ConeHead";
+  static constexpr char kWord[] = "cone", kName[] = "ConeHead", kInSentences[] = "a cone, given by angle and height,";
 
   double half_angle;
   double height;
 
   [[nodiscard]] double base_radius() const { return height * std::tan(half_angle); }  ///< [m]
+  [[nodiscard]] static ConeHead usual() { return {30 * units::deg, 2 * units::mm}; }
   [[nodiscard]] HeadBox bounding_box() const { return HeadBox::around_axis(base_radius(), 0, height); }
   [[nodiscard]] double reach() const { return std::hypot(base_radius(), height); }
   [[nodiscard]] double volume() const { return units::kPi / 3 * base_radius() * base_radius() * height; }

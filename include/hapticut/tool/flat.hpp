@@ -30,12 +30,13 @@ constexpr auto names_of(Of<FlatRule>) {
 /// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall. The top disk is smooth with rule `nearest`
 /// and has no spring with the other rules. Frame origin = centre of the bottom disk.
 struct FlatHead {
-  static constexpr char kWord[] = "flat", kName[] = "FlatHead";
+  static constexpr char kWord[] = "flat", kName[] = "FlatHead", kInSentences[] = "a flat head";
 
   double radius;
   double height;
   FlatRule rule = FlatRule::nearest;
 
+  [[nodiscard]] static FlatHead usual() { return {1 * units::mm, 2 * units::mm}; }
   [[nodiscard]] HeadBox bounding_box() const { return HeadBox::around_axis(radius, 0, height); }
   [[nodiscard]] double reach() const { return std::hypot(radius, height); }
   [[nodiscard]] double volume() const { return units::kPi * radius * radius * height; }

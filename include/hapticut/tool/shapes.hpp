@@ -80,8 +80,9 @@ struct Profile {
   std::vector<ProfileEdge> edges;
 };
 
-/// What a shape of head has, in T. A shape with dimensions also has `fields_of`, and a shape whose dimensions have
-/// limits beyond their ranges a function `validate`. Its springs are `formulas::with_springs`.
+/// What a shape of head has, in T. Its springs are `formulas::with_springs`. A shape with dimensions is described by
+/// `fields_of` and has a head of `usual()` dimensions and a name `kInSentences`, "a cone". `validate()` checks what the
+/// ranges of the fields do not.
 template <class S>
 concept ShapeOfHead = requires(const S& shape) {
   // In settings and recordings, "cone"; in C++ and Python, "ConeHead"; shape and size, for messages.

@@ -10,10 +10,11 @@ namespace hapticut {
 
 /// A ball. Frame origin = centre = spring centre.  `w = R - |x|`, `n = x/|x|`.
 struct SphereHead {
-  static constexpr char kWord[] = "sphere", kName[] = "SphereHead";
+  static constexpr char kWord[] = "sphere", kName[] = "SphereHead", kInSentences[] = "a sphere";
 
   double radius;
 
+  [[nodiscard]] static SphereHead usual() { return {1 * units::mm}; }
   [[nodiscard]] HeadBox bounding_box() const { return HeadBox::around_axis(radius, -radius, radius); }
   [[nodiscard]] double reach() const { return radius; }
   [[nodiscard]] double volume() const { return 4 * units::kPi / 3 * radius * radius * radius; }

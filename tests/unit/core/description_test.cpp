@@ -61,25 +61,26 @@ static_assert(members_of<Ball>() == 2);
 template <class S>
 struct DescribedStruct : testing::Test {};
 
-template <class... Structs, class... Commands>
-auto together(testing::Types<Structs...>, std::tuple<Commands...>) -> testing::Types<Structs..., Commands...>;
+template <class... Structs, class... More>
+auto together(testing::Types<Structs...>, std::tuple<More...>) -> testing::Types<Structs..., More...>;
 
-/// The structs that have a list of fields.
-template <class... Commands>
-auto described(std::variant<Commands...>) -> decltype(std::tuple_cat(
-    std::declval<std::conditional_t<Described<Commands>, std::tuple<Commands>, std::tuple<>>>()...));
+/// Those of its alternatives that have a list of fields.
+template <class... Structs>
+auto described(std::variant<Structs...>) -> decltype(std::tuple_cat(
+    std::declval<std::conditional_t<Described<Structs>, std::tuple<Structs>, std::tuple<>>>()...));
 
-using OfCommands = decltype(described(std::declval<LoopCommand>()));
+using OfVariants =
+    decltype(std::tuple_cat(described(std::declval<ToolHead::Shape>()), described(std::declval<LoopCommand>())));
 using Structs = decltype(together(
-    testing::Types<Material, SphereHead, ConeHead, FlatHead, RayHandle, LHandle, Spindle, DryFriction, Gravity,
-                   Vibration, DeltaFilter, AxisMask, OutputLimits, Effects, StepInput, Contact, SpindleState,
-                   EnergyLedger, StepResult, ContactProbe, StageTimes, SimulationConfig, DeviceCapabilities,
-                   DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
-                   ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
-                   SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters,
-                   StabilitySearch, BounceTest, PressTest>{},
-    std::declval<OfCommands>()));
+    testing::Types<Material, RayHandle, LHandle, Spindle, DryFriction, Gravity, Vibration, DeltaFilter, AxisMask,
+                   OutputLimits, Effects, StepInput, Contact, SpindleState, EnergyLedger, StepResult, ContactProbe,
+                   StageTimes, SimulationConfig, DeviceCapabilities, DeviceState, DeviceOutput, DeviceTick,
+                   PoseGateOptions, ArmingOptions, PassivityOptions, ThermalOptions, WatchdogOptions, GuardOptions,
+                   RealtimeOptions, RunOptions, RealtimeLoopOptions, SimulationModelOptions, WorkspaceMapOptions,
+                   CouplingGains, CouplingEnergy, DeviceModel, HandModel, PlantOptions, MockOptions, MouseOptions,
+                   OpenHapticsOptions, ForceDimensionOptions, MolarParameters, StabilitySearch, BounceTest,
+                   PressTest>{},
+    std::declval<OfVariants>()));
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
 TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {
