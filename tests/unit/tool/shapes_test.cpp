@@ -4,7 +4,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "hapticut/tool/catalogue.hpp"
 #include "support/generators.hpp"
+#include "support/places.hpp"
 #include "support/springs.hpp"
 
 namespace hapticut::shapes_test {
@@ -102,6 +109,44 @@ TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   const double rho = cone.height * std::tan(cone.half_angle) + 0.2 * mm, z = cone.height + 0.1 * mm;
   const double side = z * std::sin(cone.half_angle) - rho * std::cos(cone.half_angle);
   EXPECT_NEAR(spring_at(cone, rho, z).depth, -std::hypot(side, 0.1 * mm), 1e-12);
+}
+
+// Recordings and the kernels read the list itself.
+TEST(Shapes, AreInTheCatalogueInPythonAndOnThePages) {
+  const auto text_of = [](const char* file) {
+    std::ifstream in(test::source_path(file));
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string python = text_of("bindings/python/hapticut/__init__.py");
+  const std::string heads = text_of("docs/heads-and-materials.md"), settings = text_of("docs/command-line.md");
+  const std::size_t row = settings.find("| `head` | shape |");
+  const std::string words = settings.substr(row, settings.find('\n', row) - row);
+  for_each_shape([&]<class Shape>(Of<Shape>) {
+    const std::string name = Shape::kName, word = Shape::kWord;
+    EXPECT_NE(python.find(name + " as " + name), std::string::npos) << name;
+    EXPECT_NE(heads.find("`" + name + "`"), std::string::npos) << name;
+    EXPECT_TRUE(words.find(" " + word + ",") != std::string::npos || words.ends_with(" " + word + " |")) << word;
+    if constexpr (Described<Shape>) {
+      const auto named = [&](const HeadShape& one) { return one.name == word; };
+      const auto entry = std::find_if(head_shapes().begin(), head_shapes().end(), named);
+      ASSERT_NE(entry, head_shapes().end()) << word;
+      const ToolHead head = entry->usual();
+      ASSERT_TRUE(std::holds_alternative<Shape>(head.shape())) << word;
+      for_each_number<Shape>([&](const auto& field) {
+        EXPECT_EQ(std::get<Shape>(head.shape()).*field.member, Shape::usual().*field.member) << word << field.name;
+      });
+    }
+  });
+}
+
+TEST(Shapes, HaveTheirTipWhereTheMeridianAndTheSpringsBegin) {
+  constexpr double kBeside = 1e-9;  // [m]
+  for (const HeadShape& shape : head_shapes()) {
+    const ToolHead head = shape.usual();
+    EXPECT_EQ(head.tip(), head.profile().tip) << shape.name;
+    EXPECT_GT(margin_at(head, 0, head.tip() + kBeside), 0) << shape.name;
+    EXPECT_LT(margin_at(head, 0, head.tip() - kBeside), 0) << shape.name;
+  }
 }
 
 }  // namespace
