@@ -348,7 +348,7 @@ double Molar::surface_height(double x, double y) const {
 void validate(const MolarParameters& p) {
   require_fields_within(p, "MolarParameters::");
   const auto at_most = [](double value, double high, const char* field) {
-    require_between(value, 0, high, (std::string("MolarParameters::") + field + " [m]").c_str());
+    require_between(value, 0, high, {Name(std::string("MolarParameters::") + field), " [m]"});
   };
   at_most(p.cervix_mesiodistal, p.crown_mesiodistal, "cervix_mesiodistal");
   at_most(p.cervix_buccolingual, p.crown_buccolingual, "cervix_buccolingual");

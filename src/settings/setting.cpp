@@ -86,8 +86,7 @@ Setting integer(std::string key, std::string flag, std::size_t& target, double l
 
 Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count, Range range,
                 std::string meaning) {
-  std::string each = range.text();
-  each.erase(0, each.find("number") + 6);
+  const std::string each = range.limits();
   return {std::move(key),
           std::move(flag),
           std::move(meaning),

@@ -54,11 +54,12 @@ struct Range {
   }
 
   /// Completes "must be": "a number > 0".
-  [[nodiscard]] std::string text() const {
-    const bool below = std::isfinite(low), above = std::isfinite(high);
-    if (below && above) return "a number from " + format_number(low) + " to " + format_number(high);
-    if (below) return "a number " + std::string(low_open ? "> " : ">= ") + format_number(low);
-    return "a number";
+  [[nodiscard]] std::string text() const { return "a number" + limits(); }
+  /// Completes "a number": " > 0", " from 0 to 1"; "" when every number is allowed.
+  [[nodiscard]] std::string limits() const {
+    if (!std::isfinite(low)) return "";
+    if (std::isfinite(high)) return " from " + format_number(low) + " to " + format_number(high);
+    return std::string(low_open ? " > " : " >= ") + format_number(low);
   }
 
   /// For documentation: "> 0", "0 ... 1e+06"; "" when every number is allowed.
@@ -69,12 +70,12 @@ struct Range {
   }
 };
 
-/// @param name  name of the value as the user knows it, with its unit: "SphereHead::radius [m]"
+/// @param what  the value with its unit: "SphereHead::radius [m]"
 /// @throws Error if the value is not within the range
-inline void require_within(double value, const Range& range, const std::string& name) {
+inline void require_within(double value, const Range& range, const Subject& what) {
   if (range.contains(value)) return;
-  const std::string given =
-      name + " = " + format_number(value, value > range.high ? range.high : range.low) + "; must be ";
+  const Sentence given =
+      what + " = " + format_number(value, value > range.high ? range.high : range.low) + "; must be ";
   const std::string low = format_number(range.low, value), high = format_number(range.high, value);
   if (range.allows_infinity) throw Error(given + "> " + low + ". Leave it at infinity for no limit.");
   if (std::isfinite(range.low) && std::isfinite(range.high))
@@ -174,7 +175,8 @@ void require_fields_within(const S& s, std::string_view prefix) {
     using T = typename std::remove_cvref_t<decltype(field)>::Type;
     const auto check = [&](double number) {
       if (!field.range.contains(number))
-        require_within(number, field.range, std::string(prefix) + field.name + " [" + field.unit + "]");
+        require_within(number, field.range,
+                       {Name(std::string(prefix) + field.name), " [" + std::string(field.unit) + "]"});
     };
     if constexpr (kIsNumber<T>) {
       check(double(s.*field.member));

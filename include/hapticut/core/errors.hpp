@@ -5,23 +5,30 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "hapticut/core/on_one_line.hpp"
+#include "hapticut/core/sentence.hpp"
 
 /// @file
 /// The one exception type of the library, thrown by set-up code only. The step never throws; it reports `StepStatus`
 /// bits.
 namespace hapticut {
 
-/// A request that cannot be fulfilled. `what()` is one sentence that says what was given, what is allowed and what to
-/// do. It is one line of valid UTF-8, even if a damaged file contributed a name.
+/// A request that cannot be fulfilled. One sentence says what was given, what is allowed and what to do. It is one line
+/// of valid UTF-8, even if a damaged file contributed a name. `what()` has the names of C++.
 class Error : public std::runtime_error {
  public:
-  /// @param sentence  the message; each byte that is not part of a printable UTF-8 character becomes a question mark
-  explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
+  explicit Error(Sentence sentence)
+      : std::runtime_error(sentence.in_cpp()), sentence_(std::make_shared<const Sentence>(std::move(sentence))) {}
+
+  /// For a front end, which writes it in its own words.
+  [[nodiscard]] const Sentence& sentence() const { return *sentence_; }
+
+ private:
+  std::shared_ptr<const Sentence> sentence_;  // shared, because copies of exceptions must not throw
 };
 
 namespace detail {
@@ -76,42 +83,41 @@ inline std::string with_all_digits(double value) {
 }
 
 /// Throws unless `value` is finite and greater than zero.
-/// @param name  name of the value as the user knows it, with its unit, e.g. "SphereHead::radius [m]"
-inline void require_positive(double value, const char* name) {
+/// @param what  the value with its unit: "SphereHead::radius [m]"
+inline void require_positive(double value, const Subject& what) {
   if (!(std::isfinite(value) && value > 0))
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number > 0.");
+    throw Error(what + " = " + format_number(value) + "; must be a finite number > 0.");
 }
 
 /// Throws when a size is so large that it must have been meant in millimetres.
 /// @param limit  [m] largest plausible size
-inline void require_metres(double value, double limit, const char* name) {
+inline void require_metres(double value, double limit, const Subject& what) {
   if (value > limit)
-    throw Error(std::string(name) + " = " + format_number(value, limit) +
-                "; must be <= " + format_number(limit, value) + ". Sizes are in metres: " + format_number(value) +
-                " mm is " + format_number(1e-3 * value) + ".");
+    throw Error(what + " = " + format_number(value, limit) + "; must be <= " + format_number(limit, value) +
+                ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
 inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
 inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of a cutting head; larger ones were meant in mm/s
 
 /// Throws unless a feed [m/s] is positive and at most kMaxFeed.
-inline void require_feed(double value, const char* name) {
-  require_positive(value, name);
+inline void require_feed(double value, const Subject& what) {
+  require_positive(value, what);
   if (value > kMaxFeed)
-    throw Error(std::string(name) + " = " + format_number(value, kMaxFeed) + "; must be <= " + format_number(kMaxFeed) +
+    throw Error(what + " = " + format_number(value, kMaxFeed) + "; must be <= " + format_number(kMaxFeed) +
                 ". Speeds are in m/s: " + format_number(value) + " mm/s is " + format_number(1e-3 * value) + ".");
 }
 
 /// Throws unless `value` is finite and not negative.
-inline void require_not_negative(double value, const char* name) {
+inline void require_not_negative(double value, const Subject& what) {
   if (!(std::isfinite(value) && value >= 0))
-    throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number >= 0.");
+    throw Error(what + " = " + format_number(value) + "; must be a finite number >= 0.");
 }
 
 /// Throws unless `low <= value <= high`.
-inline void require_between(double value, double low, double high, const char* name) {
+inline void require_between(double value, double low, double high, const Subject& what) {
   if (!(value >= low && value <= high))
-    throw Error(std::string(name) + " = " + format_number(value, value < low ? low : high) + "; must be between " +
+    throw Error(what + " = " + format_number(value, value < low ? low : high) + "; must be between " +
                 format_number(low, value) + " and " + format_number(high, value) + ".");
 }
 

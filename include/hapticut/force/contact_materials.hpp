@@ -35,7 +35,7 @@ inline void require_contact_stiffness(const MaterialTable& table, double referen
     const Material& m = table[MaterialId(id)];
     require_between(
         m.relative_stiffness * reference_stiffness, kSoftestContact, kStiffestContact,
-        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
+        {"SimulationConfig::reference_stiffness"_name, " times relative_stiffness of '" + m.name + "' [N/m^4]"});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "hapticut/core/description.hpp"
@@ -38,6 +39,35 @@ TEST(Errors, MakeUtf8OfAnything) {
   EXPECT_EQ(shown("\xed\xa0\x80"), "???") << "half of a UTF-16 pair";
   EXPECT_EQ(shown("\xf4\x90\x80\x80"), "????") << "beyond the last character";
   EXPECT_EQ(shown("\xf8\x88\x80\x80\x80"), "?????") << "five bytes";
+}
+
+/// As a front end that has no word for the second name writes it.
+std::string shown_elsewhere(const Sentence& sentence) {
+  return sentence.written([](const Name& name) {
+    return name.scope() == "GuardOptions" ? std::optional<std::string>("the " + std::string(name.member()))
+                                          : std::nullopt;
+  });
+}
+
+TEST(Errors, HaveTheNamesOfTheFrontEnd) {
+  const Error error("GuardOptions::period"_name + " = 3; must be at most " + "WatchdogOptions::late"_name + ".");
+  EXPECT_STREQ(error.what(), "GuardOptions::period = 3; must be at most WatchdogOptions::late.");
+  EXPECT_EQ(shown_elsewhere(error.sentence()), "the period = 3; must be at most late.");
+}
+
+TEST(Errors, LeaveOutAClauseAboutWhatTheFrontEndLacks) {
+  const Sentence sentence = "it is late" + Sentence::clause("; raise " + "GuardOptions::late"_name) +
+                            Sentence::clause(", or " + "read_recording"_name + " later") + ".";
+  EXPECT_EQ(sentence.in_cpp(), "it is late; raise GuardOptions::late, or read_recording later.");
+  EXPECT_EQ(shown_elsewhere(sentence), "it is late; raise the late.");
+}
+
+TEST(Errors, OfChecksNameTheFieldApartFromItsUnit) {
+  const auto said = [](const Subject& what) { return shown_elsewhere(Sentence(what)); };
+  EXPECT_EQ(said("GuardOptions::period [s]"), "the period [s]");
+  EXPECT_EQ(said("GuardOptions::start: dt [s]"), "the start: dt [s]");
+  EXPECT_EQ(said("HeatConfig::water.temperature"), "water.temperature");
+  EXPECT_EQ(said("voxel size [m]"), "voxel size [m]");
 }
 
 TEST(Numbers, InMessagesHaveSixDigitsUnlessTheyWouldLookRoundAndAreNot) {
