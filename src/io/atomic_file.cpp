@@ -70,7 +70,7 @@ void remove_leftovers(const fs::path& folder) {
 
 }  // namespace
 
-void cannot_write(const fs::path& path, const std::string& reason, const std::string& what) {
+void cannot_write(const fs::path& path, const Sentence& reason, const std::string& what) {
   throw Error("cannot write " + what + "'" + path.string() + "': " + reason +
               ". Check the folder, its permissions and the free disk space.");
 }

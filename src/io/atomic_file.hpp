@@ -7,14 +7,15 @@
 #include <string>
 #include <string_view>
 
+#include "hapticut/core/errors.hpp"
+
 /// @file
 /// Writes files atomically: under a temporary name in the same folder, then renamed. No file is ever half-written.
 namespace hapticut {
 
 /// @throws Error that names the file and the reason
 /// @param what  text before the file name: "the recording "
-[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& reason,
-                               const std::string& what = "");
+[[noreturn]] void cannot_write(const std::filesystem::path& path, const Sentence& reason, const std::string& what = "");
 
 /// The file behind a symbolic link: the link stays, and its target is replaced, or made if it is missing.
 [[nodiscard]] std::filesystem::path place_behind_links(const std::filesystem::path& path);

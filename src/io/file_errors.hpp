@@ -12,21 +12,27 @@
 
 namespace hapticut {
 
-/// @throws Error that names the file and the reason
-[[noreturn]] inline void cannot_read(const std::filesystem::path& path, const std::string& reason) {
-  throw Error("cannot read '" + path.string() + "': " + reason);
+/// An Error that names its file.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// @param reason  calls the file "it"
+[[noreturn]] inline void cannot_read(const std::filesystem::path& path, const Sentence& reason) {
+  throw FileError("cannot read '" + path.string() + "': " + reason);
 }
 
-/// Runs a part of the reading whose messages call the file "it".
-/// @throws Error with the name of the file before the message
+/// Runs a part of the reading that does not know the name of the file. Its errors call the file "it".
+/// @throws FileError
 template <class Work>
 auto naming(const std::filesystem::path& path, const Work& work) {
   try {
     return work();
+  } catch (const FileError&) {
+    throw;
   } catch (const Error& error) {
-    const std::string reason = error.what();
-    if (reason.starts_with("cannot read ")) throw;  // the message names a file already
-    cannot_read(path, reason);
+    cannot_read(path, error.sentence());
   } catch (const std::exception& error) {
     if (!is_lack_of_memory(error) && dynamic_cast<const std::length_error*>(&error) == nullptr) throw;
     cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");

@@ -16,9 +16,6 @@
 
 namespace hapticut {
 
-/// Why a BackgroundWriter fails when memory is lacking.
-inline constexpr const char* kNoMemoryToWrite = "there is not enough memory";
-
 /// A bounded queue of messages from a loop to a background thread that writes them. The loop's side takes no lock.
 /// A sink decides where and how the messages are written. If the sink throws, the writing ends.
 ///
@@ -65,6 +62,8 @@ class BackgroundWriter {
     }
     return failure_;
   }
+  /// Whether the sink failed for lack of memory. Ask after `stop`.
+  [[nodiscard]] bool lacked_memory() const noexcept { return lacked_memory_; }
 
  private:
   void run(double flush_period) {
@@ -92,7 +91,8 @@ class BackgroundWriter {
         }
       }
     } catch (const std::bad_alloc&) {
-      fail(kNoMemoryToWrite);
+      lacked_memory_ = true;
+      fail("there is not enough memory");
     } catch (const std::exception& error) {
       fail(error.what());
     } catch (...) {
@@ -112,6 +112,7 @@ class BackgroundWriter {
   bool stopping_ = false;
   std::atomic<bool> failed_{false};
   std::string failure_;
+  bool lacked_memory_ = false;
   std::thread thread_;
 };
 

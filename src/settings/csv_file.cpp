@@ -67,18 +67,18 @@ bool may_mark_thousands(std::string_view number, std::size_t mark) {
 
 }  // namespace
 
-CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag)
+CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, const Name& setting)
     : name_(path.string()) {
   std::error_code error;
   auto file = std::make_unique<std::ifstream>();
   // Check the type before opening: opening a pipe blocks, and a device has no end.
   if (std::filesystem::is_regular_file(path, error)) file->open(path, std::ios::binary);
   if (!file->is_open())
-    throw Error(std::filesystem::absolute(path).string() + ": this " + what +
-                " does not exist or cannot be read. Check the name given to " + flag + ".");
+    throw FileError(std::filesystem::absolute(path).string() + ": this " + what +
+                    " does not exist or cannot be read. Check the name given to " + setting + ".");
   constexpr std::size_t kHead = 200;  // [bytes]
   if (const std::string other = not_the_file(first_bytes(path, kHead)); !other.empty())
-    throw Error(std::filesystem::absolute(path).string() + ": " + other);
+    throw FileError(std::filesystem::absolute(path).string() + ": " + other);
   stream_ = std::move(file);
 }
 
@@ -205,7 +205,7 @@ void CsvFile::require_decimals() {
 }
 
 void CsvFile::fail(const std::string& message) const {
-  throw Error(name_ + ":" + std::to_string(line_) + ": " + message);
+  throw FileError(name_ + ":" + std::to_string(line_) + ": " + message);
 }
 
 }  // namespace hapticut::settings

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/sentence.hpp"
+
 namespace hapticut::settings {
 
 /// Reads the lines of a CSV file: a line of column names, then lines with as many cells. It accepts what spreadsheets
@@ -19,9 +21,9 @@ namespace hapticut::settings {
 /// Empty lines, lines that begin with #, blanks around a cell and a UTF-8 byte order mark are skipped.
 class CsvFile {
  public:
-  /// @param what  the kind of file, and the flag that names it: "file of poses", "--poses"
+  /// @param what  the kind of file, and the setting that names it: "file of poses", `path.file`
   /// @throws Error when the file cannot be read
-  CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag);
+  CsvFile(const std::filesystem::path& path, const std::string& what, const Name& setting);
 
   /// Reads a text in memory.
   /// @param name  stands for the file name in messages
@@ -56,7 +58,7 @@ class CsvFile {
   /// @throws Error that names the column and its content
   double number_at(const std::vector<std::string>& cells, std::size_t column);
 
-  /// @throws Error whose message begins with file and line
+  /// @throws FileError with the number of the line
   [[noreturn]] void fail(const std::string& message) const;
 
  private:

@@ -121,7 +121,7 @@ class PoseFile {
 }  // namespace
 
 std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation) {
-  return PoseFile(CsvFile(path, "file of poses", "--poses"), rotation).read();
+  return PoseFile(CsvFile(path, "file of poses", "path.file"_name), rotation).read();
 }
 
 std::vector<TimedPose> poses_of_text(std::string text, std::string name, const Mat3& rotation) {

@@ -62,17 +62,17 @@ class ProfileFile {
 };
 
 Profile profile_in(const std::filesystem::path& path) {
-  if (path.extension() == ".csv") return ProfileFile(CsvFile(path, "profile", "--profile")).read();
+  if (path.extension() == ".csv") return ProfileFile(CsvFile(path, "profile", "tool.profile"_name)).read();
 #ifdef HAPTICUT_HAS_IMPORT
   const std::vector<NamedMesh> objects = read_mesh(path);
   if (objects.size() != 1)
-    throw Error(path.string() + ": there are " + std::to_string(objects.size()) +
-                " objects; a head is one object. Keep the one that cuts.");
+    throw FileError(path.string() + ": there are " + std::to_string(objects.size()) +
+                    " objects; a head is one object. Keep the one that cuts.");
   return profile_from_mesh(objects.front().mesh).profile;
 #else
-  throw Error(path.string() +
-              ": only profiles in CSV files can be read; this program was built without the component import, which "
-              "reads meshes.");
+  throw FileError(
+      path.string() +
+      ": only profiles in CSV files can be read; this program was built without the component import, which reads meshes.");
 #endif
 }
 

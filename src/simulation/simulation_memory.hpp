@@ -18,7 +18,7 @@ struct SimulationMemory {
 
   /// The simulation that had this memory.
   /// @param workpiece, tool, config  as that simulation has them
-  /// @throws Error whose message begins with "it", when the bytes are of another build
+  /// @throws Error when the bytes are of another build
   [[nodiscard]] static Simulation restored(Workpiece workpiece, Tool tool, SimulationConfig config,
                                            const std::string& bytes);
 

@@ -16,7 +16,7 @@ class CodecProcess {
   /// Unpacks one frame.
   /// @param packed  compressed values of the frame
   /// @return values of the frame as stored, in little-endian order
-  /// @throws Error whose message begins with "its", when the program is missing, fails, dies or takes too long
+  /// @throws Error without the name of the file, when the program is missing, fails, dies or takes too long
   std::string operator()(const DicomFile& file, const DicomPicture& picture, std::string_view packed);
 
  private:

@@ -61,7 +61,7 @@ struct DicomFile {
 
 /// Reads a file element by element, to the end of its picture. What follows is not read: writers pad files with zeros.
 /// @param bytes  the whole file; it must outlive the result
-/// @throws Error whose message begins with "it" or "its", when the file is damaged, truncated or of an unsupported kind
+/// @throws Error without the name of the file, when the file is damaged, truncated or of an unsupported kind
 [[nodiscard]] DicomFile parse_dicom(std::string_view bytes);
 
 }  // namespace hapticut

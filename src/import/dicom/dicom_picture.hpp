@@ -60,7 +60,7 @@ struct DicomPicture {
 /// Whether a file describes a picture, even if it lacks its values.
 [[nodiscard]] bool has_rows(const DicomFile& file);
 
-/// @throws Error whose message begins with "it" or "its", when the picture has no grey values, or its position is
+/// @throws Error without the name of the file, when the picture has no grey values, or its position is
 ///         unknown
 [[nodiscard]] DicomPicture describe_picture(const DicomFile& file);
 
@@ -69,7 +69,7 @@ struct DicomPicture {
 using FrameDecoder = std::function<std::string(const DicomFile&, const DicomPicture&, std::string_view packed)>;
 
 /// The values of all frames, as stored and then scaled. MONOCHROME1, which viewers show inverted, is not inverted.
-/// @throws Error whose message begins with "it" or "its", when there are fewer values than the header says, or they
+/// @throws Error without the name of the file, when there are fewer values than the header says, or they
 ///         cannot be unpacked
 [[nodiscard]] RawImage picture_values(const DicomFile& file, const DicomPicture& picture, const FrameDecoder& decode);
 

@@ -22,16 +22,16 @@ namespace hapticut {
 using DataFile = std::function<std::string(const std::string& name)>;
 
 /// @param bytes  the whole file
-/// @throws Error whose message begins with "it" or "its"
+/// @throws Error without the name of the file
 [[nodiscard]] RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file);
 [[nodiscard]] RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file);
 
 /// Parses NIfTI-1 or NIfTI-2 in one file.
 /// @param bytes  the whole file, compressed by gzip or not
-/// @throws Error whose message begins with "it" or "its"
+/// @throws Error without the name of the file
 [[nodiscard]] RawImage parse_nifti(std::string_view bytes);
 
-/// @throws Error whose message begins with "it" or "its"
+/// @throws Error without the name of the file
 [[nodiscard]] RawImage parse_invesalius(std::string_view bytes);
 
 /// Reads a DICOM file with several frames.
@@ -57,7 +57,7 @@ inline constexpr double kDeflate = 1032;
 inline constexpr double kAnyCompression = 1e5;  ///< Zstandard reaches 2^15 on runs of one value; JPEG 2000 is below
 
 /// @param best_ratio  [1] maximum ratio of needed to available bytes
-/// @throws Error whose message begins with "its", when the available bytes are fewer than the header needs at this
+/// @throws Error without the name of the file, when the available bytes are fewer than the header needs at this
 ///         ratio
 void require_bytes(double needed, double available, double best_ratio);
 
@@ -65,7 +65,7 @@ void require_bytes(double needed, double available, double best_ratio);
 /// header blanks and zeros of any number.
 /// @param slice      [bytes] of a slice
 /// @param same_file  the values follow their header
-/// @throws Error whose message begins with "its", when there are more bytes than the header claims, e.g. because a
+/// @throws Error without the name of the file, when there are more bytes than the header claims, e.g. because a
 ///         hand-written header has a wrong type or size
 void require_no_more(std::uint64_t claimed, std::string_view data, std::uint64_t slice, bool same_file);
 

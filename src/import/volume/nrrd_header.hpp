@@ -25,7 +25,7 @@ struct NrrdHeader {
 };
 
 /// @param bytes  the beginning of a file
-/// @throws Error whose message begins with "it" or "its", when it is not the header of a volume with three axes and one
+/// @throws Error without the name of the file, when it is not the header of a volume with three axes and one
 ///         value per sample
 [[nodiscard]] NrrdHeader parse_nrrd_header(std::string_view bytes);
 

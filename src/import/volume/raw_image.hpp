@@ -63,14 +63,14 @@ inline constexpr double kMaxRounding = 6e-3;
 
 /// Checks that there are between 1 and kMaxVolumeSamples samples, a whole number along every axis.
 /// @param dims  numbers from a header, not yet checked
-/// @throws Error whose message begins with "it"
+/// @throws Error without the name of the file
 void require_sane_dims(const std::array<double, 3>& dims);
 
-/// @throws Error whose message begins with "it", when there are fewer than three dimensions
+/// @throws Error without the name of the file, when there are fewer than three dimensions
 /// @param max_dimensions  limit of the format
 void require_dimensions(double dimensions, double max_dimensions);
 
-/// @throws Error whose message begins with "it", when an axis after the third has several samples
+/// @throws Error without the name of the file, when an axis after the third has several samples
 void require_one_volume(double samples);
 
 /// Reverses the bytes of every value.

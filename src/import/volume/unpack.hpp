@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// @file
-/// Unpacks compressed data in memory. Throws an Error whose message begins with "its" when the data are damaged,
+/// Unpacks compressed data in memory. Throws an Error without the name of the file when the data are damaged,
 /// truncated or exceed a limit.
 namespace hapticut {
 

@@ -79,12 +79,12 @@ void be_quiet_at_exit() {
   (void)registered;
 }
 
-void fail(const std::string& what) {
+void fail(const std::string& what, Fault fault) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
   H5Eclear2(H5E_DEFAULT);
   reason.resize(std::min(reason.find(':'), reason.size()));  // the rest are variables of HDF5's code
-  throw Failure(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")"));
+  throw Failure(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")"), fault);
 }
 
 hid_t type_of(ValueType type) {

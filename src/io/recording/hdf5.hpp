@@ -32,7 +32,7 @@ class Quiet {
 void be_quiet_at_exit();
 
 /// @throws Failure that names the failed operation and HDF5's reason
-[[noreturn]] void fail(const std::string& what);
+[[noreturn]] void fail(const std::string& what, Fault fault = Fault::part);
 
 template <class Code>
 Code checked(Code code, const std::string& what) {

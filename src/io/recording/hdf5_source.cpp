@@ -26,8 +26,9 @@ bool has_writer(std::string_view head) {
 hdf5::File require_open(hid_t id, std::string_view head) {
   hdf5::File file(id);
   if (file.valid()) return file;
-  if (!head.starts_with("\x89HDF")) throw hdf5::Failure("it is not an HDF5 file, so not a recording of hapticut");
-  hdf5::fail("it is a damaged HDF5 file; opening it");
+  if (!head.starts_with("\x89HDF"))
+    throw hdf5::Failure("it is not an HDF5 file, so not a recording of hapticut", Fault::not_hdf5);
+  hdf5::fail("it is a damaged HDF5 file; opening it", Fault::damaged);
 }
 
 }  // namespace

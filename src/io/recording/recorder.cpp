@@ -66,8 +66,8 @@ bool has_recorder(const std::filesystem::path& path) {
   return has_writer_lock(at) || has_writer_lock(path_beside(at));
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  if (reason.starts_with(kNoMemoryToWrite))  // the disk is not to blame
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason, bool lacked_memory = false) {
+  if (lacked_memory)  // the disk is not to blame
     throw Error(std::string("cannot write ") + kWhat + "'" + path.string() + "': " + reason +
                 ". Use larger voxels, a smaller piece or a shorter run.");
   cannot_write(path, reason, kWhat);
@@ -343,7 +343,7 @@ void Recorder::close() {
   const hdf5::Quiet quiet;
   if (!failure.empty() && s.written == 0) {
     ::unlink(s.growing.c_str());
-    fail(s.path, failure);
+    fail(s.path, failure, s.writer->lacked_memory());
   }
   try {
     hdf5::File file(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
@@ -353,11 +353,12 @@ void Recorder::close() {
     if (file.reset() < 0) hdf5::fail("closing it");
   } catch (const hdf5::Failure& error) {
     s.ending_failed.store(true, std::memory_order_release);
-    fail(s.path, failure.empty() ? error.what() : failure);
+    fail(s.path, failure.empty() ? error.what() : failure, s.writer->lacked_memory());
   }
   s.disk_space.reset();
   if (!failure.empty())
-    fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'");
+    fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'",
+         s.writer->lacked_memory());
   std::error_code code;
   if (const auto last = place_behind_links(s.path); s.growing != last) std::filesystem::rename(s.growing, last, code);
   if (code) {

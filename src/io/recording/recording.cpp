@@ -26,14 +26,14 @@ auto reading(const std::filesystem::path& path, const Function& function) {
   try {
     return function();
   } catch (const hdf5::Failure& failure) {
-    const std::string reason = failure.what();
-    if (reason.starts_with("it is not")) cannot_read(path, reason + ".");
-    cannot_read(path, (reason.starts_with("it is") ? "" : "it is damaged, or another program changed it: ") + reason +
-                          (reason.ends_with("copy") ? "." : ". Get a complete copy, or record it again."));
+    if (failure.fault() == Fault::not_hdf5) cannot_read(path, failure.sentence() + ".");
+    cannot_read(path, (failure.fault() == Fault::damaged ? "" : "it is damaged, or another program changed it: ") +
+                          failure.sentence() + ". Get a complete copy, or record it again.");
+  } catch (const Error& error) {
+    cannot_read(path, error.sentence());
   } catch (const std::exception& error) {
     if (is_lack_of_memory(error)) cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
-    const std::string reason = error.what();
-    cannot_read(path, reason + (reason.ends_with('.') ? "" : "."));
+    cannot_read(path, std::string(error.what()) + ".");
   }
 }
 
@@ -46,19 +46,19 @@ auto settings_in_file(const Function& function) {
   } catch (const hdf5::Failure&) {
     throw;
   } catch (const Error& error) {
-    throw Error(std::string("in the settings inside it: ") + error.what());
+    throw Error("in the settings inside it: " + error.sentence());
   }
 }
 
 RecordingInfo read_info(RecordingSource& source) {
   if (!source.has_attribute("", "content") || source.text_attribute("", "content") != kMagic)
-    throw Error("it is an HDF5 file, but not a recording of hapticut");
+    throw Error("it is an HDF5 file, but not a recording of hapticut.");
   RecordingInfo info;
   info.format = source.number_attribute("", "format");
   if (info.format != kRecordingFormat)
     throw Error("it has format " + std::to_string(info.format) + "; this version of hapticut reads format " +
                 std::to_string(kRecordingFormat) + "; use " +
-                (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version"));
+                (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version") + ".");
   for (const auto& [name, text] : kInfoTexts) info.*text = source.text_attribute("", name);
   info.closed = source.has_attribute("", "closed");
   if (info.closed && source.has_attribute("", "workpiece_hash_at_end"))
@@ -67,7 +67,7 @@ RecordingInfo read_info(RecordingSource& source) {
 }
 
 std::vector<RecordedEffects> read_effects(RecordingSource& source, double update_rate) {
-  if (!source.exists(kEffectsGroup)) throw Error("it lacks the group 'effects'");
+  if (!source.exists(kEffectsGroup)) throw Error("it lacks the group 'effects'.");
   const std::string group = std::string(kEffectsGroup) + "/", places = group + kEffectValues;
   const auto first = source.whole_numbers(group + kFirstSteps);
   const auto values = source.reals(places);
@@ -75,10 +75,10 @@ std::vector<RecordedEffects> read_effects(RecordingSource& source, double update
   const std::size_t width = std::size_t(std::count(names.begin(), names.end(), ',')) + 1;
   const std::vector<std::uint64_t> shape = source.layout(places).shape;
   if (shape.size() != 2 || shape[1] != width)
-    throw Error("the number of columns of its 'effects/values' differs from the number of names");
+    throw Error("the number of columns of its 'effects/values' differs from the number of names.");
   // The writer may have been killed between writing the two.
   const std::size_t count = std::min(first.size(), values.size() / width);
-  if (count == 0 || first[0] != 0) throw Error("its group 'effects' lacks the effects of the first step");
+  if (count == 0 || first[0] != 0) throw Error("its group 'effects' lacks the effects of the first step.");
   std::vector<RecordedEffects> effects(count);
   for (std::size_t n = 0; n < count; ++n) {
     effects[n] = {first[n], unpack(names, std::span(values).subspan(n * width, width))};
@@ -97,7 +97,7 @@ void read_rows(const OpenRecording& s, const Column& column, std::uint64_t first
 /// Finds the columns and checks them against the format.
 void open_columns(OpenRecording& s) {
   RecordingSource& source = *s.source;
-  if (!source.exists(kStepsGroup)) throw Error("it lacks the group 'steps'");
+  if (!source.exists(kStepsGroup)) throw Error("it lacks the group 'steps'.");
   s.size = std::numeric_limits<std::uint64_t>::max();
   const std::vector<std::string> listed = fields_listed(source, kStepsGroup);
   std::size_t known = 0;
@@ -106,20 +106,20 @@ void open_columns(OpenRecording& s) {
     const std::string place = place_of(column);
     if (!contains(listed, column.name)) continue;  // a newer column: the steps have its default
     ++known;
-    if (!source.exists(place)) throw Error("it lacks the column '" + place + "'");
+    if (!source.exists(place)) throw Error("it lacks the column '" + place + "'.");
     const DataSetLayout layout = source.layout(place);
     const std::vector<std::uint64_t>& shape = layout.shape;
     if (shape.size() != column.shape.size() + 1 ||
         !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
         layout.is_real != (column.kind == ValueType::float64))
-      throw Error("its column '" + place + "' has a wrong shape or type");
+      throw Error("its column '" + place + "' has a wrong shape or type.");
     // A killed writer may have left columns of different length.
     s.size = std::min(s.size, shape[0]);
     s.columns.push_back(&column);
   }
   if (known != listed.size())
-    throw Error("it has a column that this version of hapticut does not know; use a newer version");
-  if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'");
+    throw Error("it has a column that this version of hapticut does not know; use a newer version.");
+  if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'.");
 }
 
 /// Finds the first gap in the step numbers.
@@ -136,7 +136,7 @@ void find_gaps(OpenRecording& s) {
       std::uint64_t number = 0;
       std::memcpy(&number, rows.data() + n * sizeof number, sizeof number);
       if (number < expected || number == std::numeric_limits<std::uint64_t>::max())
-        throw Error("the numbers of its steps do not increase");
+        throw Error("the numbers of its steps do not increase.");
       if (number > expected && s.before_first_gap == s.size) s.before_first_gap = first + n;
       s.info.lost += number - expected;
       expected = number + 1;
@@ -209,8 +209,8 @@ Workpiece Recording::workpiece() const {
     }();
     workpiece.set_materials(state_->materials);
     if (full_hash(workpiece) != expected)
-      throw Error(elsewhere ? "the workpiece file '" + source.string() + "' differs from the recorded one"
-                            : std::string("its workpiece is damaged"));
+      throw Error(elsewhere ? "the workpiece file '" + source.string() + "' differs from the recorded one."
+                            : std::string("its workpiece is damaged."));
     return workpiece;
   });
 }
@@ -234,7 +234,7 @@ Recording read_recording(const std::filesystem::path& path) {
       s.config.effects = s.effects.front().effects;
       validate(s.config);
     });
-    if (!source.exists(kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'");
+    if (!source.exists(kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'.");
     open_columns(s);
     find_gaps(s);
     remark(s.info, s.size);

@@ -67,7 +67,7 @@ EffectNumbers pack(const Effects& effects) noexcept {
 Effects unpack(const std::string& names, std::span<const double> numbers) {
   const std::vector<std::string> given = parts_of(names);
   if (given.size() != numbers.size())
-    throw Error("the number of columns of its 'effects/values' differs from the number of names");
+    throw Error("the number of columns of its 'effects/values' differs from the number of names.");
   std::size_t used = 0;
   Effects effects;
   visit_effects(effects, [&](const auto& name, auto& value) {
@@ -81,7 +81,7 @@ Effects unpack(const std::string& names, std::span<const double> numbers) {
     ++used;
   });
   if (used != given.size())
-    throw Error("its effects have a number that this version of hapticut does not know; use a newer version");
+    throw Error("its effects have a number that this version of hapticut does not know; use a newer version.");
   return effects;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/interruption.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_errors.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/text_lines.hpp"
 
@@ -145,9 +146,10 @@ void write_npz(const Recording& recording, const std::filesystem::path& path) {
       }
     }
     zip.close();
+  } catch (const FileError&) {  // of the recording
+    throw;
   } catch (const Error& error) {
-    if (std::string_view(error.what()).starts_with("cannot read ")) throw;
-    cannot_write(path, error.what());
+    cannot_write(path, error.sentence());
   }
   target.commit();
 }

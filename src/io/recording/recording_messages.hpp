@@ -29,11 +29,19 @@ struct Query {
   std::uint64_t count = 0;        ///< number of rows of a block
 };
 
+/// What a refusal is about.
+enum class Fault : std::uint64_t {
+  part,      ///< a part of the file is not as it was written
+  damaged,   ///< the file cannot be read at all
+  not_hdf5,  ///< it is another file
+};
+
 struct Reply {
   enum class Result : std::uint64_t { done, refused, no_memory };
 
   Result result = Result::done;
-  std::uint64_t bytes = 0;  ///< length of the content; if refused, the content is the message
+  std::uint64_t bytes = 0;    ///< length of the content; if refused, the content is the message
+  Fault fault = Fault::part;  ///< if refused
 };
 
 inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]

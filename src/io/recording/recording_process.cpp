@@ -41,7 +41,7 @@ std::string RecordingProcess::reply_to(const Query& query, const std::string& pl
   if ((!done && reply.result != Reply::Result::refused) || reply.bytes > max_bytes) die();
   std::string content(reply.bytes, '\0');
   receive(content.data(), content.size());
-  if (!done) throw hdf5::Failure(content.substr(0, kMaxSentence));
+  if (!done) throw hdf5::Failure(content.substr(0, kMaxSentence), reply.fault);
   return content;
 }
 

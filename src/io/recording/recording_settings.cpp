@@ -67,7 +67,7 @@ ToolHead read_shape(SettingsReader& read, Of<ProfileHead>) {
   for (const auto& [name, member] : kEdges) {
     numbers.clear();
     read(name, "m", numbers);
-    if (numbers.size() != cutting.size()) throw Error("the columns of its 'tool/profile_...' differ in length");
+    if (numbers.size() != cutting.size()) throw Error("the columns of its 'tool/profile_...' differ in length.");
     for (std::size_t n = 0; n < numbers.size(); ++n) profile.edges[n].*member = numbers[n];
   }
   read("profile_tolerance", "1", tolerance);
@@ -82,7 +82,7 @@ ToolHead read_head(SettingsReader& read) {
     if (kind == Shape::kWord) head = read_shape(read, shape);
     words += (words.empty() ? "" : ", ") + std::string(Shape::kWord);
   });
-  if (!head) throw Error("its 'tool/head' is \"" + kind + "\", but must be one of " + words);
+  if (!head) throw Error("its 'tool/head' is \"" + kind + "\", but must be one of " + words + ".");
   return *std::move(head);
 }
 
@@ -94,7 +94,7 @@ void write_handle(SettingsWriter& write, const Handle& handle) {
 Handle read_handle(SettingsReader& read) {
   std::string kind;
   read("handle", kind);
-  if (kind != "ray" && kind != "L") throw Error("its 'tool/handle' is \"" + kind + "\", but must be one of ray, L");
+  if (kind != "ray" && kind != "L") throw Error("its 'tool/handle' is \"" + kind + "\", but must be one of ray, L.");
   Handle handle = kind == "ray" ? Handle(RayHandle{0}) : Handle(LHandle{});
   std::visit([&](auto& any) { visit_fields(read, "handle_", any); }, handle);
   return handle;
@@ -173,7 +173,7 @@ MaterialTable read_materials(RecordingSource& source) {
   std::size_t count = 0;
   read("count", count);
   if (count < 1 || count > std::size_t(kMaxMaterials))
-    throw Error("its 'materials/count' is " + std::to_string(count) + ", but must be 1 to 255");
+    throw Error("its 'materials/count' is " + std::to_string(count) + ", but must be 1 to 255.");
   std::vector<Material> materials(count);
   for (std::size_t id = 1; id <= count; ++id) {
     read(("name_" + std::to_string(id)).c_str(), materials[id - 1].name);
@@ -183,7 +183,7 @@ MaterialTable read_materials(RecordingSource& source) {
     std::vector<double> values(count, Material{}.*field.member);
     read(field.name, field.unit, values);
     if (values.size() != count)
-      throw Error(std::string("its 'materials/") + field.name + "' must have " + std::to_string(count) + " numbers");
+      throw Error(std::string("its 'materials/") + field.name + "' must have " + std::to_string(count) + " numbers.");
     for (std::size_t n = 0; n < count; ++n) materials[n].*field.member = values[n];
   });
   read.close();

@@ -35,8 +35,7 @@ void require_size_in_file(double bytes, std::uint64_t file_size, const std::stri
 }
 
 void fail_in_reader() {
-  throw hdf5::Failure(
-      "it is a damaged HDF5 file: the program that reads it crashed or took too long; get a complete copy");
+  throw hdf5::Failure("it is a damaged HDF5 file: the program that reads it crashed or took too long", Fault::damaged);
 }
 
 std::string RecordingSource::ask(QueryKind what, const std::string& place, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
@@ -17,7 +18,11 @@ namespace hdf5 {
 /// A failure of HDF5, with its message.
 class Failure : public Error {
  public:
-  using Error::Error;
+  explicit Failure(Sentence sentence, Fault fault = Fault::part) : Error(std::move(sentence)), fault_(fault) {}
+  [[nodiscard]] Fault fault() const { return fault_; }
+
+ private:
+  Fault fault_;
 };
 
 }  // namespace hdf5

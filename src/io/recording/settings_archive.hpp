@@ -107,7 +107,8 @@ class SettingsReader {
     (*this)(name, found);
     const std::optional<Enum> known = value_named<Enum>(found);
     if (!known)
-      throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + list_of_names<Enum>());
+      throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + list_of_names<Enum>() +
+                  ".");
     value = *known;
   }
   template <NamedEnum Enum>
@@ -120,7 +121,7 @@ class SettingsReader {
     for (const std::string& field : listed_)
       if (!contains(asked_, field))
         throw Error("it has '" + name_ + "/" + field +
-                    "', which this version of hapticut does not know; use a newer version");
+                    "', which this version of hapticut does not know; use a newer version.");
   }
 
  private:
@@ -130,11 +131,11 @@ class SettingsReader {
     asked_.emplace_back(name);
     if (source_.exists(at(name))) return true;
     if (!contains(listed_, name)) return false;
-    throw Error("it lacks '" + name_ + "/" + name + "'");
+    throw Error("it lacks '" + name_ + "/" + name + "'.");
   }
   template <class Number>
   Number only(const char* name, const std::vector<Number>& values) const {
-    if (values.size() != 1) throw Error("its '" + at(name) + "' must be one number");
+    if (values.size() != 1) throw Error("its '" + at(name) + "' must be one number.");
     return values[0];
   }
   [[nodiscard]] std::string at(const char* name) const { return name_ + "/" + name; }
@@ -183,7 +184,7 @@ void visit_fields(Archive& archive, const std::string& prefix, S& s, Except<Exce
 /// The settings in a group of a file.
 /// @throws Error when the group is missing
 inline SettingsReader settings_of(RecordingSource& source, const char* name) {
-  if (!source.exists(name)) throw Error(std::string("it lacks the group '") + name + "'");
+  if (!source.exists(name)) throw Error(std::string("it lacks the group '") + name + "'.");
   return {source, name};
 }
 

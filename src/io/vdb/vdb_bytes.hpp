@@ -12,7 +12,7 @@ namespace hapticut {
 
 [[nodiscard]] std::string vdb_bytes(const Workpiece& workpiece);
 
-/// @throws Error whose message begins with "it" or "its", when the bytes are not a file of `save_vdb`
+/// @throws Error without the name of the file, when the bytes are not a file of `save_vdb`
 [[nodiscard]] Workpiece workpiece_of_vdb(std::string bytes);
 
 /// The workpiece in the bytes of another program's file.

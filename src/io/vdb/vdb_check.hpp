@@ -22,7 +22,7 @@ struct VdbEntry {
 /// Checks the bytes of a .vdb file and keeps only the grids that a workpiece can use: float and int32.
 /// @param bytes  the whole file; other grids and hints for delayed loading are removed or made unreadable
 /// @return all grids of the file, including the removed ones
-/// @throws Error whose message begins with "it" or "its"
+/// @throws Error without the name of the file
 std::vector<VdbEntry> check_vdb(std::string& bytes);
 
 /// Throws the error of a damaged file.
@@ -39,7 +39,7 @@ struct VdbStorage {
 
 /// Walks through the nodes and values of a tree of float or int32 with the usual 32^3, 16^3 and 8^3 branches.
 /// @return [bytes] memory of the tree, once it is read
-/// @throws Error whose message begins with "it" or "its", when the tree is damaged
+/// @throws Error without the name of the file, when the tree is damaged
 std::uint64_t check_vdb_tree(ByteReader& in, const VdbStorage& storage);
 
 }  // namespace hapticut

@@ -60,6 +60,10 @@ void reply_to_all() {
       }
     } catch (const std::bad_alloc&) {
       reply.result = Reply::Result::no_memory;
+    } catch (const hdf5::Failure& failure) {
+      reply.result = Reply::Result::refused;
+      reply.fault = failure.fault();
+      content = failure.what();
     } catch (const std::exception& error) {
       reply.result = Reply::Result::refused;
       content = error.what();
