@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hapticut/core/units.hpp"
-#include "reports/flag_words.hpp"
 #include "reports/table.hpp"
 
 namespace hapticut::cli {
@@ -40,7 +39,7 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   const bool stays_inside = happened(SafetyEvent::start_inside) && !happened(SafetyEvent::fading_in);
   std::vector<std::string> warnings;
   if (!cuts && r.simulation.last_result().energy.turnover > 0) warnings.emplace_back(kRemovalIsOff);
-  for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
+  warnings.insert(warnings.end(), r.run.warnings.begin(), r.run.warnings.end());
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");

@@ -189,7 +189,7 @@ void Connection::describe_device() {
 void Connection::calibrate() {
   if (drdOpenID(id_) < 0)
     throw Error("The device " + capabilities_.model + " cannot be calibrated: " + last_error() +
-                "; calibrate it by hand, with ForceDimensionOptions::calibrate = false.");
+                "; calibrate it by hand, with " + "ForceDimensionOptions::calibrate"_name + " = false.");
   if (drdIsInitialized(id_)) return;
   const bool done = drdAutoInit(id_) >= 0;
   const std::string reason = done ? "" : last_error();
@@ -215,7 +215,7 @@ void Connection::begin() {
     (void)dhdSetBrakes(DHD_OFF, id_);  // not every device has brakes
     if (dhdSetGravityCompensation(DHD_ON, id_) < 0) complain("does not compensate the weight of its arm");
     if (options_.effector_mass > 0 && dhdSetEffectorMass(options_.effector_mass, id_) < 0)
-      complain("refuses ForceDimensionOptions::effector_mass");
+      complain("refuses the effector_mass of its options");
     if (dhdSetMaxForce(capabilities_.peak_force, id_) < 0) complain("has no force limit of its own");
     if (active_wrist_ && dhdSetMaxTorque(capabilities_.peak_torque, id_) < 0)
       complain("has no torque limit of its own");

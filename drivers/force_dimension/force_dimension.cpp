@@ -73,9 +73,10 @@ class ForceDimensionDevice final : public PolledDevice {
 
 void ForceDimensionDevice::begin_run(const RunOptions& options) {
   if (options_.watchdog < 2 * options.guard.period)
-    throw Error("ForceDimensionOptions::watchdog = " + format_number(options_.watchdog) +
+    throw Error("ForceDimensionOptions::watchdog"_name + " = " + format_number(options_.watchdog) +
                 " s is shorter than two ticks of " + format_number(options.guard.period) +
-                " s, so the device would switch its forces off all the time; shorten GuardOptions::period.");
+                " s, so the device would switch its forces off all the time; shorten " + "GuardOptions::period"_name +
+                ".");
   connection_.begin();
   angular_velocity_.restart();
   period_ = options.guard.period;

@@ -75,8 +75,8 @@ Connection::Connection(const OpenHapticsOptions& options) {
       hdDeploymentLicense(options.license_vendor.c_str(), options.license_application.c_str(),
                           options.license_password.c_str()) != HD_TRUE)
     throw Error("OpenHaptics refuses the deployment licence of \"" + options.license_vendor + "\" for \"" +
-                options.license_application +
-                "\"; check OpenHapticsOptions::license_vendor, license_application and license_password.");
+                options.license_application + "\"; check " + "OpenHapticsOptions::license_vendor"_name +
+                ", license_application and license_password.");
   initialise(options);
   ++open_connections;
   try {
@@ -128,7 +128,8 @@ void Connection::initialise(const OpenHapticsOptions& options) {
     reasons += (reasons.empty() ? "" : "; ") + quoted(name) + ": " + errors.describe();
     if (errors.has(HD_INVALID_LICENSE))
       throw Error("OpenHaptics has no valid licence: " + errors.describe() +
-                  "; install a development licence (OH_SDK_LICENSE_PATH), or set OpenHapticsOptions::license_vendor.");
+                  "; install a development licence (OH_SDK_LICENSE_PATH), or set " +
+                  "OpenHapticsOptions::license_vendor"_name + ".");
   }
   throw Error("OpenHaptics opens no device (" + reasons +
               "); check cable, power, the permission to use /dev/ttyACM* (group dialout), and the name in the "
@@ -184,8 +185,8 @@ void Connection::calibrate(bool reset_encoders) {
   } else if (hdCheckCalibration() != HD_CALIBRATION_OK) {
     drain();
     throw Error("The device " + capabilities_.model +
-                " is not calibrated; hold all its links at right angles and open it with "
-                "OpenHapticsOptions::reset_encoders = true.");
+                " is not calibrated; hold all its links at right angles and open it with " +
+                "OpenHapticsOptions::reset_encoders"_name + " = true.");
   }
   drain();
 }

@@ -273,7 +273,8 @@ OpenHapticsDevice::Ending OpenHapticsDevice::wait_for_end() {
 
 std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   if (options.simulated_time)
-    throw Error("An OpenHaptics device cannot run in simulated time; leave RunOptions::simulated_time false.");
+    throw Error("An OpenHaptics device cannot run in simulated time; do not set " + "RunOptions::simulated_time"_name +
+                ".");
   for (const std::string& warning : connection_.warnings()) servo.warn(warning);
   Scheduler& scheduler = Scheduler::instance();
   begin(servo, options);

@@ -17,7 +17,7 @@ constexpr double kUsualPeriod = 1e-3;  // [s] for a driver that does not report 
 /// All devices share one period.
 void require_same(double asked, double period) {
   if (asked == period) return;
-  throw Error("GuardOptions::period = " + format_number(asked) + " s is not the " + format_number(period) +
+  throw Error("GuardOptions::period"_name + " = " + format_number(asked) + " s is not the " + format_number(period) +
               " s of the OpenHaptics device that already runs. The driver has one scheduler for all devices; give all "
               "runs the same period.");
 }

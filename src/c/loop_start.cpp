@@ -105,7 +105,7 @@ void put_report(const RunReport& report, hapticut_loop_report& own) {
   std::string warnings;
   for (const std::string& one : report.warnings) {
     if (!warnings.empty()) warnings += '\n';
-    warnings += in_words_of_c(one);
+    warnings += one;
   }
   copy_text(warnings, own.warnings, sizeof own.warnings);
 }

@@ -61,7 +61,8 @@ std::uint64_t Device::count(SafetyEvent event) const {
 }
 
 RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
-  if (!callback) throw Error("Device::run needs a callback; pass a function from DeviceState to DeviceCommand.");
+  if (!callback)
+    throw Error("Device::run"_name + " needs a callback; pass a function from DeviceState to DeviceCommand.");
   require_fields_within(asked, "RunOptions::");
   require_within(asked.guard.period, range_of(&GuardOptions::period), "GuardOptions::period [s]");
   Phase idle = Phase::idle;
@@ -93,8 +94,8 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   servo.slot_ = slot_number;
   servo.report_.period = options.guard.period;
   if (options.guard.period != asked.guard.period)
-    servo.warn("The device \"" + name_ + "\" imposes its own period: GuardOptions::period = " +
-               format_number(asked.guard.period) + " s became " + format_number(options.guard.period) + " s.");
+    servo.warn("The device \"" + name_ + "\" imposes its own period: " + format_number(asked.guard.period) +
+               " s became " + format_number(options.guard.period) + " s.");
   guard_->start();
   {
     // No tick can be late in simulated time.
@@ -192,7 +193,8 @@ Wrench Servo::fading_force(int n) noexcept {
 std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
   const bool simulated = options.simulated_time && is_simulated();
   if (options.simulated_time && !simulated)
-    throw Error("The device \"" + name() + "\" cannot run in simulated time; leave RunOptions::simulated_time false.");
+    throw Error("The device \"" + name() + "\" cannot run in simulated time; do not set " +
+                "RunOptions::simulated_time"_name + ".");
   // Before begin_run: locking the memory takes longer than a started device may wait for its first command.
   std::unique_ptr<RealtimeScope> scope;
   if (!simulated) {

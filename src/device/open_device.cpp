@@ -27,8 +27,7 @@ struct Component {
 DeviceDriver unregistered_driver(const std::string& scheme, const std::string& usage, const Component& component) {
   const std::string cure = "link hapticut::" + component.name + " and call hapticut::" + component.function + "()";
   if (!component.is_built)
-    return {scheme, usage, component.needs + ", then build hapticut with " + component.option + "=ON, " + cure,
-            nullptr};
+    return {scheme, usage, component.needs + ", then build hapticut with " + component.option + "=ON", nullptr};
   return {scheme, usage + "; after hapticut::" + component.function + "()", "",
           [scheme, cure](const std::string&) -> std::unique_ptr<Device> {
             throw Error("The device \"" + scheme + "\" is in this build, but its driver is not registered; " + cure +

@@ -101,7 +101,7 @@ void RealtimeScope::pin(int cpu) {
   const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
   if (error != 0)
     warnings_.push_back("The loop could not be pinned to processor " + std::to_string(cpu) + " (" +
-                        std::strerror(error) + "); RealtimeOptions::cpu = -1 allows any processor.");
+                        std::strerror(error) + "); cpu = -1 allows any processor.");
 }
 
 void RealtimeScope::lock_memory() {

@@ -301,7 +301,7 @@ TEST_P(MakersDeviceContract, RefusesSimulatedTimeIfUnsupportedAndRunsAfterwards)
   options.simulated_time = true;
   const DeviceCallback rests = [](const DeviceState&) { return DeviceCommand{{}, true}; };
   const std::string words = refusal([&] { device->run(rests, options); });
-  EXPECT_TRUE(contains(words, "simulated time; leave RunOptions::simulated_time false")) << words;
+  EXPECT_TRUE(contains(words, "simulated time; do not set RunOptions::simulated_time")) << words;
   EXPECT_FALSE(device->is_running());
   EXPECT_EQ(device->arming(), ArmingState::off) << "without a run the guard is off";
   EXPECT_EQ(tested.commands(), 0);

@@ -201,7 +201,7 @@ TEST_F(OpenHaptics, RunsWithTheDriversOwnPeriodWhereItRefusesAnother) {
     EXPECT_NEAR(seen.speed, 2, 1e-3) << refused;
     EXPECT_EQ(seen.report.missed, 0U);
     ASSERT_EQ(seen.report.warnings.size(), 1U);
-    EXPECT_NE(seen.report.warnings[0].find("GuardOptions::period = "), std::string::npos) << seen.report.warnings[0];
+    EXPECT_NE(seen.report.warnings[0].find("imposes its own period: "), std::string::npos) << seen.report.warnings[0];
     EXPECT_NE(seen.report.warnings[0].find("became 0.001 s"), std::string::npos) << seen.report.warnings[0];
   }
 }

@@ -76,8 +76,8 @@ TEST(OpenDevice, NamesTheCallThatIsMissingWhereTheBuildHasTheDevice) {
     FAIL();
   } catch (const Error& e) {
     const std::string text = e.what();
-    EXPECT_NE(text.find("call hapticut::use_recordings()"), std::string::npos) << text;
 #ifdef HAPTICUT_HAS_IO
+    EXPECT_NE(text.find("call hapticut::use_recordings()"), std::string::npos) << text;
     EXPECT_EQ(text.find("install"), std::string::npos) << text;
     EXPECT_EQ(text.find("this build;"), std::string::npos) << text;
 #else
