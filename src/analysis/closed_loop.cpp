@@ -118,7 +118,7 @@ void ClosedLoop::miss_tick(double scale) {
 }
 
 void ClosedLoop::tick(const ForceModel& model) {
-  if (!model) throw Error("ClosedLoop::tick needs a force model, but none was given.");
+  if (!model) throw Error("ClosedLoop::tick"_name + " needs a force model, but none was given.");
   write(model(read()));
 }
 

@@ -94,8 +94,8 @@ FaultResponse measure_fault_response(const ClosedLoopConfig& config, const Model
   require_within(stiffness, Range::any(), "the stiffness");
   require_within(height, range_of(&BounceTest::height), "the height [m]");
   if (options.period != config.period && options.period != GuardOptions{}.period)
-    throw Error("GuardOptions::period = " + format_number(options.period) +
-                " s is not ClosedLoopConfig::period = " + format_number(config.period) + " s; set only the latter.");
+    throw Error("GuardOptions::period"_name + " = " + format_number(options.period) + " s is not " +
+                "ClosedLoopConfig::period"_name + " = " + format_number(config.period) + " s; set only the latter.");
   ClosedLoop loop(config);
   GuardOptions guard_options = options;
   guard_options.period = config.period;

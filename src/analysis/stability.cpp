@@ -107,8 +107,8 @@ double max_stable_stiffness(const ClosedLoopConfig& config, const ModelFactory& 
                             const StabilitySearch& search) {
   require_fields_within(search, "StabilitySearch::");
   if (!(search.low < search.high))
-    throw Error("StabilitySearch::low = " + format_number(search.low, search.high) +
-                "; must be below StabilitySearch::high = " + format_number(search.high, search.low) + ".");
+    throw Error("StabilitySearch::low"_name + " = " + format_number(search.low, search.high) + "; must be below " +
+                "StabilitySearch::high"_name + " = " + format_number(search.high, search.low) + ".");
   const auto stable = [&](double stiffness) { return is_stable(config, factory, stiffness, search); };
   double low = search.low, high = low;
   if (!stable(low)) return 0;

@@ -247,10 +247,11 @@ class ShellsFiller {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
       if (found_[s].inside == 0)
-        throw Error(which + " encloses nothing that voxels of " + mm_text(frame_.voxel_size) +
-                    " can show, and the model is " + mm_text(length) + " long; " +
-                    (length < 4 * frame_.voxel_size ? "check its unit (unit_mm of read_mesh)" : "close it") +
-                    ", or choose smaller voxels.");
+        throw Error(
+            which + " encloses nothing that voxels of " + mm_text(frame_.voxel_size) + " can show, and the model is " +
+            mm_text(length) + " long; " +
+            (length < 4 * frame_.voxel_size ? "check its unit (" + "unit_mm"_name + " of read_mesh)" : "close it") +
+            ", or choose smaller voxels.");
       const double cut = double(found_[s].cut), ragged = double(found_[s].ragged);
       if (ragged > kMaxRaggedFraction * cut)
         throw Error(which + " is too open to decide what is inside: its triangles have loose edges in " +
@@ -362,7 +363,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
   const Vec3 voxels = around.sizes() / options.voxel_size;
   if (!(voxels.maxCoeff() < 1e9))
     throw Error("the surface is " + mm_text(length) + " long, that is " + format_number(voxels.maxCoeff()) +
-                " voxels; check its unit (unit_mm of read_mesh), or choose a larger voxel size.");
+                " voxels; check its unit (" + "unit_mm"_name + " of read_mesh), or choose a larger voxel size.");
   const WorkEstimate estimate = estimate_work(shells, options);
   if (options.observer) options.observer(estimate);
   require_allowed(estimate, options.large);

@@ -36,7 +36,7 @@ struct Layout {
 /// Voxels of the smallest grid-aligned box around a box of W.
 IndexBox voxels_around(const Box& box, const GridFrame& frame) {
   if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
-    throw Error("VolumeBuildOptions::crop must be finite and have max > min along every axis.");
+    throw Error("VolumeBuildOptions::crop"_name + " must be finite and have max > min along every axis.");
   const Pose X_VW = frame.X_WV.inverse();
   const Eigen::AlignedBox3d around =
       box_of_moved(box, [&](const Vec3& corner) { return Vec3(X_VW * corner / frame.voxel_size); });
@@ -60,7 +60,8 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   if (options.voxel_size <= 0 && size > kMaxVoxelSize)
     throw Error("its samples are " + format_number(size / units::mm) + " mm apart; voxels have at most " +
                 format_number(kMaxVoxelSize / units::mm) +
-                " mm. Its unit may be wrong: spacings are in metres; for a file set VolumeReadOptions::spacing.");
+                " mm. Its unit may be wrong: spacings are in metres; for a file set " +
+                "VolumeReadOptions::spacing"_name + ".");
   require_metres(size, kMaxVoxelSize, "voxel size [m]");
 
   Layout layout;
@@ -74,7 +75,7 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   const IndexBox all = samples_of(volume);
   layout.samples = options.crop_samples ? overlap(all, *options.crop_samples) : all;
   if (layout.samples.empty())
-    throw Error("VolumeBuildOptions::crop_samples has no sample of the volume, which has " +
+    throw Error("VolumeBuildOptions::crop_samples"_name + " has no sample of the volume, which has " +
                 std::to_string(volume.dims[0]) + " x " + std::to_string(volume.dims[1]) + " x " +
                 std::to_string(volume.dims[2]) + ".");
   for (int axis = 0; axis < 3; ++axis) {
@@ -89,7 +90,7 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   if (options.crop) {
     layout.voxels = overlap(layout.voxels, voxels_around(*options.crop, layout.frame));
     if (layout.voxels.empty())
-      throw Error("VolumeBuildOptions::crop does not meet the volume; check its units and pose.");
+      throw Error("VolumeBuildOptions::crop"_name + " does not meet the volume; check its units and pose.");
   }
   return layout;
 }
@@ -180,7 +181,7 @@ void require_all_claimed(const std::vector<bool>& present, const std::vector<boo
   if (count > 10) unclaimed += " and " + std::to_string(count - 10) + " more";
   if (count > 0)
     throw Error("the volume has labels that no material claims: " + unclaimed +
-                ". Give each a material, or leave them out with UnclaimedLabels::leave_out.");
+                ". Give each a material, or leave them out with " + "UnclaimedLabels::leave_out"_name + ".");
 }
 
 void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {

@@ -78,7 +78,8 @@ void compare_with_labels(const Workpiece& workpiece, const LabelVolume& volume,
       differences + (cubes
                          ? "Choose voxels of " + format_number(smallest / units::mm) + " mm, the spacing of the labels"
                          : "Resample the labels to cubes first, and choose voxels of that size");
-  if (!warn) throw Error(sentence + ", or set VolumeBuildOptions::warn to go on.");
+  if (!warn)
+    throw Error(sentence + Sentence::clause(", or set " + "VolumeBuildOptions::warn"_name + " to go on") + ".");
   warn(sentence + ".");
 }
 

@@ -15,8 +15,8 @@ void require_allowed(const WorkEstimate& estimate, bool large) {
   if (large || (estimate.memory_bytes <= kMaxBuildMemory && estimate.seconds <= kMaxBuildTime)) return;
   throw Error("the workpiece would take about " + format_number(estimate.voxels) + " voxels, " +
               format_number(estimate.memory_bytes) + " bytes and " + format_number(estimate.seconds) +
-              " s of work; check its unit and size, choose a larger voxel size, or lift the limit "
-              "(MeshImport::large, VolumeBuildOptions::large).");
+              " s of work; check its unit and size, choose a larger voxel size, or lift the limit (" + "large"_name +
+              ").");
 }
 
 WorkEstimate estimate_work(const std::vector<MeshShell>& shells, const MeshImport& options) {

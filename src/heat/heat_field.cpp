@@ -31,7 +31,7 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
   for (const ThermalProperties& p : config_.by_material) require_fields_within(p, "HeatConfig::by_material.");
   const int width = config_.voxels_per_cell;
   if (kBlockEdge % width != 0)
-    throw Error("HeatConfig::voxels_per_cell = " + std::to_string(width) + "; must be 1, 2, 4 or 8.");
+    throw Error("HeatConfig::voxels_per_cell"_name + " = " + std::to_string(width) + "; must be 1, 2, 4 or 8.");
   const IndexBox bounds = workpiece.bounds();
   if (bounds.empty()) throw Error("the workpiece is empty; there is nothing to heat.");
   double count = 1;
@@ -44,7 +44,7 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
   if (count * double(materials_) > kMaxCells)
     throw Error("the workpiece spans " + format_number(count) + " cells of " + std::to_string(width) +
                 " voxels, times " + std::to_string(materials_) + " materials; at most " + format_number(kMaxCells) +
-                " are possible. Raise HeatConfig::voxels_per_cell, or crop it.");
+                " are possible. Raise " + "HeatConfig::voxels_per_cell"_name + ", or crop it.");
   cell_size_ = width * workpiece.voxel_size();
   cell_volume_ = std::pow(cell_size_, 3);
   stride_[1] = std::size_t(dims_[2]) + 2;
@@ -103,9 +103,9 @@ void HeatField::update(const VoxelIndex& origin, const MaterialId* material, con
 
 void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
   if (!(workpiece.frame() == frame_) || std::size_t(workpiece.materials().size()) != materials_)
-    throw Error(
-        "HeatField::update was given another workpiece: its voxels or materials are not those of the field. Make a "
-        "field of it.");
+    throw Error("HeatField::update"_name +
+                " was given another workpiece: its voxels or materials are not those of the field. Make a "
+                "field of it.");
   BlockContent content;
   for (const VoxelIndex& origin : origins) {
     workpiece.block(origin).copy_to(content.material, content.fill);
@@ -269,7 +269,7 @@ bool HeatField::add_to_surface(const Vec3& p_WQ, double heat, double radius) {
 }
 
 void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
-  if (!is_finite(p_WQ)) throw Error("HeatField::add_heat: the point must be finite.");
+  if (!is_finite(p_WQ)) throw Error("HeatField::add_heat"_name + ": the point must be finite.");
   require_within(heat, Range::not_negative(), "HeatField::add_heat: heat [J]");
   require_within(radius, Range::not_negative(), "HeatField::add_heat: radius [m]");
   if (radius > 0 && add_to_surface(p_WQ, heat, radius)) return;

@@ -22,9 +22,10 @@ void validate(const IslandOptions& options) {
   const std::optional<Box>& box = options.fixed;
   if (!box) return;
   if (!is_finite(box->min) || !is_finite(box->max))
-    throw Error("IslandOptions::fixed is not finite; give both corners of the box in m, or leave it empty.");
+    throw Error("IslandOptions::fixed"_name + " is not finite; give both corners of the box in m, or leave it empty.");
   if (!(box->min.array() <= box->max.array()).all())
-    throw Error("IslandOptions::fixed has a min that is larger than its max along an axis; exchange the two.");
+    throw Error("IslandOptions::fixed"_name +
+                " has a min that is larger than its max along an axis; exchange the two.");
 }
 
 IslandFinder::IslandFinder(const IndexBox& voxels, const GridFrame& frame, const IslandOptions& options)
@@ -51,9 +52,9 @@ IslandFinder::IslandFinder(const Workpiece& workpiece, const IndexBox& voxels, c
     any_fixed = any_fixed || is_fixed(block.origin, block.filled_voxels(min_fill()));
   });
   if (options_.fixed && !any_fixed && !workpiece.empty())
-    throw Error(
-        "IslandOptions::fixed holds the centre of no voxel of the workpiece, so nothing would stay. Give the box in m, "
-        "in the frame W of the workpiece.");
+    throw Error("IslandOptions::fixed"_name +
+                " holds the centre of no voxel of the workpiece, so nothing would stay. Give the box in m, "
+                "in the frame W of the workpiece.");
   is_known_.assign(is_known_.size(), true);
   unknown_ = 0;
 }

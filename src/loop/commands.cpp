@@ -55,7 +55,7 @@ void SimulationModel::require_gains_within(const WorkspaceMapOptions& map) const
                 " m in the world per metre of the hand, with a force scale "
                 "of " +
                 format_number(map.force_scale) + " and a torque scale of " + format_number(map.torque_scale) +
-                ", puts the coupling out of range: " + error.what() + " Choose scales closer to 1.");
+                ", puts the coupling out of range: " + error.sentence() + " Choose scales closer to 1.");
   }
 }
 
@@ -226,7 +226,8 @@ struct SimulationModel::Commands {
       throw Error(
           "the other workpiece's simulation evaluates contact in the middle of a step, so the coupling would "
           "oscillate. "
-          "Make it with SimulationConfig::contact_time = ContactTime::end.");
+          "Make it with " +
+          "SimulationConfig::contact_time"_name + " = " + "ContactTime::end"_name + ".");
     m.require_renderable(max_contact_stiffness(other.tool().head()), other.config(),
                          max_relative_stiffness(other.workpiece().materials()), m.first_map_.scale);
   }

@@ -15,15 +15,16 @@ namespace {
 /// Checks the gains at the device. A device that states no stiffness may have any.
 void require_renderable_gains(const CouplingGains& gains, const DeviceCapabilities& device) {
   constexpr double kBeyond = 2;  // [1] a coupling may be stiffer than the maker guarantees, but not much
-  const auto require = [&](double given, double rendered, const std::string& name, const std::string& unit) {
+  const auto require = [&](double given, double rendered, const Name& name, const std::string& unit) {
     if (!(rendered > 0) || given <= kBeyond * rendered) return;
-    throw Error("CouplingGains::" + name + " = " + format_number(given) + " " + unit + ", but the device " +
-                device.model + " renders " + format_number(rendered) + " " + unit +
-                ", so it would buzz. Give at most " + format_number(kBeyond * rendered) + " " + unit +
-                ", or what coupling_gains chooses for the device.");
+    throw Error(name + " = " + format_number(given) + " " + unit + ", but the device " + device.model + " renders " +
+                format_number(rendered) + " " + unit + ", so it would buzz. Give at most " +
+                format_number(kBeyond * rendered) + " " + unit +
+                Sentence::clause(", or what " + "coupling_gains"_name + " chooses for the device") + ".");
   };
-  require(gains.stiffness, device.stiffness, "stiffness", "N/m");
-  require(gains.angular_stiffness, device.rotational_stiffness, "angular_stiffness", "N m/rad");
+  require(gains.stiffness, device.stiffness, "SimulationModelOptions::coupling.stiffness"_name, "N/m");
+  require(gains.angular_stiffness, device.rotational_stiffness,
+          "SimulationModelOptions::coupling.angular_stiffness"_name, "N m/rad");
 }
 
 }  // namespace
@@ -64,9 +65,9 @@ void SimulationModel::require_renderable(double contact_stiffness, const Simulat
   if (config.reference_stiffness <= kRounding * max_stiffness) return;
   throw Error("the device renders " + format_number(renders) + " N/m, but driven directly it would meet up to " +
               format_number(renders * config.reference_stiffness / max_stiffness) +
-              " N/m, and buzz. Add a virtual coupling (SimulationModelOptions::coupling with contact_time = "
-              "end), or lower the reference stiffness to " +
-              format_number(max_stiffness) + " N/m^4.");
+              " N/m, and buzz. Add a virtual coupling (" + "SimulationModelOptions::coupling"_name +
+              Sentence::clause(" with " + "SimulationConfig::contact_time"_name + " = " + "ContactTime::end"_name) +
+              "), or lower the reference stiffness to " + format_number(max_stiffness) + " N/m^4.");
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {

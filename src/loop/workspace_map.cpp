@@ -24,8 +24,8 @@ WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(option
   constexpr double kInexact = 1e-6;
   for (const Pose& X : {options.X_WB, options.X_SH})
     if (!is_finite(X) || !is_rotation(X.rotation, kInexact))
-      throw Error(
-          "WorkspaceMapOptions::X_WB or X_SH is not a pose; its rotation must be orthonormal and right-handed.");
+      throw Error("WorkspaceMapOptions::X_WB"_name +
+                  " or X_SH is not a pose; its rotation must be orthonormal and right-handed.");
 }
 
 Pose WorkspaceMap::stylus_in_world(const Pose& X_BS) const noexcept {

@@ -9,8 +9,11 @@ OutputLimits output_limits(const DeviceCapabilities& device, double max_contact_
   require_positive(max_contact_speed, "max_contact_speed [m/s]");
   if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
     throw Error("the device '" + device.model +
-                "' renders no force according to its capabilities, so it has no output limits; "
-                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or set the OutputLimits directly.");
+                "' renders no force according to its capabilities, so it has no output limits" +
+                Sentence::clause("; set " + "DeviceCapabilities::peak_force"_name + " and " +
+                                 "DeviceCapabilities::output_degrees_of_freedom"_name + ", or set the " +
+                                 "OutputLimits"_name + " directly") +
+                ".");
   OutputLimits limits;
   limits.max_force = device.peak_force;
   limits.force_growth = default_force_growth(device.stiffness, max_contact_speed, device.peak_force);

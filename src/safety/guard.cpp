@@ -71,10 +71,11 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
   const double needed = min_force_growth(stiffness, options.max_contact_speed);
   slew_ = or_default(options.slew, default_force_growth(stiffness, options.max_contact_speed, max_force_));
   if (slew_ < needed)
-    throw Error("GuardOptions::slew [N/s] = " + format_number(slew_, needed) +
-                "; must be >= " + format_number(needed, slew_) +
-                " = 1.25 x stiffness x max_contact_speed, or a wall of that stiffness gains energy; raise it or lower "
-                "GuardOptions::stiffness.");
+    throw Error(
+        "GuardOptions::slew"_name + " [N/s] = " + format_number(slew_, needed) +
+        "; must be >= " + format_number(needed, slew_) +
+        " = 1.25 x stiffness x max_contact_speed, or a wall of that stiffness gains energy; raise it or lower " +
+        "GuardOptions::stiffness"_name + ".");
   torque_slew_ =
       or_default(options.torque_slew, max_force_ > 0 ? slew_ * max_torque_ / max_force_ : max_torque_ / 10e-3);
 }

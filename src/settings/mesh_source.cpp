@@ -40,8 +40,8 @@ TriangleMesh surface_of(const std::vector<NamedMesh>& objects, const std::string
       surface.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
   }
   if (!surface.triangles.empty()) return surface;
-  throw Error("there is no object '" + name + "' in the mesh; there are " + names_of(objects) +
-              ". Set --shell MATERIAL=OBJECT.");
+  throw Error("there is no object '" + name + "' in the mesh; there are " + names_of(objects) + ". Set " +
+              "workpiece.shells"_name + ".");
 }
 
 /// @throws Error when the mesh is shorter than a few voxels or has too many voxels for any memory, and another unit
@@ -54,12 +54,13 @@ void require_plausible_size(const WorkpieceSettings& s, const std::vector<NamedM
   const double length_mm = (box.max - box.min).maxCoeff() / units::mm, voxel_mm = s.voxel_mm.value_or(kVoxel_mm);
   const bool small = length_mm < kFew * voxel_mm;
   const bool large = !s.large && length_mm > std::max(kMany * voxel_mm, kMaxPlausibleLength);
-  const std::string units = plausible_units(length_mm / unit_mm, 2 * kFew * voxel_mm);
-  if ((!small && !large) || units.empty()) return;
+  const std::optional<Sentence> units = plausible_units(length_mm / unit_mm, 2 * kFew * voxel_mm);
+  if ((!small && !large) || !units) return;
   throw Error("with a unit of " + format_number(unit_mm) + " mm it is " + format_number(length_mm) + " mm long, " +
               (small ? "less than " + format_number(kFew) : "more than " + format_number(kMany)) + " voxels of " +
-              format_number(voxel_mm) + " mm. Set " + units + ", or " +
-              (small ? "smaller voxels by voxel_mm." : "larger voxels by voxel_mm, or large = true."));
+              format_number(voxel_mm) + " mm. Set " + *units + ", or " +
+              (small ? "smaller voxels by " + "workpiece.voxel_mm"_name + "."
+                     : "larger voxels by " + "workpiece.voxel_mm"_name + ", or " + "workpiece.large"_name + "."));
 }
 
 }  // namespace
@@ -75,12 +76,12 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   options.warn = s.warn;
   if (s.material.empty() == s.shells.empty())
     throw Error("a mesh needs either workpiece.material or workpiece.shells; its objects are " + names_of(objects) +
-                ". Set --material, or --shell MATERIAL=OBJECT for each.");
+                ". Set " + "workpiece.material"_name + ", or " + "workpiece.shells"_name + " for each.");
   if (!s.material.empty()) {
     if (objects.size() > 1)
-      throw Error(
-          "the mesh has several objects (" + names_of(objects) +
-          "), so one workpiece.material is not enough. Set --shell MATERIAL=OBJECT for each object of the workpiece.");
+      throw Error("the mesh has several objects (" + names_of(objects) +
+                  "), so one workpiece.material is not enough. Set " + "workpiece.shells"_name +
+                  " for each object of the workpiece.");
     return build_from_mesh(objects.front().mesh, s.materials.find(s.material), options);
   }
   MaterialTable table;

@@ -13,7 +13,8 @@ namespace hapticut {
 
 void validate(const SimulationConfig& config) {
   require_fields_within(config, "SimulationConfig::");
-  if (!config.law) throw Error("SimulationConfig::law is null. Leave it as it is for FoundationLaw, or give a law.");
+  if (!config.law)
+    throw Error("SimulationConfig::law"_name + " is null. Leave it as it is for FoundationLaw, or give a law.");
   if (config.friction) validate(*config.friction);
   validate(config.effects, config.update_rate);
   if (config.voxel_budget != 0)
@@ -23,10 +24,10 @@ void validate(const SimulationConfig& config) {
 
 SimulationConfig SimulationConfig::for_device(const DeviceCapabilities& device) {
   if (!(device.stiffness > 0))
-    throw Error(
-        "the device '" + device.model +
-        "' states no stiffness, so no contact can be chosen for it; set DeviceCapabilities::stiffness to that of "
-        "the stiffest wall that it renders.");
+    throw Error("the device '" + device.model + "' states no stiffness, so no contact can be chosen for it" +
+                Sentence::clause("; set " + "DeviceCapabilities::stiffness"_name +
+                                 " to that of the stiffest wall that it renders") +
+                ".");
   SimulationConfig config;
   config.device_stiffness = device.stiffness;
   config.effects.limits = output_limits(device);

@@ -35,16 +35,16 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   set_materials(
       contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
   if (quadrature_ != Quadrature::sub_voxel && law_->integrates_parts())
-    throw Error("SimulationConfig::quadrature = " + std::string(name_or_null(quadrature_)) +
+    throw Error("SimulationConfig::quadrature"_name + " = " + std::string(name_or_null(quadrature_)) +
                 " was given with a law that integrates over parts of voxels, as FoundationLaw does; points are for "
                 "other laws. Leave it automatic.");
   if (quadrature_ == Quadrature::sub_voxel && !law_->integrates_parts())
-    throw Error(
-        "SimulationConfig::quadrature = sub_voxel was given with a law that computes the force at points. Choose "
-        "automatic or centroid, FoundationLaw, or a law that integrates_parts().");
+    throw Error("SimulationConfig::quadrature"_name +
+                " = sub_voxel was given with a law that computes the force at points. Choose "
+                "automatic or centroid, FoundationLaw, or a law that integrates_parts().");
   if (!law_->is_foundation() && voxel_budget_ != 0)
     throw Error(
-        "SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
+        "SimulationConfig::voxel_budget"_name + " = " + std::to_string(voxel_budget_) +
         " was given with a law other than FoundationLaw, but only FoundationLaw has a level of detail. Leave it at 0.");
   Buffers buffers(head, workpiece.voxel_size(), config);
   exchange_buffers(buffers);

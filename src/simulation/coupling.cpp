@@ -33,7 +33,8 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(
         "the simulation evaluates contact in the middle of a step, where an implicit coupling would oscillate. "
-        "Make it with SimulationConfig::contact_time = ContactTime::end.");
+        "Make it with " +
+        "SimulationConfig::contact_time"_name + " = " + "ContactTime::end"_name + ".");
   const bool is_placed =
       !simulation.next_step_is_first() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
   if (!is_placed) return;

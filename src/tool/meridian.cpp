@@ -120,7 +120,8 @@ void Meridian::make_edges(const Profile& profile) {
   if (profile.edges.empty() || profile.edges.size() > kMaxEdges)
     throw Error("the profile has " + std::to_string(profile.edges.size()) + " edges; must be between 1 and " +
                 std::to_string(kMaxEdges) + ". List the edges from the tip to the shank.");
-  if (!std::isfinite(profile.tip)) throw Error("Profile::tip = " + format_number(profile.tip) + " m; must be finite.");
+  if (!std::isfinite(profile.tip))
+    throw Error("Profile::tip"_name + " = " + format_number(profile.tip) + " m; must be finite.");
   bottom_ = top_ = profile.tip;
   for (std::size_t i = 0; i < profile.edges.size(); ++i) {
     const ProfileEdge& e = profile.edges[i];
@@ -152,7 +153,8 @@ void Meridian::make_edges(const Profile& profile) {
     throw Error("the profile is not closed: it ends at " + in_mm(from) +
                 ", and must end on the axis. Add a smooth edge to (0, " + format_number(from.y() / units::mm) +
                 ") mm.");
-  if (!cuts) throw Error("the profile has no cutting edge; at least one must cut. Set ProfileEdge::kind.");
+  if (!cuts)
+    throw Error("the profile has no cutting edge; at least one must cut. Set " + "ProfileEdge::kind"_name + ".");
 
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const MeridianEdge& e = edges_[i];

@@ -391,7 +391,7 @@ ProfileTable make_profile_table(const Meridian& meridian, double tolerance) {
     const double cells = (meridian.radius() / cell_size + 1) * (height / cell_size + 1);
     if (cells > double(kMaxCells))
       throw Error("a tolerance of " + format_number(tolerance) + " needs more than " + std::to_string(kMaxCells) +
-                  " cells for this profile. Give ProfileHead a larger tolerance, or the profile fewer small edges.");
+                  " cells for this profile. Give the profile fewer small edges, or a larger tolerance.");
     builder.divide(cell_size);
     if (builder.error() <= tolerance * smaller) return builder.finish();
   }

@@ -96,13 +96,13 @@ ToolHead on_shank(const ToolHead& head, const Shank& shank) {
       std::find_if(heights.rbegin(), heights.rend(), [&](double z) { return z < leaves - 2 * kOnAnEdge * own.size(); });
   const double above = own.top() + shank.neck_length, end = own.bottom() + shank.length;
   if (last_in == heights.rend() || !(neck < own.radius() * (1 - kOnAnEdge)))
-    throw Error("Shank::neck_diameter = " + in_mm(shank.neck_diameter) +
+    throw Error("Shank::neck_diameter"_name + " = " + in_mm(shank.neck_diameter) +
                 "; must be less than the diameter of the head, " + head.description() + ".");
   if (neck != wide && !(shank.taper_length > 0))
-    throw Error("Shank::taper_length = 0; must be > 0 between a neck of " + in_mm(shank.neck_diameter) +
+    throw Error("Shank::taper_length"_name + " = 0; must be > 0 between a neck of " + in_mm(shank.neck_diameter) +
                 " and a shank of " + in_mm(shank.diameter) + ".");
   if (!(end > above + shank.taper_length))
-    throw Error("Shank::length = " + in_mm(shank.length) + "; must be more than head, neck and taper, " +
+    throw Error("Shank::length"_name + " = " + in_mm(shank.length) + "; must be more than head, neck and taper, " +
                 in_mm(above + shank.taper_length - own.bottom()) + ".");
   const double begins = std::max(leaves - neck / 2, (leaves + *last_in) / 2);
   Profile body = {begins, {{neck, begins}}};

@@ -24,8 +24,8 @@ constexpr int kBlocksPerBranch = kBranchBlocks * kBranchBlocks * kBranchBlocks;
 void validate(const IndexBox& domain, const GridFrame& frame, const MaterialTable& materials) {
   require_positive(frame.voxel_size, "voxel size [m]");
   if (!is_finite(frame.X_WV) || !is_rotation(frame.X_WV.rotation, 1e-6))
-    throw Error(
-        "GridFrame::X_WV is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
+    throw Error("GridFrame::X_WV"_name +
+                " is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
   if (materials.size() == 0) throw Error("a workpiece needs at least one material; add one to its MaterialTable.");
   if (domain.empty()) return;
   double voxels = 1;

@@ -22,7 +22,7 @@ bool is_level_set(const openvdb::FloatGrid& grid, GridKind kind) {
   if (grid.getGridClass() == openvdb::GRID_LEVEL_SET) return true;
   if (grid.getGridClass() == openvdb::GRID_FOG_VOLUME) return false;
   throw Error("grid '" + grid.getName() + "' is marked neither as a level set nor as a fog volume; set its kind with " +
-              "GridImport::kind.");
+              "GridImport::kind"_name + ".");
 }
 
 /// Values of the voxels of one block and of those around it, in voxels (level set) or fractions (fog volume).

@@ -20,7 +20,8 @@ WorkpieceSnapshot Workpiece::snapshot() const {
 
 void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
   if (!snapshot.voxels_)
-    throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
+    throw Error("Workpiece::restore"_name + " was given an empty snapshot; take one with " +
+                "Workpiece::snapshot"_name + " first.");
   const WorkpieceSnapshot::Voxels& saved = *snapshot.voxels_;
   const auto describe = [](const GridFrame& frame, int materials) {
     return std::to_string(materials) + (materials == 1 ? " material" : " materials") + " in voxels of " +

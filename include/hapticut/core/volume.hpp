@@ -43,15 +43,15 @@ template <class Value>
 void require_valid(const Volume<Value>& volume) {
   for (const int n : volume.dims)
     if (n < 1)
-      throw Error("Volume::dims has " + std::to_string(n) +
+      throw Error("Volume::dims"_name + " has " + std::to_string(n) +
                   "; must be at least 1 along every axis. Is the volume empty?");
   if (volume.values.size() != volume.size())
     throw Error("a volume has " + std::to_string(volume.values.size()) + " values, but its dims require " +
                 std::to_string(volume.size()) + ".");
   for (int axis = 0; axis < 3; ++axis) require_positive(volume.spacing[axis], "Volume::spacing [m]");
   if (!is_finite(volume.X_WG) || !is_rotation(volume.X_WG.rotation, 1e-6))
-    throw Error(
-        "Volume::X_WG is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
+    throw Error("Volume::X_WG"_name +
+                " is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
 }
 
 using GreyVolume = Volume<float>;           ///< grey values, e.g. Hounsfield units

@@ -40,9 +40,9 @@ inline void validate(const DryFriction& friction) {
   require_fields_within(friction, "DryFriction::");
   if (friction.dynamic_friction > friction.static_friction)
     throw Error(
-        "DryFriction::dynamic_friction = " + format_number(friction.dynamic_friction, friction.static_friction) +
-        "; must not exceed static_friction = " + format_number(friction.static_friction, friction.dynamic_friction) +
-        ". Lower it, or raise static_friction.");
+        "DryFriction::dynamic_friction"_name + " = " +
+        format_number(friction.dynamic_friction, friction.static_friction) + "; must not exceed static_friction = " +
+        format_number(friction.static_friction, friction.dynamic_friction) + ". Lower it, or raise static_friction.");
 }
 
 /// [1] Stiffness of an elastic contact across its normal over that along it, 2 (1 - nu)/(2 - nu) for nu = 0.3 (Mindlin

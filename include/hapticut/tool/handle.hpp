@@ -75,8 +75,10 @@ namespace detail {
 template <class AnyHandle>
 void require_lengths(const AnyHandle& handle, const std::string& name) {
   for_each_field<AnyHandle>([&](const auto& field) {
-    if (std::isnan(handle.*field.member) && std::string_view(field.unit) == "m")
-      throw Error(name + "::" + field.name + " [m] " + field.text + ". 0.02 is 20 mm; 0 puts the hand at the head.");
+    if (std::isnan(handle.*field.member) && std::string_view(field.unit) == "m") {
+      const std::string member = name + "::" + field.name;
+      throw Error(Name(member) + " [m] " + field.text + ". 0.02 is 20 mm; 0 puts the hand at the head.");
+    }
   });
   require_fields_within(handle, name + "::");
 }

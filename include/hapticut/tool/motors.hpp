@@ -52,8 +52,8 @@ constexpr auto names_of(Of<MotorKind>) {
   if (std::abs(speed) > max_speed(motor))
     throw Error("common_spindle: " + format_number(speed) + " rad/s are " + format_number(speed / units::rpm) +
                 " rpm, but a motor " + std::string(name_or_null(motor)) + " has at most " +
-                format_number(max_speed(motor) / units::rpm) +
-                " rpm. Write 40000 * units::rpm for 40000 rpm, or choose another motor.");
+                format_number(max_speed(motor) / units::rpm) + " rpm. Write 40000 * " + "units::rpm"_name +
+                " for 40000 rpm, or choose another motor.");
   if (motor == MotorKind::ideal) return spindle;
   if (speed == 0)
     throw Error("a motor has a speed of 0; must not be 0. Give its free-running speed; a simulation can halt it.");

@@ -49,9 +49,10 @@ constexpr auto fields_of(Of<Spindle>) {
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Spindle& spindle) {
   if (std::abs(spindle.speed) > kMaxSpindleSpeed && std::isfinite(spindle.speed))
-    throw Error("Spindle::speed [rad/s] = " + format_number(spindle.speed) + "; that is " +
+    throw Error("Spindle::speed"_name + " [rad/s] = " + format_number(spindle.speed) + "; that is " +
                 format_number(spindle.speed / units::rpm) +
-                " rpm, and no spindle is faster than a million rpm. Write 40000 * units::rpm for 40000 rpm.");
+                " rpm, and no spindle is faster than a million rpm. Write 40000 * " + "units::rpm"_name +
+                " for 40000 rpm.");
   require_fields_within(spindle, "Spindle::");
 }
 

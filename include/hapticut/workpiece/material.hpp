@@ -87,7 +87,7 @@ constexpr auto fields_of(Of<Material>) {
 
 /// @throws Error naming the material, the field, its value and the allowed range
 inline void validate(const Material& material) {
-  if (material.name.empty()) throw Error("Material::name is empty; give every material a name.");
+  if (material.name.empty()) throw Error("Material::name"_name + " is empty; give every material a name.");
   const std::string prefix = "material '" + material.name + "': ";
   for (const auto& [name, pressure] : {std::pair("compressive_strength", material.compressive_strength),
                                        std::pair("edge_pressure", material.edge_pressure)})

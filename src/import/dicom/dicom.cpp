@@ -58,7 +58,7 @@ std::string in_words(const AlikeSlices& kind) {
 struct UnreadPicture {
   fs::path path;
   std::optional<std::string> series;  // nullopt when the file is damaged before this element
-  std::string cause;
+  Sentence cause;
 };
 
 struct DicomFolder {
@@ -141,7 +141,7 @@ DicomFolder pictures_in(const fs::path& folder) {
       classes.insert(slice.picture.kind);
       kind->slices.push_back(std::move(slice));
     } catch (const Error& error) {
-      found.unread.push_back({path, uid, error.what()});
+      found.unread.push_back({path, uid, error.sentence()});
     }
   }
   add_lost_slices(names, classes, without_picture, others, found);
@@ -165,7 +165,7 @@ void require_all_read(const DicomFolder& folder, const std::optional<std::string
   const auto count = std::count_if(folder.unread.begin(), folder.unread.end(), counts);
   if (count == 0) return;
   const UnreadPicture& first = *std::find_if(folder.unread.begin(), folder.unread.end(), counts);
-  std::string reason = first.cause;
+  Sentence reason = first.cause;
   if (!first.series) reason += " If it is not of the series, remove it from the folder.";
   if (count > 1) reason += " The folder has " + std::to_string(count) + " such files.";
   cannot_read(first.path, reason);
@@ -197,18 +197,18 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   }
   if (!uid.empty()) cannot_read(folder, "it has no DICOM series '" + uid + "'; it has " + list + ".");
   if (series.size() > 1)
-    cannot_read(folder, "it has several DICOM series, or a series of several kinds: " + list +
-                            ". Choose one with VolumeReadOptions::dicom_series.");
+    cannot_read(folder, "it has several DICOM series, or a series of several kinds: " + list + ". Choose one with " +
+                            "VolumeReadOptions::dicom_series"_name + ".");
   std::vector<DicomSlice> slices = slices_of(series.front());
   if (found.unread.size() >= slices.size())  // then the unreadable files may be the wanted ones
     cannot_read(found.unread.front().path, found.unread.front().cause + " The folder also has " + list +
-                                               "; choose it with VolumeReadOptions::dicom_series.");
+                                               "; choose it with " + "VolumeReadOptions::dicom_series"_name + ".");
   const std::size_t others = found.unread.size();
   if (others > 0)
     remarks.push_back("'" + folder.string() + "' has " + std::to_string(others) +
                       (others == 1 ? " file of another series that is left out, '"
                                    : " files of other series that are left out, the first is '") +
-                      found.unread.front().path.filename().string() + "': " + found.unread.front().cause);
+                      found.unread.front().path.filename().string() + "': " + found.unread.front().cause.in_cpp());
   return slices;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,18 +68,18 @@ inline constexpr auto kMeshEndings = [] {
 
 inline constexpr double kMaxPlausibleLength = 1000;  ///< [mm] maximum length at which the unit is not questioned
 
-/// The units that make a length plausible: "unit_mm = 1000 if its unit is a metre"; empty when there is none.
+/// The units that make a length plausible: "unit_mm to 1000 if its unit is a metre"; nothing when there is none.
 /// @param length    [units of the file]
 /// @param min_length  [mm] shortest plausible length
-[[nodiscard]] inline std::string plausible_units(double length, double min_length) {
-  std::string units;
+[[nodiscard]] inline std::optional<Sentence> plausible_units(double length, double min_length) {
+  std::optional<Sentence> units;
   for (const auto& [unit, name] : {std::pair{1000.0, "a metre"},
                                    {25.4, "an inch"},
                                    {10.0, "a centimetre"},
                                    {1.0, "a millimetre"},
                                    {0.001, "a micrometre"}})
     if (unit * length >= min_length && unit * length <= kMaxPlausibleLength)
-      append_part(units, "unit_mm = " + format_number(unit) + " if its unit is " + name, ", ");
+      units = (units ? *units + ", " : "") + "unit_mm"_name + " to " + format_number(unit) + " if its unit is " + name;
   return units;
 }
 

@@ -52,10 +52,11 @@ void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::p
   const double extent = (max - min).maxCoeff();
   const double offset = std::max(min.cwiseAbs().maxCoeff(), max.cwiseAbs().maxCoeff());
   if (extent > kMaxExtent) {
-    const std::string units = plausible_units(extent / units::mm / unit_mm, kMinPlausibleLength);
-    cannot_read(path, "with a unit of " + format_number(unit_mm) + " mm it is " + format_number(extent / units::mm) +
-                          " mm long; at most " + format_number(kMaxExtent / units::mm) + " mm are allowed. " +
-                          (units.empty() ? "Check its coordinates and its unit (unit_mm)." : "Set " + units + "."));
+    const std::optional<Sentence> units = plausible_units(extent / units::mm / unit_mm, kMinPlausibleLength);
+    cannot_read(path,
+                "with a unit of " + format_number(unit_mm) + " mm it is " + format_number(extent / units::mm) +
+                    " mm long; at most " + format_number(kMaxExtent / units::mm) + " mm are allowed. " +
+                    (units ? "Set " + *units + "." : "Check its coordinates and its unit (" + "unit_mm"_name + ")."));
   }
   if (offset > kMaxOffset * extent)
     cannot_read(

@@ -245,7 +245,7 @@ double deviation_of(const Profile& profile, const WeldedMesh& mesh, const std::v
   try {
     outline.exact_pieces = detail::Meridian(profile).pieces();
   } catch (const Error& error) {
-    throw Error(std::string("the meridian of the mesh is not a valid profile: ") + error.what());
+    throw Error("the meridian of the mesh is not a valid profile: " + error.sentence());
   }
   const ProfileSprings<double> springs(outline);
   double deviation = 0;

@@ -70,8 +70,8 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   FileGeometry geometry = image.geometry;
   if (!geometry.unknown_unit.empty() && !spacing)
     cannot_read(path, "its unit " + in_quotes(geometry.unknown_unit) +
-                          " is not known; write m, cm, mm, um or nm into its header, or set "
-                          "VolumeReadOptions::spacing.");
+                          " is not known; write m, cm, mm, um or nm into its header, or set " +
+                          "VolumeReadOptions::spacing"_name + ".");
   for (int axis = 0; axis < 3; ++axis)  // a negative spacing mirrors the axis, also when the caller gives its length
     if (geometry.spacing_mm[axis] < 0) {
       geometry.spacing_mm[axis] *= -1;
@@ -87,7 +87,7 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
     cannot_read(path, "it lacks the spacing of its samples (" + format_number(geometry.spacing_mm.x()) + " x " +
                           format_number(geometry.spacing_mm.y()) + " x " + format_number(geometry.spacing_mm.z()) +
-                          " mm); set VolumeReadOptions::spacing.");
+                          " mm); set " + "VolumeReadOptions::spacing"_name + ".");
   if (!is_finite(geometry.origin_mm)) cannot_read(path, "its origin is not finite. Check its header.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
   constexpr double kMaxLength = 1e5;  // [mm]

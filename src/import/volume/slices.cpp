@@ -158,7 +158,8 @@ RawImage read_slices(const fs::path& folder) {
     if (picture.channels == 2)
       cannot_read(file.path, "it has grey values and transparency; save the grey values alone.");
     if (picture.channels != 1)
-      cannot_read(file.path, "it is in colour; save grey values, or read labels with read_color_slices.");
+      cannot_read(file.path, "it is in colour; save grey values" +
+                                 Sentence::clause(", or read labels with " + "read_color_slices"_name) + ".");
     image.type = picture.type;
     image.bytes += picture.bytes;
   });

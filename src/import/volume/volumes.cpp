@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 void require_no_series(const fs::path& path, const VolumeReadOptions& options) {
   if (!options.dicom_series.empty())
-    cannot_read(path,
-                "it is not a folder of DICOM files, so it has no series; leave VolumeReadOptions::dicom_series out.");
+    cannot_read(path, "it is not a folder of DICOM files, so it has no series; leave " +
+                          "VolumeReadOptions::dicom_series"_name + " out.");
 }
 
 RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
@@ -30,7 +30,8 @@ RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
                 "the folder has neither a DICOM series nor PNG or TIFF slices; name the folder that contains them "
                 "directly, and save other pictures (JPEG, BMP) as PNG.");
   require_no_series(path, options);
-  if (!options.spacing) cannot_read(path, "PNG and TIFF slices have no spacing; set VolumeReadOptions::spacing.");
+  if (!options.spacing)
+    cannot_read(path, "PNG and TIFF slices have no spacing; set " + "VolumeReadOptions::spacing"_name + ".");
   return read_slices(path);
 }
 
@@ -92,7 +93,9 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
     cannot_read(
         path,
         "a picture is one slice, even with several pages; save each page as a separate file and name the folder.");
-  if (name.ends_with(".h5")) cannot_read(path, "it is a recording by its extension, not a volume; use read_recording.");
+  if (name.ends_with(".h5"))
+    cannot_read(path, "it is a recording by its extension, not a volume" +
+                          Sentence::clause("; use " + "read_recording"_name) + ".");
   if (is_dicom_file(path)) return read_dicom_file(path);
   require_not_packed(path);
   cannot_read(path, "its extension is not supported; volumes are " + in_one_line(volume_endings()) +
@@ -111,8 +114,8 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
   const std::uint64_t size = readable_size(path);
   if (size < layout.skip || size - layout.skip != needed)
     cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout requires " +
-                          std::to_string(layout.skip + needed) +
-                          ". Check RawLayout::dims, RawLayout::type and RawLayout::skip.");
+                          std::to_string(layout.skip + needed) + ". Check " + "RawLayout::dims"_name + ", " +
+                          "RawLayout::type"_name + " and " + "RawLayout::skip"_name + ".");
   image.bytes = bytes_of_file(path);
   image.bytes.erase(0, layout.skip);
   if (layout.big_endian) swap_bytes(image);

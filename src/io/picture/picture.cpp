@@ -192,7 +192,8 @@ void validate(const std::vector<ColoredMesh>& meshes, const PictureOptions& opti
   require_size(options);
   if (!is_finite(options.view_direction) || !is_finite(options.up) ||
       !(options.view_direction.normalized().cross(options.up.normalized()).norm() > 1e-6))
-    throw Error("PictureOptions::view_direction and up must be finite, not zero and not parallel.");
+    throw Error("PictureOptions::view_direction"_name + " must be finite, not zero and not parallel to " +
+                "PictureOptions::up"_name + ".");
   std::size_t triangles = 0;
   for (const ColoredMesh& mesh : meshes) {
     triangles += mesh.mesh.triangles.size();

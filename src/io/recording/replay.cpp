@@ -78,8 +78,9 @@ std::optional<ReplayDifference> compare(const std::vector<const Column*>& column
 Simulation simulation_of(const Recording& recording, std::shared_ptr<const ForceLaw> law) {
   if (!recording.default_law() && !law)
     throw Error("the recording '" + recording.path().string() +
-                "' was made with another law than FoundationLaw, and a file cannot store a law; pass the same law to "
-                "the replay.");
+                "' was made with another law than FoundationLaw, and a file cannot store a law; give the same law "
+                "to " +
+                "ReplayOptions::law"_name + ".");
   SimulationConfig config = recording.config();
   const bool at_parts = config.quadrature == Quadrature::automatic || config.quadrature == Quadrature::sub_voxel;
   if (!law && !at_parts)
@@ -88,7 +89,8 @@ Simulation simulation_of(const Recording& recording, std::shared_ptr<const Force
                 "not replayed.");
   if (law && law->integrates_parts() && !at_parts)
     throw Error("the recording '" + recording.path().string() +
-                "' was made with a law that computes the force at points of voxels, but ReplayOptions::law integrates "
+                "' was made with a law that computes the force at points of voxels, but " + "ReplayOptions::law"_name +
+                " integrates "
                 "over parts of voxels; choose a law of the kind of the recording.");
   // A passed law is used with the quadrature that it supports.
   if (law && !law->integrates_parts() && at_parts) config.quadrature = Quadrature::automatic;

@@ -167,7 +167,7 @@ typename Grid::Ptr require_grid(const VdbFile& file, const char* name) {
   for (const auto& grid : file.grids)
     if (grid && grid->getName() == name && grid->isType<Grid>()) return openvdb::gridPtrCast<Grid>(grid);
   throw Error(std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
-              list_of(file) + ". A file of another program needs VdbImport::material.");
+              list_of(file) + ". A file of another program needs " + "VdbImport::material"_name + ".");
 }
 
 template <class Value>
@@ -287,7 +287,8 @@ Workpiece parse(std::string bytes) {
 void require_foreign(const VdbFile& file) {
   for (const auto& grid : file.grids)
     if (grid && grid->getMetadata<openvdb::Int32Metadata>(kFormatKey))
-      throw Error("hapticut wrote it, with its own materials, grid and unit; leave VdbImport::material out.");
+      throw Error("hapticut wrote it, with its own materials, grid and unit; leave " + "VdbImport::material"_name +
+                  " out.");
 }
 
 Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
@@ -310,15 +311,15 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
                                       [](const auto& named) { return named.second == 1 && !named.first.empty(); });
     throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
                 (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
-                (can_name         ? ". Name a float grid (level set or fog volume) with VdbImport::grid."
+                (can_name         ? ". Name a float grid (level set or fog volume) with " + "VdbImport::grid"_name + "."
                  : floats.empty() ? ". Save a level set or fog volume with values of type float in it."
                                   : ". Give its float grids different names in the program that wrote it."));
   }
   const openvdb::GridClass says = chosen->getGridClass();
   if (options.kind == VdbImport::Kind::from_class && says != openvdb::GRID_LEVEL_SET &&
       says != openvdb::GRID_FOG_VOLUME)
-    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; set VdbImport::kind: " +
-                "fog_volume for filled fractions, level_set for distances.");
+    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; set " +
+                "VdbImport::kind"_name + ": " + "fog_volume for filled fractions, level_set for distances.");
   GridImport import;
   import.unit = options.unit_mm * 1e-3;
   if (options.kind == VdbImport::Kind::level_set) import.kind = GridKind::level_set;

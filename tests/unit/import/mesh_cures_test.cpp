@@ -172,7 +172,7 @@ TEST(MeshCures, OfAWrongLengthIsACompleteCopy) {
 TEST(MeshCures, OfAUnitIsTheOneThatIsNamed) {
   const TemporaryFolder folder;
   test::write_bytes(folder / "a.obj", "v 0 0 0\nv 2e5 0 0\nv 0 2e5 0\nv 0 0 2e5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  test::expect_refused([&] { return read_mesh(folder / "a.obj"); }, "Set unit_mm = 0.001 if its unit is a micrometre");
+  test::expect_refused([&] { return read_mesh(folder / "a.obj"); }, "Set unit_mm to 0.001 if its unit is a micrometre");
   EXPECT_NEAR(test::signed_volume(read_mesh(folder / "a.obj", 0.001).at(0).mesh) / mm3, 200 * 200 * 200 / 6.0, 1e-3);
 }
 

@@ -31,7 +31,7 @@ constexpr auto fields_of(Of<DeltaFilter>) {
 inline void validate(const DeltaFilter& filter) {
   require_fields_within(filter, "DeltaFilter::");
   if (filter.epsilon > filter.delta)
-    throw Error("DeltaFilter::epsilon = " + format_number(filter.epsilon, filter.delta) +
+    throw Error("DeltaFilter::epsilon"_name + " = " + format_number(filter.epsilon, filter.delta) +
                 " N; must not exceed delta = " + format_number(filter.delta, filter.epsilon) +
                 " N, or the force would overshoot. Lower it, or raise delta.");
 }

@@ -43,15 +43,16 @@ inline constexpr double kMaxVibration = 0.45;
 inline void validate(const Vibration& vibration, double update_rate) {
   require_fields_within(vibration, "Vibration::");
   if (vibration.amplitude > vibration.max_amplitude)
-    throw Error("Vibration::amplitude = " + format_number(vibration.amplitude, vibration.max_amplitude) +
+    throw Error("Vibration::amplitude"_name + " = " + format_number(vibration.amplitude, vibration.max_amplitude) +
                 " N; must not exceed max_amplitude = " + format_number(vibration.max_amplitude, vibration.amplitude) +
                 " N. Lower it, or raise max_amplitude.");
   if (vibration.frequency >= kMaxVibration * update_rate)
-    throw Error("Vibration::frequency = " + format_number(vibration.frequency, kMaxVibration * update_rate) +
+    throw Error("Vibration::frequency"_name + " = " + format_number(vibration.frequency, kMaxVibration * update_rate) +
                 " Hz; must be below " + format_number(kMaxVibration * update_rate, vibration.frequency) +
                 " Hz, 0.45 of the update rate of " + format_number(update_rate) +
                 " Hz: sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower "
-                "it, or raise SimulationConfig::update_rate and call the step as often.");
+                "it, or raise " +
+                "SimulationConfig::update_rate"_name + " and call the step as often.");
 }
 
 /// The phase of a vibration from step to step.
