@@ -29,8 +29,10 @@ std::array<bool, 3> switches(const std::vector<double>& given) {
 
 std::optional<Gravity> make_gravity(const EffectsSettings& s) {
   if (!s.mass_kg) {
-    refuse(s.center_of_mass_mm, "effects.center_of_mass_mm", "a tool without effects.mass_kg", "set --mass_kg");
-    refuse(s.gravity_m_per_s2, "effects.gravity_m_per_s2", "a tool without effects.mass_kg", "set --mass_kg");
+    refuse(s.center_of_mass_mm, "effects.center_of_mass_mm", "a tool without effects.mass_kg",
+           "set " + "effects.mass_kg"_name);
+    refuse(s.gravity_m_per_s2, "effects.gravity_m_per_s2", "a tool without effects.mass_kg",
+           "set " + "effects.mass_kg"_name);
     return std::nullopt;
   }
   Gravity gravity;
@@ -45,7 +47,7 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
     for (const auto& [key, value] :
          {std::pair("effects.vibration_N", s.vibration_N), std::pair("effects.vibration_N_per_W", s.vibration_N_per_W),
           std::pair("effects.vibration_max_N", s.vibration_max_N)})
-      refuse(value, key, "a tool without effects.vibration_Hz", "set --vibration_Hz");
+      refuse(value, key, "a tool without effects.vibration_Hz", "set " + "effects.vibration_Hz"_name);
     return std::nullopt;
   }
   Vibration vibration;
@@ -67,7 +69,7 @@ std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   if (!s.thesis_filter) {
     for (const auto& [key, value] : {std::pair("effects.filter_delta_N", s.filter_delta_N),
                                      std::pair("effects.filter_epsilon_N", s.filter_epsilon_N)})
-      refuse(value, key, "an output without effects.thesis_filter", "set --thesis_filter");
+      refuse(value, key, "an output without effects.thesis_filter", "set " + "effects.thesis_filter"_name);
     return std::nullopt;
   }
   DeltaFilter filter;

@@ -136,7 +136,7 @@ std::shared_ptr<const ForceLaw> make_law(const S& s) {
     for (const Constant& constant : kind.constants) {
       if (&kind != &chosen)
         refuse(s.*constant.value, key_of(constant), chosen.owner,
-               std::string("choose --law ") + name_or_null(kind.law));
+               "choose " + "force.law"_name + " " + name_or_null(kind.law));
       if (&kind == &chosen && constant.needed) (void)required(s.*constant.value, key_of(constant), chosen.owner);
     }
   return chosen.make(s);
@@ -182,7 +182,8 @@ void apply(const ForceSettings& s, SimulationConfig& config) {
   config.deep_contact = s.deep_contact;
   config.handle_torque = s.handle_torque.value_or(config.handle_torque);
   if (config.handle_torque != HandleTorque::thesis)
-    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench", "choose --handle_torque thesis");
+    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench",
+           "choose " + "force.handle_torque"_name + " thesis");
   config.handle_torque_scale = s.handle_torque_scale.value_or(config.handle_torque_scale);
 }
 

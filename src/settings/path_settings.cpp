@@ -98,11 +98,13 @@ void refuse_what_does_not_belong(const PathSettings& s) {
   const std::string owner = "a path of kind " + name_of(*s.kind);
   for (const PathField& field : path_fields()) {
     if (std::ranges::find(field.kinds, *s.kind) != field.kinds.end()) continue;
-    const std::string instead =
-        *s.kind == K::poses ? "put it into the file of poses" : "choose --path " + joined(field.kinds, " or ", name_of);
+    const Sentence instead = *s.kind == K::poses
+                                 ? "put it into the file of poses"
+                                 : "choose " + "path.kind"_name + " " + joined(field.kinds, " or ", name_of);
     std::visit([&](const auto member) { refuse(s.*member, "path." + field.name, owner, instead); }, field.member);
   }
-  if (*s.kind != K::poses && !s.file.empty()) refuse(std::optional(s.file), "path.file", owner, "choose --path poses");
+  if (*s.kind != K::poses && !s.file.empty())
+    refuse(std::optional(s.file), "path.file", owner, "choose " + "path.kind"_name + " poses");
 }
 
 std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
@@ -169,14 +171,12 @@ std::vector<Setting> settings_of(PathSettings& p) {
 
 Motion make_motion(const PathSettings& s, const Tool& tool) {
   if (!s.kind)
-    throw Error(
-        "the path is missing. Set --path to line, circle, spiral, cavity or poses, or kind under [path] in the "
-        "settings file.");
+    throw Error("path.kind is missing. Set " + "path.kind"_name + " to line, circle, spiral, cavity or poses.");
   refuse_what_does_not_belong(s);
   const Point point = s.point.value_or(Point::tip);
   std::vector<TimedPose> motion;
   if (*s.kind == K::poses) {
-    if (s.file.empty()) throw Error("path.file is missing; a path of poses needs it. Set --poses FILE.csv.");
+    if (s.file.empty()) throw Error("path.file is missing; a path of poses needs it. Set " + "path.file"_name + ".");
     motion = read_poses(s.file, orientation_of(s));
   } else {
     if (point == Point::handle)

@@ -12,13 +12,10 @@
 /// Errors for missing settings and for settings that do not apply.
 namespace hapticut::settings {
 
-/// @param key    key of the setting, "tool.radius_mm"; its flag is the part after the point
+/// @param key    key of the setting, "tool.radius_mm"
 /// @param owner  what needs the setting: "a sphere"
 [[noreturn]] inline void fail_missing(const std::string& key, const std::string& owner) {
-  const std::size_t point = key.find('.');
-  const std::string name = key.substr(point + 1);
-  throw Error(key + " is missing; " + owner + " needs it. Set --" + name + ", or " + name + " under [" +
-              key.substr(0, point) + "] in the settings file.");
+  throw Error(key + " is missing; " + owner + " needs it. Set " + Name(key) + ".");
 }
 
 /// @throws Error when there is no value
@@ -45,7 +42,7 @@ std::string equals(const Value& value) {
 /// @throws Error when there is a value
 template <class Value>
 void refuse(const std::optional<Value>& value, const std::string& key, const std::string& owner,
-            const std::string& instead) {
+            const Sentence& instead) {
   if (value)
     throw Error(key + equals(*value) + "; must be left out, because " + owner + " has none. Leave it out, or " +
                 instead + ".");

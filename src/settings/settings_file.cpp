@@ -86,7 +86,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
+  [[noreturn]] void fail(const toml::source_region& where, const Sentence& message) const {
     throw Error(file_ + ":" + std::to_string(where.begin.line) + ": " + message);
   }
 
@@ -151,7 +151,7 @@ class Reader {
       try {
         inner = setting.open_table(key);
       } catch (const Error& error) {
-        fail(key_node.source(), name + "." + key + ": " + error.what());
+        fail(key_node.source(), name + "." + key + ": " + error.sentence());
       }
       read_table(*element.as_table(), name + "." + key + ".", inner);
     }

@@ -9,6 +9,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "io/file_errors.hpp"
 #include "settings/profile_file.hpp"
 #include "settings/required.hpp"
 
@@ -21,10 +22,10 @@ using HandleKind = ToolSettings::HandleKind;
 ToolHead head_of_profile(const std::string& file) {
   try {
     return ProfileHead(read_profile(file));
+  } catch (const FileError&) {
+    throw;
   } catch (const Error& error) {
-    const std::string reason = error.what();
-    if (reason.find(file) != std::string::npos) throw;
-    throw Error(file + ": " + reason);
+    throw Error(file + ": " + error.sentence());
   }
 }
 
@@ -34,12 +35,12 @@ std::string key_of(HeadDimension dimension) {
   return "tool." + std::string(name_or_null(dimension)) + (unit.empty() ? "" : "_" + unit);
 }
 
-/// Names the heads that have a dimension: "choose --head cone or flat".
-std::string heads_with(HeadDimension dimension) {
+/// Names the heads that have a dimension: "choose tool.head cone or flat".
+Sentence heads_with(HeadDimension dimension) {
   std::vector<std::string> names;
   for (const HeadShape& shape : head_shapes())
     if (shape.find(dimension) != nullptr) names.emplace_back(shape.name);
-  return "choose --head " + joined(names, " or ");
+  return "choose " + "tool.head"_name + " " + joined(names, " or ");
 }
 
 /// "sphere, cone".
@@ -51,20 +52,21 @@ std::string words_of_shapes() {
 
 ToolHead make_head(const ToolSettings& s) {
   if (!s.head)
-    throw Error("the head of the tool is missing. Set --head to " + words_of_shapes() +
-                " or a name of the catalogue, or head under [tool] in the settings file.");
+    throw Error("tool.head is missing. Set " + "tool.head"_name + " to " + words_of_shapes() +
+                " or a name of the catalogue.");
   const HeadShape* shape = *s.head;
   const char* owner = shape != nullptr ? shape->in_sentences : "a profile head";
   const bool is_flat = shape != nullptr && shape->name == std::string_view(FlatHead::kWord);
   for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
     if (shape == nullptr || shape->find(one.value) == nullptr)
       refuse(s.dimension(one.value), key_of(one.value), owner, heads_with(one.value));
-  if (!is_flat) refuse(s.flat_rule, "tool.flat_rule", owner, "choose --head flat");
+  if (!is_flat) refuse(s.flat_rule, "tool.flat_rule", owner, "choose " + "tool.head"_name + " flat");
   if (shape == nullptr) {
     if (s.profile.empty()) fail_missing("tool.profile", owner);
     return head_of_profile(s.profile);
   }
-  if (!s.profile.empty()) refuse(std::optional(s.profile), "tool.profile", owner, "choose --head profile");
+  if (!s.profile.empty())
+    refuse(std::optional(s.profile), "tool.profile", owner, "choose " + "tool.head"_name + " profile");
   std::vector<double> dimensions;
   for (const HeadShape::Dimension& needed : shape->dimensions) {
     const std::optional<double> given = s.dimension(needed.what);
@@ -105,8 +107,8 @@ Setting setting_of(const Named<HeadDimension>& dimension, ToolSettings& t) {
 
 Handle make_handle(const ToolSettings& s) {
   if (s.handle.value_or(HandleKind::ray) == HandleKind::ray) {
-    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle", "choose --handle L");
-    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle", "choose --handle L");
+    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle", "choose " + "tool.handle"_name + " L");
+    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle", "choose " + "tool.handle"_name + " L");
     if (s.handle) (void)required(s.handle_length_mm, "tool.handle_length_mm", "a ray handle");
     return RayHandle{s.handle_length_mm.value_or(0) * units::mm};
   }
@@ -186,8 +188,9 @@ Spindle make_spindle(const ToolSettings& s) {
   if (std::abs(rpm) * units::rpm > limit)
     throw Error("tool.spindle_rpm = " + format_number(rpm, limit / units::rpm) + "; must be at most " +
                 format_number(limit / units::rpm, rpm) + " with the motor " + std::string(name_or_null(motor)) +
-                ". Lower the speed, or choose another --motor.");
-  if (rpm == 0 && motor != MotorKind::ideal) refuse(s.motor, "tool.motor", "a spindle at rest", "give --spindle_rpm");
+                ". Lower the speed, or choose another " + "tool.motor"_name + ".");
+  if (rpm == 0 && motor != MotorKind::ideal)
+    refuse(s.motor, "tool.motor", "a spindle at rest", "give " + "tool.spindle_rpm"_name);
   return common_spindle(motor, rpm * units::rpm);
 }
 
@@ -199,7 +202,7 @@ Tool make_tool(const ToolSettings& s) {
     head = on_shank(head,
                     standard_shank(*s.shank, required(s.shank_neck_mm, "tool.shank_neck_mm", "a shank") * units::mm));
   else
-    refuse(s.shank_neck_mm, "tool.shank_neck_mm", "a head without a shank", "choose --shank");
+    refuse(s.shank_neck_mm, "tool.shank_neck_mm", "a head without a shank", "choose " + "tool.shank"_name);
   Handle handle = make_handle(s);
   Spindle spindle = make_spindle(s);
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;

@@ -32,11 +32,11 @@ bool is_raw(const Source& s) {
 
 RawLayout raw_layout(const Source& s) {
   if (!s.dicom_series.empty())
-    throw Error("a file without a header has no series; leave workpiece.dicom_series (--dicom_series) out.");
+    throw Error("a file without a header has no series; leave " + "workpiece.dicom_series"_name + " out.");
   if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
-    throw Error(
-        "a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set --raw_dims, --raw_type "
-        "and --spacing_mm.");
+    throw Error("a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set " +
+                "workpiece.raw_dims"_name + ", " + "workpiece.raw_type"_name + " and " + "workpiece.spacing_mm"_name +
+                ".");
   const auto type = value_named<ValueType>(s.raw.type);
   if (!type) throw Error("workpiece.raw_type = " + s.raw.type + "; must be one of " + list_of_names<ValueType>() + ".");
   for (const double n : s.raw.dims)
@@ -174,7 +174,8 @@ Workpiece make_workpiece_from_volume(const Source& s) {
     throw Error(
         "a volume needs exactly one of workpiece.labels, workpiece.grey and "
         "workpiece.grade_low ...; " +
-        std::to_string(methods) + " are set. Set --label, --grey or --grade_low.");
+        std::to_string(methods) + " are set. Set " + "workpiece.labels"_name + ", " + "workpiece.grey"_name + " or " +
+        "workpiece.grade_low"_name + ".");
   if (s.close_gaps_mm && s.fill_cavities.empty())
     throw Error("workpiece.close_gaps_mm needs fill_cavities, the material that fills the gaps.");
   if (!s.labels.empty()) return not_empty(from_labels(s));

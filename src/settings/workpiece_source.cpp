@@ -10,6 +10,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "import/mesh/mesh_extensions.hpp"
+#include "io/file_errors.hpp"
 #include "settings/required.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IMPORT
@@ -78,7 +79,7 @@ Workpiece make_block(const Source& s) {
 Workpiece make_slab(const Source& s) {
   refuse_all_but(s, {"voxel_mm", "size_mm", "layers"});
   if (s.layers.empty())
-    throw Error("workpiece.layers is missing; a slab needs at least one. Set --layer MATERIAL=THICKNESS_MM.");
+    throw Error("workpiece.layers is missing; a slab needs at least one. Set " + "workpiece.layers"_name + ".");
   std::vector<hapticut::Layer> layers;
   for (const Source::Layer& layer : s.layers) {
     if (layer.material.empty() || !layer.thickness_mm)
@@ -116,7 +117,8 @@ Workpiece read_vdb(const Source& s) {
     if (s.unit_mm || !s.grid.empty() || s.grid_kind)
       throw Error(
           "workpiece.material is missing; a .vdb of another program needs material in addition to unit_mm, grid or "
-          "grid_kind. A .vdb of hapticut needs none of the four. Set --material, or leave the others out.");
+          "grid_kind. A .vdb of hapticut needs none of the four. Set " +
+          "workpiece.material"_name + ", or leave the others out.");
     return with_changed_materials(load_vdb(s.source), s.materials);
   }
   VdbImport import;
@@ -132,10 +134,10 @@ template <class Make>
 Workpiece naming_source(const Source& s, const Make& make) {
   try {
     return make();
+  } catch (const FileError&) {
+    throw;
   } catch (const Error& error) {
-    const std::string reason = error.what();
-    if (reason.find(s.source) != std::string::npos) throw;
-    throw Error("cannot make a workpiece from '" + s.source + "': " + reason);
+    throw Error("cannot make a workpiece from '" + s.source + "': " + error.sentence());
   }
 }
 
@@ -170,9 +172,7 @@ namespace {
 
 Workpiece made_or_read(const WorkpieceSettings& s) {
   if (s.source.empty())
-    throw Error(
-        "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
-        "the settings file.");
+    throw Error("workpiece.source is missing. Set " + "workpiece.source"_name + " to block, slab, molar or a file.");
   if (s.source == "block") return make_block(s);
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);
