@@ -18,6 +18,7 @@
 #include "core/lack_of_memory.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
+#include "reports/flag_words.hpp"
 #include "reports/delivery.hpp"
 #include "settings/settings_file.hpp"
 
@@ -200,9 +201,9 @@ int main_with(int argc, char** argv) {
   } catch (const AlreadyTold&) {
     return kFailed;
   } catch (const UsageError& error) {
-    return complain(error.what(), kWrongUsage);
+    return complain(in_words_of_flags(error), kWrongUsage);
   } catch (const std::exception& error) {
-    return complain(is_lack_of_memory(error) ? kNoMemory : error.what(), kFailed);
+    return complain(is_lack_of_memory(error) ? kNoMemory : in_words_of_flags(error), kFailed);
   }
   return 0;
 }

@@ -18,7 +18,7 @@ namespace hapticut::cli {
 
 void tell_error(const std::string& message) {
   const char* const erase_bar = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
-  std::fprintf(stderr, "%shapticut: %s\n", erase_bar, in_words_of_flags(message).c_str());
+  std::fprintf(stderr, "%shapticut: %s\n", erase_bar, message.c_str());
 }
 
 void print_on_stdout(const std::string& text) {
@@ -46,7 +46,7 @@ Delivery::Delivery(const std::vector<std::string>& texts, const std::vector<std:
       require_writable(file);
       ++usable_;
     } catch (const Error& error) {
-      errors.emplace_back(error.what());
+      errors.push_back(in_words_of_flags(error));
       failed_files_.insert(file);
     }
   };
@@ -99,7 +99,7 @@ bool Delivery::attempted(const std::function<void()>& work, const std::string& w
   } catch (const std::exception& error) {
     tell_error(is_lack_of_memory(error)
                    ? "there is not enough memory to write " + what + ". Use larger voxels or a smaller piece."
-                   : error.what());
+                   : in_words_of_flags(error));
   }
   failed_ = true;
   return false;

@@ -8,7 +8,8 @@
 namespace hapticut::cli {
 
 /// @param component  missing component: "io"
-/// @throws Error that begins with `what` and says how to build the component
+/// @param what       what cannot be done: "'a.h5' cannot be read"
+/// @throws Error that says how to build the component
 [[noreturn]] inline void fail_without(const std::string& component, const std::string& what) {
   std::string option = "HAPTICUT_WITH_";
   for (const char letter : component) option += char(letter - 'a' + 'A');

@@ -1,73 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/flag_words.hpp"
 
-#include <cctype>
+#include <algorithm>
+#include <optional>
 #include <string_view>
+
+#include "hapticut/core/errors.hpp"
+#include "settings/names.hpp"
 
 namespace hapticut::cli {
 namespace {
 
-struct FlagWords {
-  std::string_view library, program;
+struct Word {
+  std::string_view name, program;  // program is empty if users of the program do not have it
 };
 
-// A longer text must precede its own prefix.
-constexpr FlagWords kFlagWords[] = {
-    {"Give ProfileHead a larger tolerance, or the profile fewer small edges", "Give the profile fewer small edges"},
+/// Names without a setting of scenes, and settings whose flag needs a hint at its text.
+constexpr Word kWords[] = {
+    {"ContactTime::end", ""},
+    {"CouplingGains", "--coupling none"},
+    {"DeviceCapabilities::output_degrees_of_freedom", ""},
+    {"DeviceCapabilities::peak_force", ""},
+    {"DeviceCapabilities::stiffness", ""},
     {"GuardOptions::period", "the period of --rate"},
-    {"MeshImport::large, VolumeBuildOptions::large", "--large"},
-    {"MeshImport::voxel_size", "--voxel-mm"},
-    {"PictureOptions::view_direction and up must be finite, not zero and not parallel",
-     "--picture_view must be finite, not zero and not along z"},
+    {"OutputLimits", ""},
+    {"PictureOptions::up", "z"},
+    {"PictureOptions::view_direction", "--picture_view"},
+    {"PlaybackRange", ""},
     {"ProfileEdge::kind", "the column kind"},
-    {"RawLayout::dims", "--raw_dims"},
-    {"RawLayout::skip", "--raw_skip_bytes"},
-    {"RawLayout::type", "--raw_type"},
     {"ReplayOptions::law", "--law"},
-    {"a file cannot store a law; pass the same law to the replay",
-     "a file cannot store a law; name the same law: hapticut replay FILE --law NAME"},
+    {"RunOptions::simulated_time", "--simulated_time"},
     {"SetScale::scale", "--scale"},
-    {"Shank::neck_diameter", "--shank-neck-mm"},
-    {"SimulationConfig::quadrature", "--quadrature"},
-    {"SimulationConfig::voxel_budget", "--voxel-budget"},
-    {"SimulationModelOptions::coupling with contact_time = end", "--coupling virtual"},
+    {"SimulationConfig::contact_time", ""},
+    {"SimulationModelOptions::coupling", "--coupling virtual"},
+    {"SimulationModelOptions::coupling.angular_stiffness", "the angular stiffness of the coupling"},
+    {"SimulationModelOptions::coupling.stiffness", "the stiffness of the coupling"},
     {"UnclaimedLabels::leave_out", "--unclaimed_labels leave_out"},
-    {"VdbImport::grid", "--grid"},
-    {"VdbImport::kind", "--grid-kind"},
-    {"VdbImport::material", "--material"},
-    {"VolumeBuildOptions::crop", "--crop_mm"},
-    {"VolumeReadOptions::dicom_series", "--dicom_series"},
-    {"VolumeReadOptions::spacing", "--spacing_mm"},
+    {"VolumeBuildOptions::crop_samples", ""},
+    {"VolumeBuildOptions::warn", ""},
     {"WorkspaceMapOptions::scale", "--scale"},
-    {"large = true", "--large"},
-    {"leave RunOptions::simulated_time false", "leave --simulated-time out"},
-    {"so no coupling can be chosen for it; set CouplingGains", "so choose --coupling none"},
-    {"; open a part of it with open_playback and a PlaybackRange", "; record a shorter one"},
-    {"use read_recording", "use hapticut replay"},
-    {"unit (unit_mm of read_mesh)", "unit (--unit-mm)"},
-    {"unit (unit_mm)", "unit (--unit-mm)"},
-    {"unit_mm =", "--unit-mm"},
-    {"voxels by voxel_mm", "voxels by --voxel-mm"},
-    {", or read labels with read_color_slices", ""},
+    {"coupling_gains", ""},
+    {"path.file", "--poses FILE.csv"},
+    {"read_color_slices", ""},
+    {"read_recording", "hapticut replay"},
+    {"units::rpm", ""},
+    {"workpiece.layers", "--layer MATERIAL=THICKNESS_MM"},
+    {"workpiece.shells", "--shell MATERIAL=OBJECT"},
 };
 
-bool goes_on(std::string_view text, std::size_t at) {
-  return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+std::optional<std::string> word_for(const Name& name) {
+  if (const auto* const word = std::ranges::find(kWords, name.text(), &Word::name); word != std::end(kWords))
+    return word->program.empty() ? std::nullopt : std::optional(std::string(word->program));
+  const std::optional<std::string_view> key = settings::key_of(name);
+  return key ? settings::flag_of(*key) : std::nullopt;
 }
 
 }  // namespace
 
-std::string in_words_of_flags(std::string message) {
-  for (const FlagWords& words : kFlagWords)
-    for (std::size_t at = 0; (at = message.find(words.library, at)) != std::string::npos;) {
-      if (goes_on(message, at + words.library.size())) {
-        at += words.library.size();
-        continue;
-      }
-      message.replace(at, words.library.size(), words.program);
-      at += words.program.size();
-    }
-  return message;
+std::string in_words_of_flags(const std::exception& error) {
+  const auto* const of_library = dynamic_cast<const Error*>(&error);
+  return of_library == nullptr ? error.what() : of_library->sentence().written(word_for);
 }
 
 }  // namespace hapticut::cli

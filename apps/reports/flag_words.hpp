@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <exception>
 #include <string>
 
 namespace hapticut::cli {
 
-/// Replaces C++ names in a message of the library by flags of the program (`VolumeReadOptions::spacing` ->
-/// `--spacing_mm`). The table of this function needs every name of the library that a flag sets.
-[[nodiscard]] std::string in_words_of_flags(std::string message);
+/// The message of an exception. In an Error of the library, the flags of the program stand for the names of C++:
+/// `--spacing_mm` for `VolumeReadOptions::spacing`.
+[[nodiscard]] std::string in_words_of_flags(const std::exception& error);
 
 }  // namespace hapticut::cli

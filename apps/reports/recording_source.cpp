@@ -5,6 +5,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "reports/fail_without.hpp"
+#include "reports/flag_words.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/playback.hpp"
 #include "hapticut/io/recording/recorder.hpp"
@@ -39,7 +40,7 @@ std::uint64_t RunRecorder::close() {
   try {
     state_->recorder.close();
   } catch (const Error& error) {
-    failure_ = error.what();
+    failure_ = in_words_of_flags(error);
   }
   return state_->recorder.lost();
 }

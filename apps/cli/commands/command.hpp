@@ -12,9 +12,8 @@ namespace hapticut::cli {
 
 /// A subcommand of the program: a function in <name>_command.cpp, declared and listed below. A command that makes a
 /// workpiece calls `tell_on_stderr` for its settings and makes the workpiece in `with_bar`. A command that writes
-/// files makes a `Delivery` of them before the work begins, and prints and writes through it. If a name of the library
-/// can appear in an error, the table in reports/flag_words.cpp maps it to its flag. docs/command-line.md lists the
-/// settings defined here.
+/// files makes a `Delivery` of them before the work begins, and prints and writes through it. docs/command-line.md
+/// lists the settings defined here.
 struct Command {
   std::string name;
   std::string summary;  ///< one line for the help

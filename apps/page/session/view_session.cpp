@@ -59,7 +59,7 @@ std::string free_name() {
 }  // namespace
 
 std::string as_sentence(const std::exception& error) {
-  std::string text = in_words_of_flags(error.what());
+  std::string text = in_words_of_flags(error);
   // Only a word: the name of a file or of a setting stays.
   const std::string word = text.substr(0, text.find_first_of(", "));
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };

@@ -60,7 +60,7 @@ TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
 }
 
 TEST_F(Flags, ThatAreMissingAreNamed) {
-  expect("drill " + kBall + kLine, kFailed, "the workpiece is missing");
+  expect("drill " + kBall + kLine, kFailed, "workpiece.source is missing. Set --workpiece to block");
   expect("drill " + kBlock + kLine, kFailed, "--head");
   expect("drill " + kBlock + kBall, kFailed, "--path");
   expect("drill " + kBlock + "--head sphere --radius_mm 1 " + kLine, kFailed, "tool.spindle_rpm is missing");

@@ -55,19 +55,20 @@ class Inputs : public test::Program {
 TEST_F(Inputs, OfAnotherUnitAreRefusedWithTheFlagThatSaysIt) {
   const TriangleMesh cube = test::cube_mesh(Vec3::Zero(), 4 * mm, 1);
   write_stl(cube, folder / "m.stl", 1000);
-  expect_refused("inspect " + path("m.stl") + kBone,
-                 {"m.stl", "0.004 mm long", "voxels of 0.2 mm", "--unit-mm 1000 if its unit is a metre", "--voxel-mm"});
+  expect_refused("inspect " + path("m.stl") + kBone, {"m.stl", "0.004 mm long", "voxels of 0.2 mm",
+                                                      "--unit_mm to 1000 if its unit is a metre", "--voxel_mm"});
   EXPECT_NEAR(volume(path("m.stl") + kBone + " --unit-mm 1000"), 64, 0.01);
   write_ply(cube, folder / "inch.ply", 25.4);
-  expect_refused("inspect " + path("inch.ply") + kBone,
-                 {"0.15748 mm long", "--unit-mm 25.4 if its unit is an inch", "--unit-mm 1000 if its unit is a metre"});
+  expect_refused("inspect " + path("inch.ply") + kBone, {"0.15748 mm long", "--unit_mm to 25.4 if its unit is an inch",
+                                                         "--unit_mm to 1000 if its unit is a metre"});
   write_stl(cube, folder / "um.stl", 0.001);
-  expect_refused("inspect " + path("um.stl") + kBone, {"4000 mm long", "--unit-mm 0.001 if its unit is a micrometre"});
+  expect_refused("inspect " + path("um.stl") + kBone,
+                 {"4000 mm long", "--unit_mm to 0.001 if its unit is a micrometre"});
   write_stl(cube, folder / "nm.stl", 1e-6);
   expect_refused("inspect " + path("nm.stl") + kBone, {"with a unit of 1 mm it is 4e+06 mm long", "100000 mm"});
   write_obj(cube, folder / "whole.obj");
   expect_refused("inspect " + path("whole.obj") + kBone + " --unit-mm 100000",
-                 {"with a unit of 100000 mm it is 400000 mm long", "--unit-mm 1 if its unit is a millimetre"});
+                 {"with a unit of 100000 mm it is 400000 mm long", "--unit_mm to 1 if its unit is a millimetre"});
 }
 
 TEST_F(Inputs, ThatAreThinAreNoMatterOfUnits) {
@@ -93,7 +94,7 @@ TEST_F(Inputs, WithoutAMeaningOfTheirValuesNeedAFlag) {
   ASSERT_GT(classes, 0);
   write_bytes(folder / "b.vdb", bytes);
   const std::string source = path("b.vdb") + " --material cortical_bone";
-  expect_refused("inspect " + source, {"b.vdb", "'density' does not say what its values mean; set --grid-kind: fog"});
+  expect_refused("inspect " + source, {"b.vdb", "'density' does not say what its values mean; set --grid_kind: fog"});
   EXPECT_NEAR(volume(source + " --grid-kind fog_volume"), 8, 1e-3);
   expect_refused("inspect " + source + " --grid other", {"'density' (float)", "with --grid"});
   expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"workpiece.material is missing"});
@@ -149,9 +150,9 @@ TEST_F(Inputs, ThatAreDamagedAreRefusedInOwnWords) {
 }
 
 TEST_F(Inputs, ThatDoNotFitAreRefusedByFlags) {
-  expect_refused("drill " + kBlock + test::kBall + test::kGroove + "--voxel_budget 5", {"--voxel-budget = 5"});
+  expect_refused("drill " + kBlock + test::kBall + test::kGroove + "--voxel_budget 5", {"--voxel_budget = 5"});
   expect_refused("drill " + kBlock + test::kBall + test::kGroove + "--shank friction_grip --shank_neck_mm 9",
-                 {"--shank-neck-mm = 9 mm"});
+                 {"--shank_neck_mm = 9 mm"});
   expect_refused("inspect block --size_mm 9000,9000,9000 --voxel_mm 0.01 --material dentin", {"voxel"});
 }
 

@@ -169,7 +169,7 @@ TEST(Scene, NamesTheNearestKeyOfAnUnknownOne) {
 
 TEST(Scene, SaysWhatIsMissingAndWhatDoesNotFit) {
   EXPECT_NE(complaint("radius_mm = 0.8", "").find("tool.radius_mm is missing"), std::string::npos);
-  EXPECT_NE(complaint("kind = \"line\"", "").find("the path is missing"), std::string::npos);
+  EXPECT_NE(complaint("kind = \"line\"", "").find("path.kind is missing"), std::string::npos);
   EXPECT_NE(
       complaint("rate_Hz = 2000", "rate_Hz = 2000\nremoval = \"magic\"").find("simulation.removal: must be one of"),
       std::string::npos);
