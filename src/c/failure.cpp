@@ -6,7 +6,6 @@
 #include <new>
 
 #include "c/words_of_c.hpp"
-#include "hapticut/core/errors.hpp"
 
 namespace hapticut::c {
 namespace {
@@ -29,11 +28,11 @@ void copy(const char* text, std::size_t length, char* to, std::size_t capacity) 
 }
 
 /// Reports an Error of the library in the words of C.
-int fail_in_words_of_c(const char* sentence) noexcept {
+int fail_in_words_of_c(const Error& error) noexcept {
   try {
-    return fail(HAPTICUT_ERROR_REFUSED, in_words_of_c(sentence).c_str());
+    return fail(HAPTICUT_ERROR_REFUSED, in_words_of_c(error).c_str());
   } catch (const std::exception&) {  // no memory for the words of C
-    return fail(HAPTICUT_ERROR_REFUSED, sentence);
+    return fail(HAPTICUT_ERROR_REFUSED, error.what());
   }
 }
 
@@ -52,7 +51,7 @@ int fail_by_exception() noexcept {
   } catch (const Refusal& refusal) {
     return fail(refusal.code(), refusal.what());
   } catch (const Error& error) {
-    return fail_in_words_of_c(error.what());
+    return fail_in_words_of_c(error);
   } catch (const std::bad_alloc&) {
     return fail(HAPTICUT_ERROR_MEMORY, "There is not enough memory; use larger voxels or a smaller workpiece.");
   } catch (const std::exception& error) {

@@ -3,10 +3,12 @@
 
 #include <string>
 
+#include "hapticut/core/errors.hpp"
+
 namespace hapticut::c {
 
-/// Translates a sentence of the library for callers of C: C++ names become names of hapticut/c/hapticut.h, and flags of
-/// the program become keys of a scene.
-[[nodiscard]] std::string in_words_of_c(std::string sentence);
+/// The message of an error for callers of C: names of hapticut/c/hapticut.h and keys of a scene stand for the names of
+/// C++.
+[[nodiscard]] std::string in_words_of_c(const Error& error);
 
 }  // namespace hapticut::c

@@ -245,9 +245,9 @@ TEST(CInterface, SaysWhatIsWrongInNamesOfCAndKeysOfTheScene) {
   const Owned device(device_of());
   hapticut_handle none = 0;
   const std::pair<std::string, const char*> said[] = {
-      {complaint("radius_mm = 1\n", ""), "a sphere needs it. Set tool.radius_mm in the scene."},
+      {complaint("radius_mm = 1\n", ""), "a sphere needs it. Set tool.radius_mm."},
       {complaint("radius_mm = 1\n", "radius_mm = 1\nheight_mm = 2\n"), "or choose tool.head cone"},
-      {complaint("handle_length_mm = 20\n", ""), "Set tool.handle_length_mm in the scene."},
+      {complaint("handle_length_mm = 20\n", ""), "Set tool.handle_length_mm."},
       {complaint("head = \"sphere\"\n", ""), "Set tool.head to sphere, cone"},
       {complaint("\"block\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2\nmaterial = \"cortical_bone\"",
                  "\"slab\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2"),
