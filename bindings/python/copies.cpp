@@ -20,7 +20,7 @@ Workpiece workpiece_from(std::string bytes) {
   try {
     return workpiece_of_vdb(std::move(bytes));
   } catch (const Error& error) {
-    throw Error(std::string("the pickled workpiece cannot be read: ") + error.what());
+    throw Error("the pickled workpiece cannot be read: " + error.sentence());
   }
 }
 
@@ -74,7 +74,7 @@ std::shared_ptr<PythonSimulation> simulation_from(const py::tuple& state) {
       made = std::make_shared<PythonSimulation>(
           SimulationMemory::restored(std::move(left), tool, std::move(config), memory));
     } catch (const Error& error) {
-      throw Error(std::string("the memory of the pickled simulation cannot be read: ") + error.what());
+      throw Error("the memory of the pickled simulation cannot be read: " + error.sentence());
     }
   }
   made->removed.resize(removed.size() / sizeof(RemovedInRun));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/pybind11.h>
 
-#include <cctype>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "bindings.hpp"
@@ -69,14 +69,11 @@ void shorten_signature(py::detail::function_record& record) {
   if (record.def != nullptr) leave_out_module(const_cast<char*>(record.def->ml_doc));  // pybind11's own copy
 }
 
-/// A message with the names of C++ as Python writes them: `SimulationConfig.contact_time`.
-std::string in_words_of_python(std::string message) {
-  const auto is_of_name = [&](std::size_t at) {
-    return at < message.size() && (std::isalnum(static_cast<unsigned char>(message[at])) != 0 || message[at] == '_');
-  };
-  for (std::size_t at = 1; (at = message.find("::", at)) != std::string::npos; ++at)
-    if (is_of_name(at - 1) && is_of_name(at + 2)) message.replace(at, 2, ".");
-  return message;
+/// The message of an error with the names of Python: `SimulationConfig.contact_time`.
+std::string in_words_of_python(const hapticut::Error& error) {
+  return error.sentence().written([](const hapticut::Name& name) {
+    return std::optional(std::string(name.scope()) + (name.scope().empty() ? "" : ".") + std::string(name.member()));
+  });
 }
 
 /// Makes errors of the library and failed conversions errors of Python.
@@ -86,7 +83,7 @@ void translate_errors(const py::handle& error) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const hapticut::Error& refused) {
-      PyErr_SetString(kind, in_words_of_python(refused.what()).c_str());
+      PyErr_SetString(kind, in_words_of_python(refused).c_str());
     } catch (const py::cast_error&) {
       PyErr_SetString(PyExc_TypeError, "an object of a wrong type was given or returned; see the types in the help.");
     }
