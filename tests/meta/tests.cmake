@@ -20,6 +20,7 @@ hapticut_meta_test(EveryHeaderThatNeedsTheLibraryAsksForItsAbi rooms.py abi)
 hapticut_meta_test(NoFileIsTooLong rooms.py lengths)
 hapticut_meta_test(ThePageOfTheStepFollowsTheCode step_page.py)
 hapticut_meta_test(TheCodeOfPagesIsThatOfTheExamples page_code.py)
+hapticut_meta_test(MessagesNameFieldsInTheWordsOfEachFrontEnd messages.py)
 hapticut_meta_test(ATestProvesEachTermAndEachClosedForm proofs.py)
 # Only with the compiler of releases, and only if all libraries that the headers include are installed.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND HAPTICUT_ITK AND HAPTICUT_CLI

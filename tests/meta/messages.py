@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks the names in messages (core/sentence.hpp).
+
+No code searches a message of the library. In a message each C++ name is a Name. Each Name exists in the headers or is
+the key of a setting; program, C and Python have a word for it; each word of a table exists and is used.
+"""
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM, C, KEYS = "src/cli/reports/flag_words.cpp", "src/c/words_of_c.cpp", "src/settings/names.cpp"
+SENTENCE, C_HEADERS = "include/hapticut/core/sentence.hpp", "include/hapticut/c/"
+
+# They search messages of other libraries, which have no types.
+OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/io/mesh/assimp.cpp", "src/io/recording/hdf5.cpp",
+             "src/io/volume/itk_volume.cpp", "src/io/volume/tiff_file.cpp", "src/settings/settings_file.cpp"}
+SEARCHED = re.compile(r"(?:what\(\)\)?|\b(?:reason|message|sentence|said|complaint|failure|missing)_?)"
+                      r"\.(?:r?find\w*|starts_with|ends_with|contains|replace|erase)\(|\bstd::w?regex\b")
+MESSAGE = re.compile(r"\b(?:Error|FileError|Failure|UsageError|cannot_read|cannot_write|fail|refuse)\("
+                     r"((?:[^;\"]|\"(?:[^\"\\]|\\.)*\")*);")
+LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"(_name)?')
+CPP_NAME = re.compile(r"\b[A-Z]\w*::\w+")
+
+# Users of the program and of C do not have these structs, or their settings are checked first, in their own words. If a
+# message names a member, it stands without the struct.
+IN_CODE_ONLY = {
+    "ClosedLoop", "ClosedLoopConfig", "ConeHead", "CouplingGains", "DeltaFilter", "Device", "DryFriction",
+    "ForceDimensionOptions", "GridFrame", "GridImport", "GuardOptions", "HeatConfig", "HeatField", "IslandOptions",
+    "Material", "OpenHapticsOptions", "Profile", "Shank", "Spindle", "StabilitySearch", "Vibration", "Volume",
+    "Workpiece", "WorkspaceMapOptions"}
+NOT_IN_PYTHON = {"ForceDimensionOptions", "GridImport", "OpenHapticsOptions", "units"}
+
+
+def sources() -> dict[str, str]:
+    files = [path for folder in ("src", "include", "bindings/python") for path in sorted((ROOT / folder).rglob("*"))
+             if path.suffix in (".hpp", ".cpp", ".inl", ".h", ".py") and "tests" not in path.parts[len(ROOT.parts):]]
+    return {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for path in files}
+
+
+def pairs(text: str, table: str) -> dict[str, str]:
+    """The pairs of texts of a table in C++."""
+    body = text[text.index(table + "[]"):]
+    return dict(re.findall(r'\{"([^"]+)",\s*"([^"]*)"\}', body[:body.index("};")]))
+
+
+def words_in(text: str) -> set[str]:
+    return set(re.findall(r"\w+", text))
+
+
+def check_code(code: dict[str, str]) -> tuple[set[str], set[str], list[str]]:
+    """The Names of all messages, the subjects of all checks, and the mistakes."""
+    names, subjects, mistakes = set(), set(), []
+    for path, text in code.items():
+        if path == SENTENCE:
+            continue
+        text = re.sub(r"^\s*//.*$", "", text, flags=re.M)
+        if path not in OF_OTHERS and (found := SEARCHED.search(text)):
+            mistakes.append(f"{path} searches a message: {found.group()}")
+        for literal, is_name in LITERAL.findall(" ".join(MESSAGE.findall(text))):
+            if not is_name and (found := CPP_NAME.search(literal)):
+                mistakes.append(f'{path} types {found.group()} into a message; write "{found.group()}"_name')
+        names |= set(re.findall(r'"([^"]+)"_name', text))
+        subjects |= set(re.findall(r'require_\w+\([^;]*?"([A-Z]\w*::\w*)', text))
+    return names, subjects, mistakes
+
+
+def main() -> int:
+    code = sources()
+    names, subjects, mistakes = check_code(code)
+    headers = [text for path, text in code.items() if path.startswith("include")]
+    in_headers = set().union(*map(words_in, headers))
+    in_python = words_in("".join(text for path, text in code.items() if path.startswith("bindings")))
+    settings = "".join(text for path, text in code.items()
+                       if path.startswith(("src/settings", "src/cli")) and path not in (KEYS, PROGRAM))
+    program, c, scopes_of_c, keys = (pairs(code[path], table) for path, table in
+                                     ((PROGRAM, "kWords"), (C, "kWords"), (C, "kScopes"), (KEYS, "kKeys")))
+
+    def is_declared(name: str) -> bool:
+        scope, _, member = name.rpartition("::")
+        first, *inner = member.split(".")
+        declared = re.compile(rf"\b(?:struct|class|namespace) {scope}\b" if scope else "")
+        return in_headers >= set(inner) and any(declared.search(text) and (not first or first in words_in(text))
+                                                for text in headers)
+
+    def is_setting(key: str) -> bool:
+        table, _, member = key.partition(".")
+        return any(f'"{text}"' in settings for text in (key, member)) or f'add_fields("{table}"' in settings
+
+    is_key = {name: "::" not in name and "." in name for name in names}
+    mistakes += [f"no setting has the key {name}" for name in names if is_key[name] and not is_setting(name)]
+    mistakes += [f"no header declares {name}" for name in names | subjects
+                 if not is_key.get(name) and not is_declared(name)]
+    for name in sorted(name for name in names if not is_key[name]):
+        scope = name.rpartition("::")[0]
+        for where, words, scopes in ((PROGRAM, program, set()), (C, c, set(scopes_of_c))):
+            if name not in words | keys and scope not in scopes | IN_CODE_ONLY:
+                mistakes.append(f"{where} has no word for {name}")
+        if not {scope, name} & NOT_IN_PYTHON and (scope or name) not in in_python:
+            mistakes.append(f"Python has no {name}")
+    mistakes += [f"{where} has {name}, which no message names"
+                 for where, words in ((PROGRAM, program), (C, c), (KEYS, keys)) for name in words
+                 if name not in names | subjects and name.rpartition("::")[0] + "::" not in subjects]
+    mistakes += [f"{PROGRAM} has the flag {flag}, which no command has"
+                 for flag in re.findall(r"--\w+", " ".join(program.values())) if f'"{flag}"' not in settings]
+    mistakes += [f"{KEYS} has the key {key}, which no setting has" for key in keys.values() if not is_setting(key)]
+    of_c = "".join(text for path, text in code.items() if path.startswith(C_HEADERS))
+    for word in re.findall(r"HAPTICUT_\w+|hapticut_\w+\.?\w*", " ".join((c | scopes_of_c).values())):
+        struct, _, member = word.partition(".")
+        body = of_c.split(f"}} {struct};")[0].rpartition("typedef struct")[2] if member else of_c
+        if (member or struct) not in words_in(body):
+            mistakes.append(f"{C} has {word}, which no header of C declares")
+    print(f"{len(names)} names in messages, {len(mistakes)} mistakes", *mistakes, sep="\n")
+    return 1 if mistakes else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
