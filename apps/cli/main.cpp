@@ -18,8 +18,8 @@
 #include "core/lack_of_memory.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
-#include "reports/flag_words.hpp"
 #include "reports/delivery.hpp"
+#include "reports/flag_words.hpp"
 #include "settings/settings_file.hpp"
 
 namespace hapticut::cli {

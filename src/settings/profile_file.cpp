@@ -70,9 +70,9 @@ Profile profile_in(const std::filesystem::path& path) {
                     " objects; a head is one object. Keep the one that cuts.");
   return profile_from_mesh(objects.front().mesh).profile;
 #else
-  throw FileError(
-      path.string() +
-      ": only profiles in CSV files can be read; this program was built without the component import, which reads meshes.");
+  throw FileError(path.string() +
+                  ": only profiles in CSV files can be read; this program was built without the component import, "
+                  "which reads meshes.");
 #endif
 }
 

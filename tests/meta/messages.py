@@ -10,12 +10,12 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM, C, KEYS = "src/cli/reports/flag_words.cpp", "src/c/words_of_c.cpp", "src/settings/names.cpp"
+PROGRAM, C, KEYS = "apps/reports/flag_words.cpp", "src/c/words_of_c.cpp", "src/settings/names.cpp"
 SENTENCE, C_HEADERS = "include/hapticut/core/sentence.hpp", "include/hapticut/c/"
 
 # They search messages of other libraries, which have no types.
-OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/io/mesh/assimp.cpp", "src/io/recording/hdf5.cpp",
-             "src/io/volume/itk_volume.cpp", "src/io/volume/tiff_file.cpp", "src/settings/settings_file.cpp"}
+OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/import/mesh/assimp.cpp", "src/io/recording/hdf5.cpp",
+             "src/import/volume/itk_volume.cpp", "src/import/volume/tiff_file.cpp", "src/settings/settings_file.cpp"}
 SEARCHED = re.compile(r"(?:what\(\)\)?|\b(?:reason|message|sentence|said|complaint|failure|missing)_?)"
                       r"\.(?:r?find\w*|starts_with|ends_with|contains|replace|erase)\(|\bstd::w?regex\b")
 MESSAGE = re.compile(r"\b(?:Error|FileError|Failure|UsageError|cannot_read|cannot_write|fail|refuse)\("
@@ -34,8 +34,8 @@ NOT_IN_PYTHON = {"ForceDimensionOptions", "GridImport", "OpenHapticsOptions", "u
 
 
 def sources() -> dict[str, str]:
-    files = [path for folder in ("src", "include", "bindings/python") for path in sorted((ROOT / folder).rglob("*"))
-             if path.suffix in (".hpp", ".cpp", ".inl", ".h", ".py") and "tests" not in path.parts[len(ROOT.parts):]]
+    files = [path for folder in ("src", "include", "drivers", "apps", "bindings/python") for path in sorted((ROOT / folder).rglob("*"))
+             if path.suffix in (".hpp", ".cpp", ".inl", ".h", ".py") and not {"tests", "node_modules"} & set(path.parts[len(ROOT.parts):])]
     return {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for path in files}
 
 
@@ -69,11 +69,11 @@ def check_code(code: dict[str, str]) -> tuple[set[str], set[str], list[str]]:
 def main() -> int:
     code = sources()
     names, subjects, mistakes = check_code(code)
-    headers = [text for path, text in code.items() if path.startswith("include")]
+    headers = [text for path, text in code.items() if "include/" in path]
     in_headers = set().union(*map(words_in, headers))
     in_python = words_in("".join(text for path, text in code.items() if path.startswith("bindings")))
     settings = "".join(text for path, text in code.items()
-                       if path.startswith(("src/settings", "src/cli")) and path not in (KEYS, PROGRAM))
+                       if path.startswith(("src/settings", "apps")) and path not in (KEYS, PROGRAM))
     program, c, scopes_of_c, keys = (pairs(code[path], table) for path, table in
                                      ((PROGRAM, "kWords"), (C, "kWords"), (C, "kScopes"), (KEYS, "kKeys")))
 

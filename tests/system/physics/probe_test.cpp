@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "support/cutting.hpp"
+#include "experiments/setup/cutting.hpp"
 #include "support/scenes.hpp"
 
 namespace hapticut::probe_test {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "experiments/setup/cutting.hpp"
 #include "hapticut/simulation/coupling.hpp"
-#include "support/cutting.hpp"
 
 namespace hapticut::removed_list_test {
 namespace {
