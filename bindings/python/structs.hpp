@@ -38,10 +38,13 @@ inline std::string doc_of_field(const std::string& text, const std::string& scop
   return text.empty() ? doc_of_field(scope, name) : text;
 }
 
-/// The description of a field, followed by the comment of the header if there is one: "[m] >= 0 from Ho to To".
+/// The comment of a field, with shape and range behind its unit: "[m] (3,) from Ho to To".
 template <class S, class T>
 std::string doc_of_described(const hapticut::Field<S, T>& field, const std::string& scope) {
   std::string text = *field.unit != '\0' ? "[" + std::string(field.unit) + "]" : "";
+  std::string comment = doc_of_field(scope, field.name);
+  if (comment.empty()) comment = field.text;
+  if (!text.empty() && comment.starts_with(text + " ")) comment.erase(0, text.size() + 1);
   const auto add = [&text](const std::string& words) {
     if (!text.empty() && !words.empty()) text += ' ';
     text += words;
@@ -50,9 +53,8 @@ std::string doc_of_described(const hapticut::Field<S, T>& field, const std::stri
   if constexpr (std::is_same_v<T, Pose>) add("(4, 4)");
   if constexpr (std::is_same_v<T, Twist>) add("(6,)");
   add(field.range.short_text());
-  add(field.text);
-  const std::string more = doc_of_field(scope, field.name);
-  return more.empty() ? text : text + "\n\n" + more;
+  add(comment);
+  return text;
 }
 
 /// "Name(first=1, second=2)".

@@ -14,17 +14,17 @@ using ModelFactory = std::function<ForceModel(double stiffness)>;
 
 /// Start and criteria of a search for a stability limit.
 struct StabilitySearch {
-  Pose start;
-  Pose target;
-  double settle = 0;
-  double nudge = 1e-4;
-  double window = 1;
-  int windows = 4;
-  double low = 5;
-  double high = 1e6;
-  double coarse_factor = 1.15;
-  double tolerance = 1e-3;
-  double forgotten = 1e-9;
+  Pose start;                   ///< X_BS at rest
+  Pose target;                  ///< set point of the hand
+  double settle = 0;            ///< [s] time before the nudge
+  double nudge = 1e-4;          ///< [m/s] speed along -z, small enough that the model responds linearly
+  double window = 1;            ///< [s] longer than a period of the slowest mode
+  int windows = 4;              ///< [1] a loop is unstable if its swing grows from the second last window to the last
+  double low = 5;               ///< [N/m] lower end of the search; another unit for another parameter
+  double high = 1e6;            ///< [N/m] upper end of the search, above low
+  double coarse_factor = 1.15;  ///< [1] step of the scan for the first unstable value
+  double tolerance = 1e-3;      ///< [1] relative, of the result
+  double forgotten = 1e-9;      ///< [1] remaining fraction of the nudge at which the search stops waiting
 };
 
 constexpr auto fields_of(Of<StabilitySearch>) {
@@ -33,15 +33,16 @@ constexpr auto fields_of(Of<StabilitySearch>) {
   return std::tuple{
       field("start", &S::start, "X_BS at rest"),
       field("target", &S::target, "set point of the hand"),
-      field("settle", &S::settle, "s", kDuration, "before the nudge"),
-      field("nudge", &S::nudge, "m/s", Range::positive(), "along -z, small enough that the model responds linearly"),
+      field("settle", &S::settle, "s", kDuration, "time before the nudge"),
+      field("nudge", &S::nudge, "m/s", Range::positive(),
+            "speed along -z, small enough that the model responds linearly"),
       field("window", &S::window, "s", {0, 1e4, true, false}, "longer than a period of the slowest mode"),
       field("windows", &S::windows, "1", Range::between(1, 1e6),
             "a loop is unstable if its swing grows from the second last window to the last"),
       field("low", &S::low, "N/m", Range::positive(), "lower end of the search; another unit for another parameter"),
       field("high", &S::high, "N/m", Range::positive(), "upper end of the search, above low"),
       field("coarse_factor", &S::coarse_factor, "1", Range::between(1.001, 10),
-            "of the scan for the first unstable value"),
+            "step of the scan for the first unstable value"),
       field("tolerance", &S::tolerance, "1", Range::between(1e-9, 1), "relative, of the result"),
       field("forgotten", &S::forgotten, "1", Range::between(0, 1),
             "remaining fraction of the nudge at which the search stops waiting"),
@@ -74,17 +75,17 @@ struct Bounce {
 /// A bounce test: the device flies along -z into the surface z = `height` at a given speed, with `phases` different
 /// times of entry between two ticks.
 struct BounceTest {
-  double height = 0;
-  double speed = 0.1;
-  int phases = 40;
-  double time_limit = 0.4;
+  double height = 0;        ///< [m] height of the surface
+  double speed = 0.1;       ///< [m/s] speed along -z
+  int phases = 40;          ///< [1] number of flights
+  double time_limit = 0.4;  ///< [s] end of a flight
 };
 
 constexpr auto fields_of(Of<BounceTest>) {
   using T = BounceTest;
   return std::tuple{
-      field("height", &T::height, "m", Range::between(-10, 10), "of the surface"),
-      field("speed", &T::speed, "m/s", {0, 100, true, false}, "along -z"),
+      field("height", &T::height, "m", Range::between(-10, 10), "height of the surface"),
+      field("speed", &T::speed, "m/s", {0, 100, true, false}, "speed along -z"),
       field("phases", &T::phases, "1", Range::between(1, 100000), "number of flights"),
       field("time_limit", &T::time_limit, "s", {0, 1e4, true, false}, "end of a flight"),
   };
@@ -107,24 +108,25 @@ struct Buzz {
 
 /// A press test: the hand flies in, and then its target is `depth` below the surface z = `height`.
 struct PressTest {
-  double height = 0;
-  double depth = 0.010;
-  double speed = 0.05;
-  double approach = 0;
-  double seconds = 4;
-  double measured = 1;
+  double height = 0;     ///< [m] height of the surface
+  double depth = 0.010;  ///< [m] depth of the hand's target below the surface
+  double speed = 0.05;   ///< [m/s] speed of the approach
+  double approach = 0;   ///< [s] that the hand waits 2 mm above the surface before it presses; at most seconds
+  double seconds = 4;    ///< [s] duration of the run
+  double measured = 1;   ///< [s] time at the end of the run that is measured; at most seconds
 };
 
 constexpr auto fields_of(Of<PressTest>) {
   using T = PressTest;
   return std::tuple{
-      field("height", &T::height, "m", Range::between(-10, 10), "of the surface"),
-      field("depth", &T::depth, "m", Range::between(0, 10), "of the hand's target below the surface"),
-      field("speed", &T::speed, "m/s", Range::between(0, 100), "of the approach"),
+      field("height", &T::height, "m", Range::between(-10, 10), "height of the surface"),
+      field("depth", &T::depth, "m", Range::between(0, 10), "depth of the hand's target below the surface"),
+      field("speed", &T::speed, "m/s", Range::between(0, 100), "speed of the approach"),
       field("approach", &T::approach, "s", Range::between(0, 1e4),
             "that the hand waits 2 mm above the surface before it presses; at most seconds"),
-      field("seconds", &T::seconds, "s", {0, 1e4, true, false}, "of the run"),
-      field("measured", &T::measured, "s", {0, 1e4, true, false}, "at the end of the run; at most seconds"),
+      field("seconds", &T::seconds, "s", {0, 1e4, true, false}, "duration of the run"),
+      field("measured", &T::measured, "s", {0, 1e4, true, false},
+            "time at the end of the run that is measured; at most seconds"),
   };
 }
 

@@ -18,7 +18,7 @@
 /// list of its names:
 ///
 ///     struct Ball {
-///       double radius = 1e-3;
+///       double radius = 1e-3;  ///< [m] to the cutting surface
 ///     };
 ///
 ///     constexpr auto fields_of(Of<Ball>) {
@@ -26,7 +26,8 @@
 ///     }
 ///
 /// Validation, settings files and their help, recordings, .vdb files, and Python with its docstrings read this list;
-/// tests compare the tables of the pages with it. A new field is one member, with its default, and one line.
+/// tests compare the tables of the pages with it. A new field is one member, with its default and its
+/// comment, and one line.
 namespace hapticut {
 
 /// The numbers that a field may have.

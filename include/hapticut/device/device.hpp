@@ -32,31 +32,33 @@ using DeviceCallback = std::function<DeviceCommand(const DeviceState&)>;
 /// Options of a run. `guard.period` is the period of its ticks, for the loop, the guard, the driver and simulated
 /// devices.
 struct RunOptions {
-  double seconds = 0;
-  bool simulated_time = false;
+  double seconds = 0;           ///< [s] device time after which the run ends; 0: it ends when it is stopped
+  bool simulated_time = false;  ///< whether a simulated device runs as fast as the callback allows, with exact periods
+  /// Whether SIGINT, SIGTERM and SIGHUP end the run without force, before they act as usual
   bool stop_on_signals = true;
 
+  /// Whether a crash switches the force off first.
   /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL switch the force off within 0.3 s, then the previous handlers are
   /// called. This is an emergency stop: if the process survives, because its runtime handles the signal (Java, .NET,
   /// Mono), `reset_fault` brings the force back. If the thread of the loop itself crashes, the watchdog switches the
   /// force off, for devices that another thread can reach. Use this in standalone programs only; leave it off inside
   /// another program (Unity, Python). It has no effect in simulated time.
   bool stop_on_crash = false;
-  RealtimeOptions realtime;
-  GuardOptions guard;
+  RealtimeOptions realtime;  ///< scheduling of devices whose loop runs in the thread of the caller
+  GuardOptions guard;        ///< the safety pipeline; it cannot be switched off
 };
 
 constexpr auto fields_of(Of<RunOptions>) {
   using O = RunOptions;
   return std::tuple{
       field("seconds", &O::seconds, "s", Range::not_negative(),
-            "of device time after which the run ends; 0: it ends when it is stopped"),
+            "device time after which the run ends; 0: it ends when it is stopped"),
       field("simulated_time", &O::simulated_time,
             "whether a simulated device runs as fast as the callback allows, with exact periods"),
       field("stop_on_signals", &O::stop_on_signals,
             "whether SIGINT, SIGTERM and SIGHUP end the run without force, before they act as usual"),
       field("stop_on_crash", &O::stop_on_crash, "whether a crash switches the force off first"),
-      field("realtime", &O::realtime, "for devices whose loop runs in the thread of the caller"),
+      field("realtime", &O::realtime, "scheduling of devices whose loop runs in the thread of the caller"),
       field("guard", &O::guard, "the safety pipeline; it cannot be switched off"),
   };
 }

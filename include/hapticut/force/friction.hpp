@@ -20,8 +20,9 @@ namespace hapticut {
 /// combines those of two surfaces. Only a head that stands or nearly stands needs them: a spinning head slides
 /// everywhere, and `Material::cutting_ratio` describes its drag.
 struct DryFriction {
-  double static_friction = 0.3;
-  double dynamic_friction = 0.3;
+  double static_friction = 0.3;   ///< [1] mu_s, not below dynamic_friction
+  double dynamic_friction = 0.3;  ///< [1] mu_d
+  /// [N/m] k_t of the sticking anchor; 0: in proportion to the stiffness along the normals
   double tangential_stiffness = 0;
 };
 

@@ -13,32 +13,36 @@ namespace hapticut {
 
 /// Heat that steps have produced, and where.
 struct HeatPulse {
-  double dt = 0;
+  double dt = 0;  ///< [s] duration of the steps
+  /// [J] heat of cutting, and of springs of cut material; it arises where material was removed
   double cut = 0;
+  /// [J] heat of rubbing and damping, in steps that cut; it also arises where material was removed
   double rubbed_in_cut = 0;
-  double rubbed = 0;
+  double rubbed = 0;  ///< [J] heat of rubbing, damping and dry friction, in steps that cut nothing
+  /// [m] where the head rubs without cutting: the point of its surface opposite to the force, in the last step
   Vec3 p_WQ = Vec3::Zero();
-  double radius = 0;
+  double radius = 0;  ///< [m] radius of the contact there
 };
 
 constexpr auto fields_of(Of<HeatPulse>) {
   return std::tuple{
       field("dt", &HeatPulse::dt, "s", "duration of the steps"),
       field("cut", &HeatPulse::cut, "J",
-            "by cutting, and of springs of cut material; it arises where material was removed"),
+            "heat of cutting, and of springs of cut material; it arises where material was removed"),
       field("rubbed_in_cut", &HeatPulse::rubbed_in_cut, "J",
-            "by rubbing and damping, in steps that cut; it also arises where material was removed"),
-      field("rubbed", &HeatPulse::rubbed, "J", "by rubbing, damping and dry friction, in steps that cut nothing"),
+            "heat of rubbing and damping, in steps that cut; it also arises where material was removed"),
+      field("rubbed", &HeatPulse::rubbed, "J", "heat of rubbing, damping and dry friction, in steps that cut nothing"),
       field("p_WQ", &HeatPulse::p_WQ, "m",
             "where the head rubs without cutting: the point of its surface opposite to the force, in the last step"),
-      field("radius", &HeatPulse::radius, "m", "of the contact there"),
+      field("radius", &HeatPulse::radius, "m", "radius of the contact there"),
   };
 }
 
 /// How heat is collected.
 struct HeatCollectorOptions {
+  /// [1] steps in the queue, 72 bytes each; beyond that several become one, and nothing is lost
   std::size_t pulses = 4096;
-  ChangeFeedOptions blocks;
+  ChangeFeedOptions blocks;  ///< queue of changed blocks
 };
 
 constexpr auto fields_of(Of<HeatCollectorOptions>) {

@@ -17,8 +17,8 @@ class HeatCollector;
 /// How a material stores and conducts heat. The defaults are those of cortical bone; docs/beside-the-step.md lists
 /// those of enamel, dentin and pulp, with their sources.
 struct ThermalProperties {
-  double conductivity = 0.55;
-  double heat_capacity = 2.5e6;
+  double conductivity = 0.55;    ///< [W/(m K)] k
+  double heat_capacity = 2.5e6;  ///< [J/(m^3 K)] rho c, of a volume
 };
 
 constexpr auto fields_of(Of<ThermalProperties>) {
@@ -31,21 +31,26 @@ constexpr auto fields_of(Of<ThermalProperties>) {
 
 /// How heat spreads in a workpiece.
 struct HeatConfig {
-  int voxels_per_cell = 4;
+  int voxels_per_cell = 4;  ///< [1] voxels along an edge of a cell: 1, 2, 4 or 8
 
+  /// [1] part of the energy of cutting that stays in the workpiece.
   /// Assumed, not measured: metal cutting leaves one or two tenths in the workpiece, grinding more than half, and for
   /// burs in bone there is no agreed number. Every rise of temperature is proportional to it. The rest leaves with
   /// chips and tool.
   double cutting_share = 0.2;
+  /// [1] part of the energy of rubbing, damping and dry friction that stays in the workpiece
   double rubbing_share = 0.2;
 
-  ThermalProperties properties;
+  ThermalProperties properties;  ///< properties of materials without an entry in `by_material`
+  /// Properties of the materials in the order of their ids, from 1; may be shorter
   std::vector<ThermalProperties> by_material;
 
-  double body_temperature = 37;
+  double body_temperature = 37;  ///< [deg C] temperature of the workpiece at the beginning
+  /// [W/(m^2 K)] heat transfer to the water, some thousands under a spray; 0: dry, no heat leaves to the air
   double irrigation = 0;
-  double water_temperature = 23;
+  double water_temperature = 23;  ///< [deg C] temperature of the irrigation
 
+  /// [deg C] temperature above which time is counted.
   /// Bone just survives 47 deg C for a minute (Eriksson and Albrektsson, J Prosthet Dent 50, 1983, 101).
   double threshold = 47;
 };
@@ -53,30 +58,33 @@ struct HeatConfig {
 constexpr auto fields_of(Of<HeatConfig>) {
   using C = HeatConfig;
   return std::tuple{
-      field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8), "along an edge: 1, 2, 4 or 8"),
+      field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8),
+            "voxels along an edge of a cell: 1, 2, 4 or 8"),
       field("cutting_share", &C::cutting_share, "1", Range::between(0, 1),
             "part of the energy of cutting that stays in the workpiece"),
       field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
             "part of the energy of rubbing, damping and dry friction that stays in the workpiece"),
-      field("properties", &C::properties, "of materials without an entry in `by_material`"),
-      field("by_material", &C::by_material, "of the materials in the order of their ids, from 1; may be shorter"),
+      field("properties", &C::properties, "properties of materials without an entry in `by_material`"),
+      field("by_material", &C::by_material,
+            "properties of the materials in the order of their ids, from 1; may be shorter"),
       field("body_temperature", &C::body_temperature, "deg C", Range::between(-50, 200),
-            "of the workpiece at the beginning"),
+            "temperature of the workpiece at the beginning"),
       field("irrigation", &C::irrigation, "W/(m^2 K)", Range::not_negative(),
             "heat transfer to the water, some thousands under a spray; 0: dry, no heat leaves to the air"),
-      field("water_temperature", &C::water_temperature, "deg C", Range::between(-50, 200), "of the irrigation"),
+      field("water_temperature", &C::water_temperature, "deg C", Range::between(-50, 200),
+            "temperature of the irrigation"),
       field("threshold", &C::threshold, "deg C", Range::between(-50, 500), "temperature above which time is counted"),
   };
 }
 
 /// Effect of the heat on one material, over the cells that hold any of it. A temperature is the mean of a cell.
 struct StructureHeat {
-  MaterialId material = kEmpty;
-  double temperature = 0;
-  double peak = 0;
-  double time_above = 0;
-  double cem43 = 0;
-  double volume_above = 0;
+  MaterialId material = kEmpty;  ///< [1] its id
+  double temperature = 0;        ///< [deg C] maximum now; body temperature if none of it is left
+  double peak = 0;               ///< [deg C] maximum so far, including removed material
+  double time_above = 0;         ///< [s] time above the threshold, maximum over the remaining cells
+  double cem43 = 0;              ///< [min] cumulative equivalent minutes at 43 deg C, maximum over the remaining cells
+  double volume_above = 0;       ///< [m^3] remaining material that was ever above the threshold
 };
 
 constexpr auto fields_of(Of<StructureHeat>) {
@@ -85,19 +93,19 @@ constexpr auto fields_of(Of<StructureHeat>) {
       field("material", &S::material, "1", "its id"),
       field("temperature", &S::temperature, "deg C", "maximum now; body temperature if none of it is left"),
       field("peak", &S::peak, "deg C", "maximum so far, including removed material"),
-      field("time_above", &S::time_above, "s", "above the threshold, maximum over the remaining cells"),
+      field("time_above", &S::time_above, "s", "time above the threshold, maximum over the remaining cells"),
       field("cem43", &S::cem43, "min", "cumulative equivalent minutes at 43 deg C, maximum over the remaining cells"),
-      field("volume_above", &S::volume_above, "m^3", "of remaining material that was ever above the threshold"),
+      field("volume_above", &S::volume_above, "m^3", "remaining material that was ever above the threshold"),
   };
 }
 
 /// Balance of the heat, in [J] since the beginning. It closes to rounding: heat that was brought in is stored or has
 /// left.
 struct HeatBalance {
-  double brought_in = 0;
-  double stored = 0;
-  double chips = 0;
-  double irrigation = 0;
+  double brought_in = 0;  ///< [J] heat of cutting and rubbing, and of `add_heat`
+  double stored = 0;      ///< [J] heat above body temperature, now; negative where water has cooled the workpiece
+  double chips = 0;       ///< [J] left with removed material, or brought in where no material is left
+  double irrigation = 0;  ///< [J] removed by the water
 
   /// [J] Error of the balance; 0 when it closes.
   [[nodiscard]] double imbalance() const { return brought_in - (stored + chips + irrigation); }
@@ -106,8 +114,9 @@ struct HeatBalance {
 constexpr auto fields_of(Of<HeatBalance>) {
   using B = HeatBalance;
   return std::tuple{
-      field("brought_in", &B::brought_in, "J", "by cutting and rubbing, and by `add_heat`"),
-      field("stored", &B::stored, "J", "above body temperature, now; negative where water has cooled the workpiece"),
+      field("brought_in", &B::brought_in, "J", "heat of cutting and rubbing, and of `add_heat`"),
+      field("stored", &B::stored, "J",
+            "heat above body temperature, now; negative where water has cooled the workpiece"),
       field("chips", &B::chips, "J", "left with removed material, or brought in where no material is left"),
       field("irrigation", &B::irrigation, "J", "removed by the water"),
   };

@@ -17,17 +17,18 @@ namespace hapticut {
 
 /// Options for the removal of pieces that were cut loose.
 struct IslandWatchOptions {
-  IslandOptions islands;
-  double period = 0.01;
+  IslandOptions islands;  ///< definition of an island
+  double period = 0.01;   ///< [s] time between two searches
+  /// [blocks] maximum number of an island's blocks that a tick checks or removes; 1 us each
   std::size_t blocks_per_tick = 16;
-  ChangeFeedOptions blocks;
+  ChangeFeedOptions blocks;  ///< queue of changed blocks, to the search
 };
 
 constexpr auto fields_of(Of<IslandWatchOptions>) {
   using O = IslandWatchOptions;
   return std::tuple{
       field("islands", &O::islands, "definition of an island"),
-      field("period", &O::period, "s", Range::between(1e-4, 10), "between two searches"),
+      field("period", &O::period, "s", Range::between(1e-4, 10), "time between two searches"),
       field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::positive(),
             "maximum number of an island's blocks that a tick checks or removes; 1 us each"),
       field("blocks", &O::blocks, "queue of changed blocks, to the search"),

@@ -20,7 +20,8 @@ namespace hapticut {
 
 /// Definition of an island.
 struct IslandOptions {
-  double min_fill = 0.05;
+  double min_fill = 0.05;  ///< [1] voxels with less fill join nothing; those that touch an island are removed with it
+  /// [m] in W: pieces joined to a voxel centred in this box stay; empty: the largest piece stays
   std::optional<Box> fixed;
 };
 

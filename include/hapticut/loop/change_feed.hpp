@@ -14,14 +14,15 @@ namespace hapticut {
 
 /// How changed blocks are sent to another thread.
 struct ChangeFeedOptions {
-  std::size_t block_capacity = 256;
-  std::size_t blocks_per_step = 16;
+  std::size_t block_capacity = 256;  ///< [blocks] length of the queue; 2.6 kB a block
+  std::size_t blocks_per_step = 16;  ///< [blocks] sent per step at most; 0.5 us each
 };
 
 constexpr auto fields_of(Of<ChangeFeedOptions>) {
   using O = ChangeFeedOptions;
   return std::tuple{
-      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "of the queue; 2.6 kB each"),
+      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6),
+            "length of the queue; 2.6 kB a block"),
       field("blocks_per_step", &O::blocks_per_step, "blocks", Range::positive(), "sent per step at most; 0.5 us each"),
   };
 }

@@ -36,7 +36,7 @@ constexpr auto fields_of(Of<Word>) { return std::tuple{}; }
 
 /// Sets the spindle's speed while there is a force.
 struct SetSpindleSpeed {
-  AngularSpeed speed = {};
+  AngularSpeed speed = {};  ///< [rad/s] 0: the spindle stands
 };
 
 constexpr auto fields_of(Of<SetSpindleSpeed>) {
@@ -52,7 +52,7 @@ struct CloseClutch {};
 
 /// Sets how far the tool moves with the hand.
 struct SetScale {
-  double scale = 1;
+  double scale = 1;  ///< [1] distance in the world per distance of the hand
 };
 
 constexpr auto fields_of(Of<SetScale>) {
@@ -73,14 +73,14 @@ struct Redo {};
 /// hand cannot feel. After `hold` = false the hand feels the contact again once the tool was free. An exchange or an
 /// undo ends the hold.
 struct HoldForce {
-  bool hold = true;
+  bool hold = true;  ///< false: end the hold
 };
 
 constexpr auto fields_of(Of<HoldForce>) { return std::tuple{field("hold", &HoldForce::hold, "false: end the hold")}; }
 
 /// Sets whether and how material is removed.
 struct SetRemoval {
-  RemovalLaw removal = RemovalLaw::none;
+  RemovalLaw removal = RemovalLaw::none;  ///< none: the spindle cuts nothing
 };
 
 constexpr auto fields_of(Of<SetRemoval>) {
@@ -89,7 +89,7 @@ constexpr auto fields_of(Of<SetRemoval>) {
 
 /// Sets which components of the force are on: Effects::enabled.
 struct SetForceMask {
-  AxisMask enabled;
+  AxisMask enabled;  ///< the new value
 };
 
 constexpr auto fields_of(Of<SetForceMask>) {
@@ -98,7 +98,7 @@ constexpr auto fields_of(Of<SetForceMask>) {
 
 /// Sets the dry friction: see SimulationConfig::friction.
 struct SetFriction {
-  std::optional<DryFriction> friction;
+  std::optional<DryFriction> friction;  ///< empty: the friction of each material
 };
 
 constexpr auto fields_of(Of<SetFriction>) {
@@ -107,7 +107,7 @@ constexpr auto fields_of(Of<SetFriction>) {
 
 /// Sets the effects that are added to the force, and its limits.
 struct SetEffects {
-  Effects effects;
+  Effects effects;  ///< the new value
 };
 
 constexpr auto fields_of(Of<SetEffects>) { return std::tuple{field("effects", &SetEffects::effects, "the new value")}; }

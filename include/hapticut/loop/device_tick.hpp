@@ -8,15 +8,15 @@ namespace hapticut {
 
 /// The device data of a step.
 struct DeviceTick {
-  DeviceState state;
-  DeviceOutput output;
-  ArmingState arming = ArmingState::off;
+  DeviceState state;                      ///< the reading that led to the step, as admitted by the guard
+  DeviceOutput output;                    ///< output of the device until the step
+  ArmingState arming = ArmingState::off;  ///< state of the guard until the step
 };
 
 constexpr auto fields_of(Of<DeviceTick>) {
   return std::tuple{
       field("state", &DeviceTick::state, "the reading that led to the step, as admitted by the guard"),
-      field("output", &DeviceTick::output, "of the device until the step"),
+      field("output", &DeviceTick::output, "output of the device until the step"),
       field("arming", &DeviceTick::arming, "state of the guard until the step"),
   };
 }

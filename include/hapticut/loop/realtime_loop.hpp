@@ -42,10 +42,10 @@ class LoopModel {
 
 /// Options of a loop.
 struct RealtimeLoopOptions {
-  RunOptions run;
-  IndexBox region;
-  std::size_t block_capacity = 256;
-  std::size_t blocks_per_tick = 16;
+  RunOptions run;                    ///< the run of the device
+  IndexBox region;                   ///< voxels whose changes are sent; empty: no changes are sent
+  std::size_t block_capacity = 256;  ///< [blocks] length of the queue
+  std::size_t blocks_per_tick = 16;  ///< [blocks] sent per tick at most
 };
 
 constexpr auto fields_of(Of<RealtimeLoopOptions>) {
@@ -53,7 +53,7 @@ constexpr auto fields_of(Of<RealtimeLoopOptions>) {
   return std::tuple{
       field("run", &O::run, "the run of the device"),
       field("region", &O::region, "voxels whose changes are sent; empty: no changes are sent"),
-      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "of the queue"),
+      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "length of the queue"),
       field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::not_negative(), "sent per tick at most"),
   };
 }

@@ -15,28 +15,33 @@ namespace hapticut {
 
 /// How a device drives a simulation.
 struct SimulationModelOptions {
-  WorkspaceMapOptions map;
+  WorkspaceMapOptions map;  ///< map from the device's base to the world
 
+  /// Gains of the coupling between hand and tool; empty: the contact drives the device directly.
   /// The gains are those at the device; `gains_in_world` converts them. Without a coupling, the contact must not be
   /// stiffer than the device can render (`stiffness_for_device`).
   std::optional<CouplingGains> coupling;
 
+  /// Whether the spindle stands while the guard holds the force back, and afterwards until the tool has touched
+  /// nothing.
   /// Then nothing is cut that the hand cannot feel, and a tool that is inside the material at the start does not cut
   /// its way out.
   bool spindle_needs_force = true;
 
+  /// [1] button of the device that must be pressed for the spindle to run; -1: the spindle runs without a button.
   /// For example the foot pedal of a handpiece, or a button of the stylus.
   int pedal = -1;
 
+  /// [blocks] that may be cut after all undo marks together; 0: no undo.
   /// 2.7 kB each, for undo and redo: see Workpiece::reserve_undo.
   std::size_t undo_blocks = 0;
-  std::size_t undo_blocks_per_tick = 64;
+  std::size_t undo_blocks_per_tick = 64;  ///< [blocks] restored per tick of an undo or redo at most; 0.5 us each
 };
 
 constexpr auto fields_of(Of<SimulationModelOptions>) {
   using O = SimulationModelOptions;
   return std::tuple{
-      field("map", &O::map, "from the device's base to the world"),
+      field("map", &O::map, "map from the device's base to the world"),
       field("coupling", &O::coupling,
             "gains of the coupling between hand and tool; empty: the contact drives the device directly"),
       field(

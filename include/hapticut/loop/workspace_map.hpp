@@ -9,12 +9,12 @@ namespace hapticut {
 
 /// How the device's workspace maps to the world.
 struct WorkspaceMapOptions {
-  Pose X_WB;
-  double scale = 1;
-  double force_scale = 1;
-  double torque_scale = 1;
-  Pose X_SH;
-  bool orientation = true;
+  Pose X_WB;                ///< pose of the device's base in the world
+  double scale = 1;         ///< [1] metres in the world per metre of the hand
+  double force_scale = 1;   ///< [1] newtons at the hand per newton in the world; a value equal to scale preserves power
+  double torque_scale = 1;  ///< [1] torque at the hand per torque in the world; 1 preserves power
+  Pose X_SH;                ///< pose of the tool's handle in the stylus frame; its translation is not scaled
+  bool orientation = true;  ///< whether the tool rotates with the hand; false for devices of three degrees of freedom
 };
 
 constexpr auto fields_of(Of<WorkspaceMapOptions>) {

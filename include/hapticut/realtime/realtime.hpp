@@ -13,23 +13,24 @@ namespace hapticut {
 
 /// How a thread is prepared for a 1 kHz loop.
 struct RealtimeOptions {
-  int priority = 80;
-  bool lock_memory = true;
-  bool flush_denormals = true;
-  int cpu = -1;
-  std::size_t stack = 256 * 1024;
+  int priority = 80;               ///< [1] priority of SCHED_FIFO; 0: do not change the scheduler
+  bool lock_memory = true;         ///< whether to lock the process in memory and to keep malloc from returning memory
+  bool flush_denormals = true;     ///< whether numbers below 1e-308 count as zero; they are slow and irrelevant here
+  int cpu = -1;                    ///< [1] the only processor that the thread may use; -1: any
+  std::size_t stack = 256 * 1024;  ///< [bytes] length of the stack, touched in advance
 };
 
 constexpr auto fields_of(Of<RealtimeOptions>) {
   using O = RealtimeOptions;
   return std::tuple{
-      field("priority", &O::priority, "1", Range::between(0, 99), "of SCHED_FIFO; 0: do not change the scheduler"),
+      field("priority", &O::priority, "1", Range::between(0, 99),
+            "priority of SCHED_FIFO; 0: do not change the scheduler"),
       field("lock_memory", &O::lock_memory,
             "whether to lock the process in memory and to keep malloc from returning memory"),
       field("flush_denormals", &O::flush_denormals,
             "whether numbers below 1e-308 count as zero; they are slow and irrelevant here"),
       field("cpu", &O::cpu, "1", Range::between(-1, 1023), "the only processor that the thread may use; -1: any"),
-      field("stack", &O::stack, "bytes", Range::between(0, 4 * 1024 * 1024), "of the stack, touched in advance"),
+      field("stack", &O::stack, "bytes", Range::between(0, 4 * 1024 * 1024), "length of the stack, touched in advance"),
   };
 }
 

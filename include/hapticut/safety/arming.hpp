@@ -35,11 +35,14 @@ constexpr auto names_of(Of<ArmingState>) {
 
 /// When a force is allowed, and how it begins.
 struct ArmingOptions {
+  /// [ticks] accepted readings, at least a third of all, after which the device counts as ready
   int valid_ticks = 10;
+  /// [N] force below which the tool counts as free, if the model does not report whether it touches anything
   double free_force = 0.2;
-  double free_torque = 0.02;
-  int free_ticks = 4;
-  double ramp = 1.5;
+  double free_torque = 0.02;  ///< [N m] torque below which the tool counts as free, under the same condition
+  int free_ticks = 4;         ///< [ticks] ticks in a row for which the tool must be free
+  double ramp = 1.5;          ///< [s] duration of the fade-in of the first force
+  /// [s] duration of the fade-in after a late tick, a clutch or another announced interruption
   double short_ramp = 0.25;
 };
 

@@ -19,38 +19,38 @@ namespace hapticut {
 /// What a device can measure and render. Zero means that the device cannot do it, or that its driver does not report
 /// it; the documentation of the adapter says which.
 struct DeviceCapabilities {
-  std::string model;
-  std::string vendor;
-  std::string serial_number;
-  std::string driver_version;
+  std::string model;           ///< name of the model, as the driver spells it
+  std::string vendor;          ///< name of the maker, as the driver spells it
+  std::string serial_number;   ///< serial number, as the driver spells it
+  std::string driver_version;  ///< version of the driver, as the driver spells it
 
-  int input_degrees_of_freedom = 6;
-  int output_degrees_of_freedom = 0;
+  int input_degrees_of_freedom = 6;   ///< [1] 3: position, 6: position and orientation
+  int output_degrees_of_freedom = 0;  ///< [1] 0: no force, 3: force, 6: force and torque
 
-  double peak_force = 0;
-  double continuous_force = 0;
-  double peak_torque = 0;
-  double continuous_torque = 0;
-  double stiffness = 0;
-  double rotational_stiffness = 0;
-  double damping = 0;
-  double position_resolution = 0;
+  double peak_force = 0;            ///< [N] largest that the motors can produce
+  double continuous_force = 0;      ///< [N] largest that the motors can hold without overheating
+  double peak_torque = 0;           ///< [N m] largest that the motors can produce
+  double continuous_torque = 0;     ///< [N m] largest that the motors can hold without overheating
+  double stiffness = 0;             ///< [N/m] largest that the maker guarantees to be stable
+  double rotational_stiffness = 0;  ///< [N m/rad] largest that the maker guarantees to be stable
+  double damping = 0;               ///< [N s/m] largest that the maker guarantees to be stable
+  double position_resolution = 0;   ///< [m] resolution of the device's sensors
 
-  Vec3 workspace_low = Vec3::Zero();
-  Vec3 workspace_high = Vec3::Zero();
+  Vec3 workspace_low = Vec3::Zero();   ///< [m] corner of the largest box the stylus can reach, in B
+  Vec3 workspace_high = Vec3::Zero();  ///< [m] the opposite corner; equal to workspace_low when unknown
 
-  double rate = 1000;
-  bool hard_realtime = true;
-  bool simulated = false;
+  double rate = 1000;         ///< [Hz] rate of the device's servo loop
+  bool hard_realtime = true;  ///< false if the transport guarantees no timing (TCP, a window toolkit)
+  bool simulated = false;     ///< its hand does not tremble, so a position may stand while the stylus rotates
 };
 
 constexpr auto fields_of(Of<DeviceCapabilities>) {
   using C = DeviceCapabilities;
   return std::tuple{
-      field("model", &C::model, "as the driver spells it"),
-      field("vendor", &C::vendor, "as the driver spells it"),
-      field("serial_number", &C::serial_number, "as the driver spells it"),
-      field("driver_version", &C::driver_version, "as the driver spells it"),
+      field("model", &C::model, "name of the model, as the driver spells it"),
+      field("vendor", &C::vendor, "name of the maker, as the driver spells it"),
+      field("serial_number", &C::serial_number, "serial number, as the driver spells it"),
+      field("driver_version", &C::driver_version, "version of the driver, as the driver spells it"),
       field("input_degrees_of_freedom", &C::input_degrees_of_freedom, "1", "3: position, 6: position and orientation"),
       field("output_degrees_of_freedom", &C::output_degrees_of_freedom, "1",
             "0: no force, 3: force, 6: force and torque"),
@@ -62,10 +62,10 @@ constexpr auto fields_of(Of<DeviceCapabilities>) {
       field("rotational_stiffness", &C::rotational_stiffness, "N m/rad",
             "largest that the maker guarantees to be stable"),
       field("damping", &C::damping, "N s/m", "largest that the maker guarantees to be stable"),
-      field("position_resolution", &C::position_resolution, "m", "of its sensors"),
+      field("position_resolution", &C::position_resolution, "m", "resolution of the device's sensors"),
       field("workspace_low", &C::workspace_low, "m", "corner of the largest box the stylus can reach, in B"),
       field("workspace_high", &C::workspace_high, "m", "the opposite corner; equal to workspace_low when unknown"),
-      field("rate", &C::rate, "Hz", "of its servo loop"),
+      field("rate", &C::rate, "Hz", "rate of the device's servo loop"),
       field("hard_realtime", &C::hard_realtime, "false if the transport guarantees no timing (TCP, a window toolkit)"),
       field("simulated", &C::simulated, "its hand does not tremble, so a position may stand while the stylus rotates"),
   };
@@ -105,15 +105,19 @@ constexpr auto names_of(Of<DeviceFault>) {
 
 /// One reading of a device.
 struct DeviceState {
-  Pose X_BS;
+  Pose X_BS;  ///< pose of the stylus in the base
+  /// Velocity of the stylus point, in B; a smoothed and therefore delayed estimate
   Twist velocity;
-  std::uint32_t buttons = 0;
-  double time = 0;
+  std::uint32_t buttons = 0;  ///< [1] bit n: button n is pressed
+  double time = 0;            ///< [s] time of the reading since the run began, by the clock of the device
+  /// [1] grows by one with every new reading; an unchanged number means an unchanged reading
   std::uint64_t sequence = 0;
+  /// [1] changes when earlier and later poses cannot be compared: calibration, reconnection
   std::uint32_t epoch = 0;
+  /// [1] temperature of the hottest motor, 0 cold ... 1 too hot; 0 when not measured
   double temperature = 0;
-  bool valid = true;
-  DeviceFault fault = DeviceFault::none;
+  bool valid = true;                      ///< false: the pose is meaningless
+  DeviceFault fault = DeviceFault::none;  ///< why the reading cannot be trusted, or why the device cannot be driven
 
   [[nodiscard]] bool pressed(int button) const { return ((buttons >> unsigned(button)) & 1U) != 0; }
 };
@@ -122,14 +126,15 @@ constexpr auto fields_of(Of<DeviceState>) {
   using S = DeviceState;
   return std::tuple{
       field("X_BS", &S::X_BS, "pose of the stylus in the base"),
-      field("velocity", &S::velocity, "of the stylus point, in B; a smoothed and therefore delayed estimate"),
+      field("velocity", &S::velocity, "velocity of the stylus point, in B; a smoothed and therefore delayed estimate"),
       field("buttons", &S::buttons, "1", "bit n: button n is pressed"),
-      field("time", &S::time, "s", "of the reading since the run began, by the clock of the device"),
+      field("time", &S::time, "s", "time of the reading since the run began, by the clock of the device"),
       field("sequence", &S::sequence, "1",
             "grows by one with every new reading; an unchanged number means an unchanged reading"),
       field("epoch", &S::epoch, "1",
             "changes when earlier and later poses cannot be compared: calibration, reconnection"),
-      field("temperature", &S::temperature, "1", "of the hottest motor, 0 cold ... 1 too hot; 0 when not measured"),
+      field("temperature", &S::temperature, "1",
+            "temperature of the hottest motor, 0 cold ... 1 too hot; 0 when not measured"),
       field("valid", &S::valid, "false: the pose is meaningless"),
       field("fault", &S::fault, "why the reading cannot be trusted, or why the device cannot be driven"),
   };
@@ -138,9 +143,16 @@ constexpr auto fields_of(Of<DeviceState>) {
 /// What the code that computes a force knows about the contact that causes it. The guard uses it; for fields that are
 /// empty, the guard judges by the force alone.
 struct ModelContact {
+  /// Whether the tool touches anything; empty: not known, and a force below ArmingOptions::free_force counts as no
+  /// contact
   std::optional<bool> touching;
+  /// [N], [N m] the part of the wrench that does not come from contact, such as weight and vibration, in B
   Wrench effects;
+  /// [J] energy at the hand that contact and coupling can return; empty: not known, and the guard forgets no energy
+  /// while the force lasts
   std::optional<double> stored;
+  /// [J] energy at the hand that the tool's motor supplied in this tick; empty: not known. If it is known, so is all
+  /// energy that the hand may get, and force that would push the hand beyond that is removed
   std::optional<double> motor = {};
 };
 
@@ -214,9 +226,9 @@ constexpr OutputChange& operator|=(OutputChange& a, OutputChange b) { return a =
 
 /// The two sides of the last tick's output.
 struct DeviceOutput {
-  Wrench commanded;
-  Wrench applied;
-  OutputChange changes = OutputChange::none;
+  Wrench commanded;                           ///< wrench that the user's code asked for
+  Wrench applied;                             ///< wrench that the motors got
+  OutputChange changes = OutputChange::none;  ///< why they differ; bits of OutputChange
 };
 
 constexpr auto fields_of(Of<DeviceOutput>) {

@@ -22,22 +22,28 @@ namespace hapticut {
 
 /// The settings of all stages of the safety pipeline. The defaults follow from the capabilities of the device.
 struct GuardOptions {
-  PoseGateOptions gate;
-  ArmingOptions arming;
-  PassivityOptions passivity;
-  ThermalOptions thermal;
-  WatchdogOptions watchdog;
+  PoseGateOptions gate;        ///< which readings are plausible
+  ArmingOptions arming;        ///< when a force is allowed, and how it begins
+  PassivityOptions passivity;  ///< how much energy the model may put into the hand
+  ThermalOptions thermal;      ///< when the motors count as too warm
+  WatchdogOptions watchdog;    ///< how long a force may last without a new one
 
-  double period = 1e-3;
-  double max_force = 0;
-  double max_torque = 0;
+  double period = 1e-3;   ///< [s] period of the ticks of loop, guard, watchdog, driver and simulated devices
+  double max_force = 0;   ///< [N] largest output, at most the device's peak; 0: the device's peak
+  double max_torque = 0;  ///< [N m] largest output, at most the device's peak; 0: the device's peak
+  /// [N/s] limit of the force's growth, at least 1.25 x stiffness x max_contact_speed; 0: that minimum
   double slew = 0;
+  /// [N m/s] limit of the torque's growth; 0: the torque reaches its peak in the same time as the force
   double torque_slew = 0;
+  /// [N/m] stiffness of the contact at the device, scales included; 0: what the device promises
   double stiffness = 0;
-  double max_contact_speed = 0.5;
+  double max_contact_speed = 0.5;  ///< [m/s] largest speed at which the tool meets a surface
+  /// [N s/m] damping while the force fades in; < 0: a fifth of what the device promises
   double ramp_damping = -1;
+  /// [s] delay of a tick after which the tool must be free again before there is a force
   double late = 5e-3;
-  double pause = 20e-3;
+  double pause = 20e-3;  ///< [s] delay of a tick after which the long fade-in follows as well; not below late
+  /// [ticks] ticks in a row with a wrench that is not finite, after which the guard enters the fault state
   int not_finite_ticks = 3;
 };
 
@@ -50,26 +56,27 @@ constexpr auto fields_of(Of<GuardOptions>) {
       field("thermal", &O::thermal, "when the motors count as too warm"),
       field("watchdog", &O::watchdog, "how long a force may last without a new one"),
       field("period", &O::period, "s", Range::positive(),
-            "of the ticks of loop, guard, watchdog, driver and simulated devices"),
+            "period of the ticks of loop, guard, watchdog, driver and simulated devices"),
       field("max_force", &O::max_force, "N", Range::not_negative(),
-            "of the output, at most the device's peak; 0: the device's peak"),
+            "largest output, at most the device's peak; 0: the device's peak"),
       field("max_torque", &O::max_torque, "N m", Range::not_negative(),
-            "of the output, at most the device's peak; 0: the device's peak"),
+            "largest output, at most the device's peak; 0: the device's peak"),
       field("slew", &O::slew, "N/s", Range::not_negative(),
             "limit of the force's growth, at least 1.25 x stiffness x max_contact_speed; 0: that minimum"),
       field("torque_slew", &O::torque_slew, "N m/s", Range::not_negative(),
             "limit of the torque's growth; 0: the torque reaches its peak in the same time as the force"),
       field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
-            "of the contact at the device, scales included; 0: what the device promises"),
-      field("max_contact_speed", &O::max_contact_speed, "m/s", Range::positive(), "at which the tool meets a surface"),
+            "stiffness of the contact at the device, scales included; 0: what the device promises"),
+      field("max_contact_speed", &O::max_contact_speed, "m/s", Range::positive(),
+            "largest speed at which the tool meets a surface"),
       field("ramp_damping", &O::ramp_damping, "N s/m",
-            "while the force fades in; < 0: a fifth of what the device promises"),
+            "damping while the force fades in; < 0: a fifth of what the device promises"),
       field("late", &O::late, "s", Range::between(0, 1),
             "delay of a tick after which the tool must be free again before there is a force"),
       field("pause", &O::pause, "s", Range::between(0, 10),
             "delay of a tick after which the long fade-in follows as well; not below late"),
       field("not_finite_ticks", &O::not_finite_ticks, "ticks", Range::between(1, 50),
-            "in a row with a wrench that is not finite, after which the guard enters the fault state"),
+            "ticks in a row with a wrench that is not finite, after which the guard enters the fault state"),
   };
 }
 

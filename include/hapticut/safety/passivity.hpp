@@ -13,22 +13,26 @@ namespace hapticut {
 /// Settings of the passivity controller. They apply to torques and rotations as well, which a lever converts to forces
 /// and distances (PassivityController).
 struct PassivityOptions {
-  bool enabled = true;
+  bool enabled = true;  ///< whether the controller watches and damps
+  /// [J] limit of the absorbed energy that the model may return later; 0: the energy that the model reports as stored,
+  /// or no limit
   double credit = 0;
-  double allowance = 0;
+  double allowance = 0;  ///< [J] energy that the model may generate, for a device whose own friction absorbs it
 
+  /// [N/m] stiffness of the stiffest contact that counts as passive; 0: that which the device renders.
   /// Holding the force of a passive spring between ticks returns energy, k |dx|^2/2 per tick, or 1 + 2 delay times as
   /// much with `delay`. The controller tolerates this energy. SafetyGuard fills in the stiffness that the device
   /// renders.
   double stiffness = 0;
-  double max_force = 0;
+  double max_force = 0;  ///< [N] limit of the damping force; 0: the device's peak
 
+  /// [N s/m] limit of the damping; 0: no limit.
   /// Without a bound, the smallest motion could cause any force. SafetyGuard fills in the damping that the device can
   /// render.
   double max_damping = 0;
-  double min_speed = 1e-6;
-  double free = 1e-3;
-  int delay = 0;
+  double min_speed = 1e-6;  ///< [m/s] speed below which nothing is damped
+  double free = 1e-3;       ///< [N] force below which the contact counts as free
+  int delay = 0;            ///< [ticks] delay between writing a force and its effect, beyond the hold
 };
 
 constexpr auto fields_of(Of<PassivityOptions>) {
@@ -41,13 +45,13 @@ constexpr auto fields_of(Of<PassivityOptions>) {
       field("allowance", &O::allowance, "J", Range::not_negative(),
             "energy that the model may generate, for a device whose own friction absorbs it"),
       field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
-            "of the stiffest contact that counts as passive; 0: that which the device renders"),
+            "stiffness of the stiffest contact that counts as passive; 0: that which the device renders"),
       field("max_force", &O::max_force, "N", Range::not_negative(), "limit of the damping force; 0: the device's peak"),
       field("max_damping", &O::max_damping, "N s/m", Range::not_negative(), "limit of the damping; 0: no limit"),
       field("min_speed", &O::min_speed, "m/s", Range::positive(), "speed below which nothing is damped"),
       field("free", &O::free, "N", Range::not_negative(), "force below which the contact counts as free"),
       field("delay", &O::delay, "ticks", Range::between(0, 8),
-            "between writing a force and its effect, beyond the hold"),
+            "delay between writing a force and its effect, beyond the hold"),
   };
 }
 

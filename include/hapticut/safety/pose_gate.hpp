@@ -11,25 +11,29 @@ namespace hapticut {
 
 /// Limits of a plausible reading.
 struct PoseGateOptions {
-  double max_speed = 2.0;
-  double max_angular_speed = 30;
-  double workspace_margin = 0.05;
+  double max_speed = 2.0;          ///< [m/s] largest speed of the hand; with a stylus it reaches 1 to 2
+  double max_angular_speed = 30;   ///< [rad/s] largest angular speed of the hand
+  double workspace_margin = 0.05;  ///< [m] around the device's own workspace that still counts as plausible
+  /// [1] largest error of the entries of R R^T - 1; within it the rotation is made orthonormal
   double rotation_tolerance = 1e-3;
-  double hold = 20e-3;
+  double hold = 20e-3;  ///< [s] time without a good reading after which the pose counts as lost
+  /// [s] time for which a position may be exactly constant while rotation or speed contradict it
   double frozen = 30e-3;
-  double frozen_rotation = 0.1;
-  double frozen_speed = 5e-3;
+  double frozen_rotation = 0.1;  ///< [rad] rotation within 0.1 s that contradicts a constant position
+  double frozen_speed = 5e-3;    ///< [m/s] reported speed that contradicts a constant position
 };
 
 constexpr auto fields_of(Of<PoseGateOptions>) {
   using O = PoseGateOptions;
   return std::tuple{
-      field("max_speed", &O::max_speed, "m/s", Range::positive(), "of the hand; with a stylus it reaches 1 to 2"),
-      field("max_angular_speed", &O::max_angular_speed, "rad/s", Range::positive(), "of the hand"),
+      field("max_speed", &O::max_speed, "m/s", Range::positive(),
+            "largest speed of the hand; with a stylus it reaches 1 to 2"),
+      field("max_angular_speed", &O::max_angular_speed, "rad/s", Range::positive(),
+            "largest angular speed of the hand"),
       field("workspace_margin", &O::workspace_margin, "m", Range::not_negative(),
             "around the device's own workspace that still counts as plausible"),
       field("rotation_tolerance", &O::rotation_tolerance, "1", Range::between(0, 0.1),
-            "of the entries of R R^T - 1; within it the rotation is made orthonormal"),
+            "largest error of the entries of R R^T - 1; within it the rotation is made orthonormal"),
       field("hold", &O::hold, "s", Range::between(1e-3, 50e-3),
             "time without a good reading after which the pose counts as lost"),
       field("frozen", &O::frozen, "s", Range::between(2e-3, 1),

@@ -8,25 +8,28 @@ namespace hapticut {
 
 /// Limits at which the motors count as too warm.
 struct ThermalOptions {
-  double time_constant = 60;
+  double time_constant = 60;  ///< [s] time constant of the mean of the squared force
+  /// [1] mean squared force over the continuous force squared, at which the force is reduced
   double warm = 1.0;
-  double cool = 0.8;
-  double hot = 0.7;
-  double cold = 0.5;
-  double rate = 1.0;
+  double cool = 0.8;  ///< [1] that ratio at which the force may grow again, at most warm
+  double hot = 0.7;   ///< [1] measured temperature at which the force is reduced
+  double cold = 0.5;  ///< [1] measured temperature at which the force may grow again, at most hot
+  double rate = 1.0;  ///< [1/s] rate at which the force limit changes: 0.001 per tick at 1 kHz
 };
 
 constexpr auto fields_of(Of<ThermalOptions>) {
   using O = ThermalOptions;
   return std::tuple{
-      field("time_constant", &O::time_constant, "s", Range::positive(), "of the mean of the squared force"),
+      field("time_constant", &O::time_constant, "s", Range::positive(),
+            "time constant of the mean of the squared force"),
       field("warm", &O::warm, "1", Range::positive(),
             "mean squared force over the continuous force squared, at which the force is reduced"),
       field("cool", &O::cool, "1", Range::not_negative(), "that ratio at which the force may grow again, at most warm"),
       field("hot", &O::hot, "1", Range::between(0, 1), "measured temperature at which the force is reduced"),
       field("cold", &O::cold, "1", Range::between(0, 1),
             "measured temperature at which the force may grow again, at most hot"),
-      field("rate", &O::rate, "1/s", Range::positive(), "of the change of the force limit: 0.001 per tick at 1 kHz"),
+      field("rate", &O::rate, "1/s", Range::positive(),
+            "rate at which the force limit changes: 0.001 per tick at 1 kHz"),
   };
 }
 

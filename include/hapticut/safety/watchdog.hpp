@@ -13,11 +13,12 @@ namespace hapticut {
 
 /// How long a force may last without a new one. All times count from the moment at which a tick is due.
 struct WatchdogOptions {
-  double late = 2e-3;
-  double fade_after = 9e-3;
-  double fade = 0.03;
-  double fault = 49e-3;
+  double late = 2e-3;        ///< [s] delay after which a tick is reported as late
+  double fade_after = 9e-3;  ///< [s] delay after which the last force is faded out, at least late
+  double fade = 0.03;        ///< [s] duration of the fade-out
+  double fault = 49e-3;      ///< [s] delay after which a fault is reported, at least fade_after + fade
 
+  /// Whether a loop that resumes after the fault delay is in the fault state.
   /// false: there is no force until the tool was free, then the long fade-in follows, as after any pause. true: the
   /// guard is in the fault state until `reset_fault`.
   bool latch = false;

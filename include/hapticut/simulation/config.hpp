@@ -36,6 +36,7 @@ inline constexpr double kCalmingDamping = 300;
 
 /// How a simulation computes. Every field has a default that works. The constructor of Simulation checks all fields.
 struct SimulationConfig {
+  /// [N/m^4] k_v, foundation stiffness of a material of relative stiffness 1; 0: chosen from the head's radius.
   /// k_v of each material must be within 1 ... 1e25. This stiffness is a regularisation, not a material constant:
   /// cutting forces do not depend on it while the engaged layer is thin. 0: chosen so that the layer is a hundredth of
   /// the head's radius in a material of relative stiffness 1 (`stiffness_for_head`), again after each exchange of the
@@ -43,47 +44,62 @@ struct SimulationConfig {
   /// less: see force/stiffness.hpp.
   double reference_stiffness = 0;
 
+  /// [N/m] stiffness of a device that feels the step without a coupling, which limits a chosen reference_stiffness; 0:
+  /// none.
   /// Stiffness of a device that feels the step directly, without a coupling; 0: none. A reference_stiffness of 0 is
   /// then chosen so low that the head's contact with the stiffest material is not stiffer (`stiffness_for_device`).
   /// Cutting forces are too low where StepStatus::engaged_layer_thick says so. See `for_device`.
   double device_stiffness = 0;
 
+  /// [s/m] chi, Hunt and Crossley's damping of all contact; empty: 300 for FoundationLaw at the end of a step, else 0.
   /// Is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
   /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
   /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end` and the law is FoundationLaw, else 0.
   std::optional<double> contact_damping;
 
-  RemovalLaw removal = RemovalLaw::constant_energy;
+  RemovalLaw removal = RemovalLaw::constant_energy;  ///< how material is removed
+  /// Where in a partly filled voxel the force is evaluated
   Quadrature quadrature = Quadrature::automatic;
 
+  /// When in a sub-step the contact is evaluated.
   /// With `end`, springs push harder than the energy that they store in the sub-step. The difference is booked as
   /// damping, which closes the ledger of each sub-step. EnergyLedger::entered then holds the energy that no work
   /// brought in.
   ContactTime contact_time = ContactTime::middle;
 
-  std::shared_ptr<const ForceLaw> law = std::make_shared<FoundationLaw>();  // never null
+  std::shared_ptr<const ForceLaw> law = std::make_shared<FoundationLaw>();  ///< the force law, never null
+  /// Dry friction of the standing head, the same everywhere; empty: each material's own
   std::optional<DryFriction> friction;
 
+  /// A ball pushed beyond its radius keeps pushing back.
   /// See force/deep_contact.hpp. Only with a law that `holds_deep_contact`, which is the default law. The forces of
   /// other laws stay as their formulas give them.
   bool deep_contact = true;
 
+  /// How force and torque at the head are felt at the handle
   HandleTorque handle_torque = HandleTorque::full_wrench;
+  /// [1] zeta of HandleTorque::thesis; the full wrench does not use it
   double handle_torque_scale = 1;
 
+  /// Additions to the model's force, and limits of the output
   Effects effects;
+  /// [Hz] rate of calls of the step; only the check of the vibration uses it
   double update_rate = 1000;
 
+  /// [1] blocks (8^3 voxels) that may become partly cut before Simulation::reserve_blocks has to be called again.
   /// About 2.8 kB each. A cavity needs about two for each patch of 8 x 8 voxels of its wall.
   std::size_t reserved_blocks = 2048;
 
+  /// A step lists the voxels that it removes; without the list, StepResult::removed_voxels is empty.
   /// Whoever needs only the changed blocks and the removed volume, as a loop does, can do without the list. A recording
   /// counts the voxels of the list.
   bool list_removed_voxels = true;
 
+  /// [1] maximum number of removed voxels that a step lists; 0: as many as the head holds.
   /// Voxels beyond it are removed, but not listed.
   std::size_t removed_voxel_capacity = 0;
 
+  /// [1] maximum number of voxels that a sub-step evaluates, at least 4096; 0: no limit.
   /// When the head touches more voxels, a sub-step evaluates only every n-th strip of 16 voxels, in turn, and counts it
   /// n times. The deadline holds, and the force is that of a coarser quadrature. StepStatus::detail_reduced reports it,
   /// and Contact::level_of_detail is n. The force is then too low: in a groove of a ball of 3 mm in dentin by 2 ... 3 %
@@ -93,11 +109,12 @@ struct SimulationConfig {
   /// Only with the default law.
   std::size_t voxel_budget = 0;
 
-  bool stage_times = false;
+  bool stage_times = false;  ///< measure Simulation::stage_times
 
-  double min_dt = 1e-6;
-  double max_dt = 0.1;
+  double min_dt = 1e-6;  ///< [s] shorter steps are rejected
+  double max_dt = 0.1;   ///< [s] longer steps are rejected
 
+  /// [1] maximum number of sub-steps of a step; a motion that needs more is a jump and is rejected.
   /// A step that moves the head by more than half a voxel is split into sub-steps.
   int max_sweep = 64;
 
@@ -114,14 +131,15 @@ constexpr auto fields_of(Of<SimulationConfig>) {
       field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::between(0, 1e25),
             "k_v, foundation stiffness of a material of relative stiffness 1; 0: chosen from the head's radius"),
       field("device_stiffness", &C::device_stiffness, "N/m", Range::not_negative(),
-            "of a device that feels the step without a coupling, which limits a chosen reference_stiffness; 0: none"),
+            "stiffness of a device that feels the step without a coupling, which limits a chosen reference_stiffness; "
+            "0: none"),
       field(
           "contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
           "chi, Hunt and Crossley's damping of all contact; empty: 300 for FoundationLaw at the end of a step, else 0"),
       field("removal", &C::removal, "how material is removed"),
       field("quadrature", &C::quadrature, "where in a partly filled voxel the force is evaluated"),
       field("contact_time", &C::contact_time, "when in a sub-step the contact is evaluated"),
-      field("law", &C::law, "the force law"),
+      field("law", &C::law, "the force law, never null"),
       field("friction", &C::friction,
             "dry friction of the standing head, the same everywhere; empty: each material's own"),
       field("deep_contact", &C::deep_contact, "a ball pushed beyond its radius keeps pushing back"),

@@ -17,38 +17,44 @@ namespace hapticut {
 
 /// The spring and damper between the hand's handle and the handle of the simulated tool, and the mass of that tool.
 struct CouplingGains {
+  /// [kg] mass of the simulated tool, at its handle point
   double mass = 0.05;
-  double stiffness = 700;
-  double damping = 12;
-  double max_force = std::numeric_limits<double>::infinity();
-  double max_torque = std::numeric_limits<double>::infinity();
+  double stiffness = 700;                                       ///< [N/m] k_T; 0.7 N/mm are 700 N/m
+  double damping = 12;                                          ///< [N s/m] b_T
+  double max_force = std::numeric_limits<double>::infinity();   ///< [N] largest force of spring and damper together
+  double max_torque = std::numeric_limits<double>::infinity();  ///< [N m] largest torque of spring and damper together
 
+  /// [N m/rad] k_R; 0: the tool has the orientation of the hand.
   /// A device without motors for torque needs 0; the torque of the contact then passes to the hand unchanged.
   double angular_stiffness = 0;
-  double angular_damping = 0;
+  double angular_damping = 0;  ///< [N m s/rad] b_R
+  /// [kg m^2] inertia of the simulated tool about its handle point, equal about all axes
   double inertia = 2e-5;
+  /// [1] Newton steps of a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time,
+  /// a tick of two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. It needs one
+  /// in steady motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three
+  /// without torque
   int newton_steps = 9;
 };
 
 constexpr auto fields_of(Of<CouplingGains>) {
   using G = CouplingGains;
   return std::tuple{
-      field("mass", &G::mass, "kg", Range::between(1e-4, 10), "of the simulated tool, at its handle point"),
+      field("mass", &G::mass, "kg", Range::between(1e-4, 10), "mass of the simulated tool, at its handle point"),
       field("stiffness", &G::stiffness, "N/m", Range::between(5, 1e6), "k_T; 0.7 N/mm are 700 N/m"),
       field("damping", &G::damping, "N s/m", Range::between(0, 1e6), "b_T"),
-      field("max_force", &G::max_force, "N", Range::limit(), "of spring and damper together"),
-      field("max_torque", &G::max_torque, "N m", Range::limit(), "of spring and damper together"),
+      field("max_force", &G::max_force, "N", Range::limit(), "largest force of spring and damper together"),
+      field("max_torque", &G::max_torque, "N m", Range::limit(), "largest torque of spring and damper together"),
       field("angular_stiffness", &G::angular_stiffness, "N m/rad", Range::between(0, 1e6),
             "k_R; 0: the tool has the orientation of the hand"),
       field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
       field("inertia", &G::inertia, "kg m^2", Range::positive(),
-            "of the simulated tool about its handle point, equal about all axes"),
-      field(
-          "newton_steps", &G::newton_steps, "1", Range::between(8, 400),
-          "in a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time, a tick of "
-          "two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. It needs one in "
-          "steady motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three "
-          "without torque"),
+            "inertia of the simulated tool about its handle point, equal about all axes"),
+      field("newton_steps", &G::newton_steps, "1", Range::between(8, 400),
+            "Newton steps of a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same "
+            "time, a tick of two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. "
+            "It needs one in steady motion, and three in a cut. To measure the stiffness of a custom law takes as long "
+            "as six, or three without torque"),
   };
 }
 
@@ -58,13 +64,15 @@ void validate(const CouplingGains& gains);
 /// Where the work of the hand went on its way to the tool, since the hand took the tool. All terms are accumulated,
 /// except `spring` and `kinetic`, which are the energies stored at the end of the last tick.
 struct CouplingEnergy {
-  double hand_work = 0;
+  double hand_work = 0;  ///< [J] work done by the hand on the coupling
+  /// [J] the part of it that reached the simulation, by the contact's wrench at the end of each step;
+  /// EnergyLedger::hand_work is that along the path
   double tool_work = 0;
-  double spring = 0;
-  double damper = 0;
-  double kinetic = 0;
-  double implicit = 0;
-  double turnover = 0;
+  double spring = 0;    ///< [J] stored in the coupling
+  double damper = 0;    ///< [J] dissipated in the coupling and in the brake
+  double kinetic = 0;   ///< [J] energy of the simulated tool
+  double implicit = 0;  ///< [J] dissipated by the implicit integration of spring and mass, never negative
+  double turnover = 0;  ///< [J] sum of the magnitudes of hand_work, tool_work, damper and implicit of each step
 
   /// [J] hand_work less everything else; 0 when the ledger closes. The remainder is the error of the iteration.
   [[nodiscard]] double imbalance() const { return hand_work - tool_work - spring - damper - kinetic - implicit; }
@@ -82,7 +90,7 @@ constexpr auto fields_of(Of<CouplingEnergy>) {
             "EnergyLedger::hand_work is that along the path"),
       field("spring", &E::spring, "J", "stored in the coupling"),
       field("damper", &E::damper, "J", "dissipated in the coupling and in the brake"),
-      field("kinetic", &E::kinetic, "J", "of the simulated tool"),
+      field("kinetic", &E::kinetic, "J", "energy of the simulated tool"),
       field("implicit", &E::implicit, "J", "dissipated by the implicit integration of spring and mass, never negative"),
       field("turnover", &E::turnover, "J",
             "sum of the magnitudes of hand_work, tool_work, damper and implicit of each step"),

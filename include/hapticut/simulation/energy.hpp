@@ -17,24 +17,33 @@ namespace hapticut {
 ///
 struct EnergyLedger {
   // Work on the tool
-  double hand_work = 0;
-  double motor_work = 0;
+  double hand_work = 0;   ///< [J] work done by the hand on the tool
+  double motor_work = 0;  ///< [J] work done by the spindle motor on the tool
 
   // Stored
-  double elastic = 0;
-  double anchored = 0;
+  double elastic = 0;   ///< [J] stored in the foundation now
+  double anchored = 0;  ///< [J] stored in the anchor of dry friction now
 
   // Losses
+  /// [J] specific cutting energy times removed volume; thin chips cost a multiple of it, the part of their layer above
+  /// its threshold
   double cutting = 0;
+  /// [J] compressive strength times crushed volume, less what came under the surface without being pressed there
   double crushed = 0;
-  double released = 0;
+  double released = 0;  ///< [J] elastic energy of removed material that did not help cutting
+  /// [J] Hunt-Crossley damping, and the excess work of springs that are evaluated at the end of a sub-step
   double damping = 0;
+  /// [J] tangential work that removes nothing: of edges, of thin chips below the threshold of their layer, on smooth
+  /// sides and walls, under the edge pressure, with removal off
   double rubbing = 0;
-  double sliding = 0;
+  double sliding = 0;  ///< [J] dissipated by dry friction of the standing head
 
   // Corrections
+  /// [J] cutting energy of material that is removed without work: the last millionth of a voxel (with other laws than
+  /// FoundationLaw a thousandth), and rounding errors of single precision
   double credited = 0;
 
+  /// [J] elastic energy of material that entered or left the head without work.
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
   /// material that left it while still pressed. This happens when the tool appears inside material, and when material
   /// passes a face behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a
@@ -42,6 +51,7 @@ struct EnergyLedger {
   /// the other sign. With ContactTime::end it is the part that `damping` did not take in the same sub-step.
   double entered = 0;
 
+  /// [J] sum of the magnitudes of hand_work, motor_work and entered of each sub-step.
   /// Counts energy that came in even if it went out again, so it only grows. An imbalance is judged relative to it.
   double turnover = 0;
 

@@ -19,17 +19,17 @@ namespace hapticut {
 
 /// All effects, off by default.
 struct Effects {
-  std::optional<Gravity> gravity;
-  std::optional<Vibration> vibration;
-  std::optional<DeltaFilter> delta_filter;
-  AxisMask enabled;
-  OutputLimits limits;
+  std::optional<Gravity> gravity;           ///< weight of the tool
+  std::optional<Vibration> vibration;       ///< vibration along the spindle while it cuts
+  std::optional<DeltaFilter> delta_filter;  ///< the force filter of the thesis
+  AxisMask enabled;                         ///< components of the output that are on
+  OutputLimits limits;                      ///< size and growth of the output
 };
 
 constexpr auto fields_of(Of<Effects>) {
   return std::tuple{
       field("gravity", &Effects::gravity, "weight of the tool"),
-      field("vibration", &Effects::vibration, "along the spindle while it cuts"),
+      field("vibration", &Effects::vibration, "vibration along the spindle while it cuts"),
       field("delta_filter", &Effects::delta_filter, "the force filter of the thesis"),
       field("enabled", &Effects::enabled, "components of the output that are on"),
       field("limits", &Effects::limits, "size and growth of the output"),

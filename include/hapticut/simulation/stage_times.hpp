@@ -9,20 +9,20 @@ namespace hapticut {
 /// [s] Wall time of the stages of one step, summed over its sub-steps. Each field has the name of its stage
 /// (docs/step.md). All zero unless SimulationConfig::stage_times is set.
 struct StageTimes {
-  double check_input = 0;
-  double find_start = 0;
-  double plan_sweep = 0;
-  double plan_sub_step = 0;
-  double find_blocks = 0;
-  double drive_spindle = 0;
-  double press_and_cut = 0;
-  double remove_emptied = 0;
-  double hold_deep_contact = 0;
-  double add_friction = 0;
-  double book_energy = 0;
-  double transport_to_handle = 0;
-  double advance_spindle = 0;
-  double give_output = 0;
+  double check_input = 0;          ///< [s] check of the input
+  double find_start = 0;           ///< [s] pose from which the tool moves
+  double plan_sweep = 0;           ///< [s] number of sub-steps
+  double plan_sub_step = 0;        ///< [s] pose and twist of a sub-step
+  double find_blocks = 0;          ///< [s] search for the blocks that the head may touch
+  double drive_spindle = 0;        ///< [s] speed of a motor with limits, under the load
+  double press_and_cut = 0;        ///< [s] force, energies and new fills
+  double remove_emptied = 0;       ///< [s] removal of voxels that became empty
+  double hold_deep_contact = 0;    ///< [s] force on a ball pushed beyond its radius
+  double add_friction = 0;         ///< [s] dry friction of a standing head
+  double book_energy = 0;          ///< [s] work of hand and motor
+  double transport_to_handle = 0;  ///< [s] force and torque about Ho
+  double advance_spindle = 0;      ///< [s] ramp and inertia of the motor
+  double give_output = 0;          ///< [s] output to the hand
 };
 
 constexpr auto fields_of(Of<StageTimes>) {

@@ -16,16 +16,16 @@ namespace hapticut {
 
 /// The motion of the hand in one step. `fields_of` below has unit, range and meaning of each field.
 struct StepInput {
-  Pose X_WH;
-  Twist V_WH;
-  double dt = 0;
+  Pose X_WH;      ///< pose of the handle at the end of the step
+  Twist V_WH;     ///< velocity of Ho and angular velocity, in W
+  double dt = 0;  ///< [s] time since the last step
 };
 
 constexpr auto fields_of(Of<StepInput>) {
   return std::tuple{
       field("X_WH", &StepInput::X_WH, "pose of the handle at the end of the step"),
       field("V_WH", &StepInput::V_WH, "velocity of Ho and angular velocity, in W"),
-      field("dt", &StepInput::dt, "s", "since the last step"),
+      field("dt", &StepInput::dt, "s", "time since the last step"),
   };
 }
 
@@ -183,14 +183,18 @@ inline constexpr StepStatus kRejected =
 /// The material that the head touches, in the last sub-step. `fields_of` below has unit, range and meaning of each
 /// field.
 struct Contact {
-  int voxels = 0;
-  double volume = 0;
-  double depth = 0;
-  int level_of_detail = 1;
+  int voxels = 0;           ///< [1] voxels inside the head that are not empty
+  double volume = 0;        ///< [m^3] their filled volume
+  double depth = 0;         ///< [m] maximum depth below the cutting surface
+  int level_of_detail = 1;  ///< [1] n: one n-th of the voxels was evaluated; see SimulationConfig::voxel_budget
+  /// [m] the mean point of the normal forces in W, where an arrow begins; from the centres of voxels, so exact within
+  /// half a voxel; zero without a contact
   Vec3 point_W = Vec3::Zero();
+  /// [1] the direction of the sum of the normal forces on the tool in W, a unit vector; zero without a contact, and
+  /// when they cancel
   Vec3 normal_W = Vec3::Zero();
-  double area = 0;
-  double pressure = 0;
+  double area = 0;      ///< [m^2] area of the head's surface that is in material
+  double pressure = 0;  ///< [Pa] mean of the normal forces over that area
 };
 
 constexpr auto fields_of(Of<Contact>) {
@@ -201,12 +205,12 @@ constexpr auto fields_of(Of<Contact>) {
       field("level_of_detail", &Contact::level_of_detail, "1",
             "n: one n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
       field("point_W", &Contact::point_W, "m",
-            "in W: the mean point of the normal forces, where an arrow begins; from the centres of voxels, so exact "
+            "the mean point of the normal forces in W, where an arrow begins; from the centres of voxels, so exact "
             "within half a voxel; zero without a contact"),
       field("normal_W", &Contact::normal_W, "1",
-            "in W: the direction of the sum of the normal forces on the tool, a unit vector; zero without a contact, "
+            "the direction of the sum of the normal forces on the tool in W, a unit vector; zero without a contact, "
             "and when they cancel"),
-      field("area", &Contact::area, "m^2", "of the head's surface that is in material"),
+      field("area", &Contact::area, "m^2", "area of the head's surface that is in material"),
       field("pressure", &Contact::pressure, "Pa", "mean of the normal forces over that area"),
   };
 }
@@ -226,38 +230,39 @@ constexpr auto names_of(Of<ProbedMotions>) {
 
 /// The contact that a step would meet, without taking the step.
 struct ContactProbe {
-  Wrench wrench;
+  Wrench wrench;  ///< wrench on the tool about Ho, in W; without effects and limits
+  /// How the wrench about Ho falls with a small motion, in W; symmetric when the head does not spin
   Stiffness stiffness = Stiffness::Zero();
-  Contact contact;
-  bool sliding = false;
-  int evaluations = 1;
-  int blocks = 0;
+  Contact contact;       ///< what the head would touch
+  bool sliding = false;  ///< dry friction slides: see LimitSurface
+  int evaluations = 1;   ///< [1] evaluations of the contact, with those that measured the stiffness
+  int blocks = 0;        ///< [1] blocks of 8 x 8 x 8 voxels with material that the head may touch
 };
 
 constexpr auto fields_of(Of<ContactProbe>) {
   using P = ContactProbe;
   return std::tuple{
-      field("wrench", &P::wrench, "about Ho, in W, on the tool; without effects and limits"),
+      field("wrench", &P::wrench, "wrench on the tool about Ho, in W; without effects and limits"),
       field("stiffness", &P::stiffness,
-            "about Ho, in W: how the wrench falls with a small motion; symmetric when the head does not spin"),
+            "how the wrench about Ho falls with a small motion, in W; symmetric when the head does not spin"),
       field("contact", &P::contact, "what the head would touch"),
       field("sliding", &P::sliding, "dry friction slides: see LimitSurface"),
-      field("evaluations", &P::evaluations, "1", "of the contact, with those that measured the stiffness"),
-      field("blocks", &P::blocks, "1", "of 8 x 8 x 8 voxels with material that the head may touch"),
+      field("evaluations", &P::evaluations, "1", "evaluations of the contact, with those that measured the stiffness"),
+      field("blocks", &P::blocks, "1", "blocks of 8 x 8 x 8 voxels with material that the head may touch"),
   };
 }
 
 /// The spindle during the step. `fields_of` below has unit, range and meaning of each field.
 struct SpindleState {
-  double speed = 0;
-  double torque = 0;
+  double speed = 0;   ///< [rad/s] signed about +z of T
+  double torque = 0;  ///< [N m] torque of the motor about +z of T: it drives a cut when it has the sign of the speed
 };
 
 constexpr auto fields_of(Of<SpindleState>) {
   return std::tuple{
       field("speed", &SpindleState::speed, "rad/s", "signed about +z of T"),
       field("torque", &SpindleState::torque, "N m",
-            "of the motor about +z of T: it drives a cut when it has the sign of the speed"),
+            "torque of the motor about +z of T: it drives a cut when it has the sign of the speed"),
   };
 }
 
@@ -269,16 +274,17 @@ struct ChangedBlocks {
 
 /// The result of one step. `fields_of` below has unit, range and meaning of each field.
 struct StepResult {
-  Vec3 force = Vec3::Zero();
-  Vec3 torque = Vec3::Zero();
-  std::span<const RemovedVoxel> removed_voxels;
-  double removed_volume = 0;
-  Contact contact;
+  Vec3 force = Vec3::Zero();                     ///< [N] output: on the tool, as the hand feels it, in W
+  Vec3 torque = Vec3::Zero();                    ///< [N m] output: on the tool about Ho, as the hand feels it, in W
+  std::span<const RemovedVoxel> removed_voxels;  ///< emptied by this call; valid until the next one
+  double removed_volume = 0;                     ///< [m^3] removed by this call, including from partly emptied voxels
+  Contact contact;                               ///< what the head touches
+  /// Wrench of the contact about Ho, in W: before coupling, effects and limits; mean over the step
   Wrench model;
-  EnergyLedger energy;
-  SpindleState spindle;
-  int sub_steps = 0;
-  StepStatus status = StepStatus::ok;
+  EnergyLedger energy;                 ///< accumulated since construction
+  SpindleState spindle;                ///< speed and torque of this step
+  int sub_steps = 0;                   ///< [1] 0 when the input was rejected
+  StepStatus status = StepStatus::ok;  ///< bits of StepStatus; 0 = nothing to report
 };
 
 constexpr auto fields_of(Of<StepResult>) {
@@ -290,7 +296,7 @@ constexpr auto fields_of(Of<StepResult>) {
       field("removed_volume", &R::removed_volume, "m^3", "removed by this call, including from partly emptied voxels"),
       field("contact", &R::contact, "what the head touches"),
       field("model", &R::model,
-            "about Ho, in W: of the contact, before coupling, effects and limits; mean over the step"),
+            "wrench of the contact about Ho, in W: before coupling, effects and limits; mean over the step"),
       field("energy", &R::energy, "accumulated since construction"),
       field("spindle", &R::spindle, "speed and torque of this step"),
       field("sub_steps", &R::sub_steps, "1", "0 when the input was rejected"),

@@ -12,16 +12,16 @@ namespace hapticut {
 
 /// State of a drill that determines its sound.
 struct SoundInput {
-  double spindle_speed = 0;
-  double power = 0;
-  double removal_rate = 0;
-  bool touching = false;
+  double spindle_speed = 0;  ///< [rad/s] speed of either sign, under the load of the cut
+  double power = 0;          ///< [W] that becomes chips and heat
+  double removal_rate = 0;   ///< [m^3/s] volume that is cut away
+  bool touching = false;     ///< the head touches the workpiece
 };
 
 constexpr auto fields_of(Of<SoundInput>) {
   using I = SoundInput;
   return std::tuple{
-      field("spindle_speed", &I::spindle_speed, "rad/s", "of either sign, under the load of the cut"),
+      field("spindle_speed", &I::spindle_speed, "rad/s", "speed of either sign, under the load of the cut"),
       field("power", &I::power, "W", Range::not_negative(), "that becomes chips and heat"),
       field("removal_rate", &I::removal_rate, "m^3/s", Range::not_negative(), "volume that is cut away"),
       field("touching", &I::touching, "the head touches the workpiece"),
@@ -30,17 +30,18 @@ constexpr auto fields_of(Of<SoundInput>) {
 
 /// Options of the sound.
 struct SoundOptions {
-  int flutes = 6;
-  double volume = 0.5;
-  double half_power = 2;
+  int flutes = 6;         ///< [1] edges that pass in a revolution: Cutter::lips
+  double volume = 0.5;    ///< [1] volume of the sum; full scale is 1
+  double half_power = 2;  ///< [W] power at which the noise has half of its maximum power
 };
 
 constexpr auto fields_of(Of<SoundOptions>) {
   using O = SoundOptions;
   return std::tuple{
       field("flutes", &O::flutes, "1", Range::between(1, 1000), "edges that pass in a revolution: Cutter::lips"),
-      field("volume", &O::volume, "1", Range::between(0, 1), "of the sum; full scale is 1"),
-      field("half_power", &O::half_power, "W", Range::positive(), "at which the noise has half of its maximum power"),
+      field("volume", &O::volume, "1", Range::between(0, 1), "volume of the sum; full scale is 1"),
+      field("half_power", &O::half_power, "W", Range::positive(),
+            "power at which the noise has half of its maximum power"),
   };
 }
 

@@ -14,8 +14,8 @@ namespace hapticut {
 struct ConeHead {
   static constexpr char kWord[] = "cone", kName[] = "ConeHead", kInSentences[] = "a cone, given by angle and height,";
 
-  double half_angle;
-  double height;
+  double half_angle;  ///< [rad] angle between axis and generatrix, less than pi/2
+  double height;      ///< [m] height from the apex to the base
 
   [[nodiscard]] double base_radius() const { return height * std::tan(half_angle); }  ///< [m]
   [[nodiscard]] static ConeHead usual() { return {30 * units::deg, 2 * units::mm}; }
@@ -42,8 +42,8 @@ struct ConeHead {
 constexpr auto fields_of(Of<ConeHead>) {
   return std::tuple{
       field("half_angle", &ConeHead::half_angle, "rad", Range{0, units::kPi / 2, true},
-            "between axis and generatrix, less than pi/2"),
-      field("height", &ConeHead::height, "m", Range::positive(), "from the apex to the base"),
+            "angle between axis and generatrix, less than pi/2"),
+      field("height", &ConeHead::height, "m", Range::positive(), "height from the apex to the base"),
   };
 }
 

@@ -35,7 +35,8 @@ constexpr auto names_of(Of<CutterKind>) {
 /// The cutting edges of a head. The number of edges that pass a place per revolution decides the chip thickness, on
 /// which the cutting energy of some materials depends.
 struct Cutter {
-  CutterKind kind = CutterKind::carbide_bur;
+  CutterKind kind = CutterKind::carbide_bur;  ///< kind of cutting edges
+  /// [1] cutting edges that pass a place per revolution; 0: the usual number of the kind
   int lips = 0;
 };
 

@@ -32,9 +32,9 @@ constexpr auto names_of(Of<FlatRule>) {
 struct FlatHead {
   static constexpr char kWord[] = "flat", kName[] = "FlatHead", kInSentences[] = "a flat head";
 
-  double radius;
-  double height;
-  FlatRule rule = FlatRule::nearest;
+  double radius;                      ///< [m] radius of the cylinder
+  double height;                      ///< [m] height of the side wall
+  FlatRule rule = FlatRule::nearest;  ///< which surface carries the spring
 
   [[nodiscard]] static FlatHead usual() { return {1 * units::mm, 2 * units::mm}; }
   [[nodiscard]] HeadBox bounding_box() const { return HeadBox::around_axis(radius, 0, height); }
@@ -56,8 +56,8 @@ struct FlatHead {
 
 constexpr auto fields_of(Of<FlatHead>) {
   return std::tuple{
-      field("radius", &FlatHead::radius, "m", Range::positive(), "of the cylinder"),
-      field("height", &FlatHead::height, "m", Range::positive(), "of the side wall"),
+      field("radius", &FlatHead::radius, "m", Range::positive(), "radius of the cylinder"),
+      field("height", &FlatHead::height, "m", Range::positive(), "height of the side wall"),
       field("rule", &FlatHead::rule, "which surface carries the spring"),
   };
 }

@@ -22,7 +22,7 @@ namespace hapticut {
 ///         z_T ^  o  To  origin of the tool head; its tip points down
 ///
 struct RayHandle {
-  double length = std::numeric_limits<double>::quiet_NaN();
+  double length = std::numeric_limits<double>::quiet_NaN();  ///< [m] must be given: from Ho to To, along -z_H
 };
 
 constexpr auto fields_of(Of<RayHandle>) {
@@ -41,16 +41,17 @@ constexpr auto fields_of(Of<RayHandle>) {
 ///                                  z_T = z_H rotated by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
 ///
 struct LHandle {
-  double length = std::numeric_limits<double>::quiet_NaN();
-  double neck = std::numeric_limits<double>::quiet_NaN();
-  double bend = units::kPi / 2;
+  double length = std::numeric_limits<double>::quiet_NaN();  ///< [m] must be given: from Ho to the elbow, along -z_H
+  double neck = std::numeric_limits<double>::quiet_NaN();    ///< [m] must be given: from the elbow to To, along -z_T
+  double bend = units::kPi / 2;                              ///< [rad] angle between z_H and z_T, about y_H
 };
 
 constexpr auto fields_of(Of<LHandle>) {
   return std::tuple{
       field("length", &LHandle::length, "m", Range::not_negative(), "must be given: from Ho to the elbow, along -z_H"),
       field("neck", &LHandle::neck, "m", Range::not_negative(), "must be given: from the elbow to To, along -z_T"),
-      field("bend", &LHandle::bend, "rad", Range::between(-units::kPi, units::kPi), "between z_H and z_T, about y_H"),
+      field("bend", &LHandle::bend, "rad", Range::between(-units::kPi, units::kPi),
+            "angle between z_H and z_T, about y_H"),
   };
 }
 

@@ -13,23 +13,26 @@ namespace hapticut {
 
 /// A neck that begins at the end of the head and widens or narrows to a shank.
 struct Shank {
-  double neck_diameter = 0;  ///< [m] > 0, where the neck leaves the head; less than the head's diameter there
-  double neck_length = 0;    ///< [m] >= 0, of the cylindrical part, from the head's end
-  double taper_length = 0;   ///< [m] from the neck to the shank; > 0 if their diameters differ
-  double diameter = 0;       ///< [m] > 0, of the shank
-  double length = 0;         ///< [m] of the whole tool, from the head's tip to the shank's end
+  double neck_diameter = 0;  ///< [m] diameter of the neck, where it leaves the head; less than the head's there
+  double neck_length = 0;    ///< [m] length of the cylindrical part of the neck, from the head's end
+  double taper_length = 0;   ///< [m] length from the neck to the shank; not 0 if their diameters differ
+  double diameter = 0;       ///< [m] diameter of the shank
+  double length = 0;         ///< [m] length of the whole tool, from the head's tip to the shank's end
 
   bool operator==(const Shank&) const = default;
 };
 
 constexpr auto fields_of(Of<Shank>) {
   return std::tuple{
-      field("neck_diameter", &Shank::neck_diameter, "m", Range::positive(), "of the neck, where it leaves the head"),
+      field("neck_diameter", &Shank::neck_diameter, "m", Range::positive(),
+            "diameter of the neck, where it leaves the head; less than the head's there"),
       field("neck_length", &Shank::neck_length, "m", Range::not_negative(),
-            "of the cylindrical part of the neck, from the head's end"),
-      field("taper_length", &Shank::taper_length, "m", Range::not_negative(), "from the neck to the shank"),
-      field("diameter", &Shank::diameter, "m", Range::positive(), "of the shank"),
-      field("length", &Shank::length, "m", Range::positive(), "of the whole tool, from tip to end"),
+            "length of the cylindrical part of the neck, from the head's end"),
+      field("taper_length", &Shank::taper_length, "m", Range::not_negative(),
+            "length from the neck to the shank; not 0 if their diameters differ"),
+      field("diameter", &Shank::diameter, "m", Range::positive(), "diameter of the shank"),
+      field("length", &Shank::length, "m", Range::positive(),
+            "length of the whole tool, from the head's tip to the shank's end"),
   };
 }
 

@@ -12,7 +12,7 @@ namespace hapticut {
 struct SphereHead {
   static constexpr char kWord[] = "sphere", kName[] = "SphereHead", kInSentences[] = "a sphere";
 
-  double radius;
+  double radius;  ///< [m] radius of the ball
 
   [[nodiscard]] static SphereHead usual() { return {1 * units::mm}; }
   [[nodiscard]] HeadBox bounding_box() const { return HeadBox::around_axis(radius, -radius, radius); }
@@ -25,7 +25,7 @@ struct SphereHead {
 };
 
 constexpr auto fields_of(Of<SphereHead>) {
-  return std::tuple{field("radius", &SphereHead::radius, "m", Range::positive(), "of the ball")};
+  return std::tuple{field("radius", &SphereHead::radius, "m", Range::positive(), "radius of the ball")};
 }
 
 namespace formulas {

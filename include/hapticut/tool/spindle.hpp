@@ -18,11 +18,15 @@ inline constexpr double kMaxSpindleSpeed = 1e6 * units::rpm;
 /// The motor that drives the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed under any load;
 /// `common_spindle` gives the limits of real handpieces.
 struct Spindle {
+  /// [rad/s] signed about +z of T; 0: the spindle is at rest and cuts nothing
   AngularSpeed speed = {};
+  /// [W] power above which the spindle slows down
   double power_limit = std::numeric_limits<double>::infinity();
-  double acceleration_limit = std::numeric_limits<double>::infinity();
+  double acceleration_limit = std::numeric_limits<double>::infinity();  ///< [rad/s^2] slope of the ramp to a new speed
+  /// [rad/(s N m)] speed lost per load torque, as in an air turbine, which stalls at speed/droop
   double droop = 0;
-  double torque_limit = std::numeric_limits<double>::infinity();
+  double torque_limit = std::numeric_limits<double>::infinity();  ///< [N m] a load above it stalls the spindle
+  /// [kg m^2] inertia of all rotating parts, at the speed of the head; delays every change of the speed
   double rotor_inertia = 0;
 
   /// Whether a load changes the speed.
@@ -35,14 +39,14 @@ constexpr auto fields_of(Of<Spindle>) {
   return std::tuple{
       field("speed", &Spindle::speed, "rad/s", Range::between(-kMaxSpindleSpeed, kMaxSpindleSpeed),
             "signed about +z of T; 0: the spindle is at rest and cuts nothing"),
-      field("power_limit", &Spindle::power_limit, "W", Range::limit(), "above it the spindle slows down"),
+      field("power_limit", &Spindle::power_limit, "W", Range::limit(), "power above which the spindle slows down"),
       field("acceleration_limit", &Spindle::acceleration_limit, "rad/s^2", Range::limit(),
             "slope of the ramp to a new speed"),
       field("droop", &Spindle::droop, "rad/(s N m)", Range::not_negative(),
             "speed lost per load torque, as in an air turbine, which stalls at speed/droop"),
       field("torque_limit", &Spindle::torque_limit, "N m", Range::limit(), "a load above it stalls the spindle"),
       field("rotor_inertia", &Spindle::rotor_inertia, "kg m^2", Range::not_negative(),
-            "of all rotating parts, at the speed of the head; delays every change of the speed"),
+            "inertia of all rotating parts, at the speed of the head; delays every change of the speed"),
   };
 }
 

@@ -27,20 +27,23 @@ using ByMaterial = std::array<T, kMaxMaterials + 1>;
 /// A material of a workpiece. The cutting constants are valid for this material with one kind of cutter. The list below
 /// holds the meaning, unit and range of each number.
 struct Material {
-  std::string name;
-  double relative_stiffness = 1;
-  double damping = 0;
-  double cutting_ratio = 0.5;
-  double specific_cutting_energy = 3e8;
-  double edge_pressure = 0;
-  double edge_length = 0;
-  double size_length = 0;
+  std::string name;                      ///< unique within a workpiece, not empty
+  double relative_stiffness = 1;         ///< [1] foundation stiffness over the simulation's reference_stiffness
+  double damping = 0;                    ///< [s/m] Hunt-Crossley factor chi
+  double cutting_ratio = 0.5;            ///< [1] kappa, tangential over normal force of the spinning head
+  double specific_cutting_energy = 3e8;  ///< [J/m^3] u, energy to cut away
+  double edge_pressure = 0;              ///< [Pa] p_e: below this pressure nothing is cut
+  double edge_length = 0;                ///< [m] h_e: ploughing of a lip costs u h_e per length and removes nothing
+  double size_length = 0;                ///< [m] h_s: chips of thickness h cost u sqrt(h_s/h) more energy
+  /// [Pa] sigma: pressure that crushes the material under any head; 0: it is never crushed
   double compressive_strength = 0;
-  double static_friction = 0.3;
-  double dynamic_friction = 0.3;
+  double static_friction = 0.3;   ///< [1] dry friction with the spindle at rest, not below dynamic_friction
+  double dynamic_friction = 0.3;  ///< [1] dry friction with the spindle at rest, while it slips
+  /// [N/m] stiffness of the sticking anchor; 0: that of the contact along its normals
   double tangential_stiffness = 0;
-  double density = 1000;
+  double density = 1000;  ///< [kg/m^3] mass over volume
 
+  /// Kind of cutter that the cutting constants are for; none: not known, and not checked.
   /// The kind of cutter that the cutting constants are for. Presets set it, workpieces and recordings keep it, and a
   /// scene sets it from its tool; see StepStatus::other_cutter.
   std::optional<CutterKind> cutter = {};
@@ -75,10 +78,11 @@ constexpr auto fields_of(Of<Material>) {
       field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
             "sigma: pressure that crushes the material under any head; 0: it is never crushed"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),
-            "with the spindle at rest, not below dynamic_friction"),
-      field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "with the spindle at rest"),
+            "dry friction with the spindle at rest, not below dynamic_friction"),
+      field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(),
+            "dry friction with the spindle at rest, while it slips"),
       field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::not_negative(),
-            "of the sticking anchor; 0: that of the contact along its normals"),
+            "stiffness of the sticking anchor; 0: that of the contact along its normals"),
       field("density", &M::density, "kg/m^3", Range::positive(), "mass over volume"),
       field("cutter", &M::cutter,
             "kind of cutter that the cutting constants are for; none: not known, and not checked"),

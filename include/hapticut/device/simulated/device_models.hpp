@@ -17,27 +17,28 @@ namespace hapticut {
 /// The mechanics of a device, equal along all axes: an apparent mass at the tip with viscous and dry friction, read
 /// through an encoder.
 struct DeviceModel {
-  std::string_view name;
-  double mass = 0;
-  double damping = 0;
-  double dry_friction = 0;
-  double encoder_step = 0;
-  double peak_force = 0;
-  double continuous_force = 0;
-  double rendered_stiffness = 0;
-  double rendered_damping = 0;
-  double rotational_inertia = 2e-5;
-  double rotational_damping = 2e-4;
-  double peak_torque = 0;
-  double workspace_half_width = 0.08;
-  double continuous_torque = 0;
+  std::string_view name;               ///< name for device_model
+  double mass = 0;                     ///< [kg] apparent at the tip
+  double damping = 0;                  ///< [N s/m] viscous
+  double dry_friction = 0;             ///< [N] Coulomb
+  double encoder_step = 0;             ///< [m] resolution of positions
+  double peak_force = 0;               ///< [N] maximum of the motors
+  double continuous_force = 0;         ///< [N] that the motors bear permanently
+  double rendered_stiffness = 0;       ///< [N/m] maximum that the device is said to render
+  double rendered_damping = 0;         ///< [N s/m] maximum that the device is said to render
+  double rotational_inertia = 2e-5;    ///< [kg m^2] inertia of the gimbal
+  double rotational_damping = 2e-4;    ///< [N m s/rad] damping of the gimbal
+  double peak_torque = 0;              ///< [N m] 0: the gimbal has no motors
+  double workspace_half_width = 0.08;  ///< [m] half the edge of the cube around the origin
+  double continuous_torque = 0;        ///< [N m] that the motors of the gimbal bear permanently
+  /// [N m] largest torque about the stylus, whose motor is weaker; peak_torque is about the axes across it
   double peak_roll_torque = 0;
 };
 
 constexpr auto fields_of(Of<DeviceModel>) {
   using M = DeviceModel;
   return std::tuple{
-      field("name", &M::name, "for device_model"),
+      field("name", &M::name, "name for device_model"),
       field("mass", &M::mass, "kg", Range::positive(), "apparent at the tip"),
       field("damping", &M::damping, "N s/m", Range::not_negative(), "viscous"),
       field("dry_friction", &M::dry_friction, "N", Range::not_negative(), "Coulomb"),
@@ -48,15 +49,15 @@ constexpr auto fields_of(Of<DeviceModel>) {
             "maximum that the device is said to render"),
       field("rendered_damping", &M::rendered_damping, "N s/m", Range::not_negative(),
             "maximum that the device is said to render"),
-      field("rotational_inertia", &M::rotational_inertia, "kg m^2", Range::positive(), "of the gimbal"),
-      field("rotational_damping", &M::rotational_damping, "N m s/rad", Range::not_negative(), "of the gimbal"),
+      field("rotational_inertia", &M::rotational_inertia, "kg m^2", Range::positive(), "inertia of the gimbal"),
+      field("rotational_damping", &M::rotational_damping, "N m s/rad", Range::not_negative(), "damping of the gimbal"),
       field("peak_torque", &M::peak_torque, "N m", Range::not_negative(), "0: the gimbal has no motors"),
       field("workspace_half_width", &M::workspace_half_width, "m", Range::not_negative(),
             "half the edge of the cube around the origin"),
       field("continuous_torque", &M::continuous_torque, "N m", Range::not_negative(),
             "that the motors of the gimbal bear permanently"),
       field("peak_roll_torque", &M::peak_roll_torque, "N m", Range::not_negative(),
-            "about the stylus, whose motor is weaker; peak_torque is about the axes across it"),
+            "largest torque about the stylus, whose motor is weaker; peak_torque is about the axes across it"),
   };
 }
 
@@ -82,26 +83,27 @@ constexpr auto fields_of(Of<DeviceModel>) {
 /// A hand: a mass that a spring and a damper pull to a set point. It is bonded to the stylus (`pad_stiffness` 0), or
 /// coupled through the soft pad of the fingers.
 struct HandModel {
-  std::string_view name;
-  double mass = 0;
-  double damping = 0;
-  double stiffness = 0;
-  double pad_stiffness = 0;
-  double pad_damping = 0;
-  double inertia = 0;
-  double angular_damping = 0;
-  double angular_stiffness = 0;
+  std::string_view name;         ///< name for hand_model
+  double mass = 0;               ///< [kg] mass of the hand; with a pad it must not be 0
+  double damping = 0;            ///< [N s/m] damping of the hand's motion
+  double stiffness = 0;          ///< [N/m] towards the set point
+  double pad_stiffness = 0;      ///< [N/m] stiffness between stylus and hand; 0: bonded
+  double pad_damping = 0;        ///< [N s/m] damping between stylus and hand
+  double inertia = 0;            ///< [kg m^2] that the fingers add to the gimbal
+  double angular_damping = 0;    ///< [N m s/rad] that the fingers add to the gimbal
+  double angular_stiffness = 0;  ///< [N m/rad] towards the orientation of the set point
 };
 
 constexpr auto fields_of(Of<HandModel>) {
   using M = HandModel;
   return std::tuple{
-      field("name", &M::name, "for hand_model"),
-      field("mass", &M::mass, "kg", Range::not_negative(), "of the hand; with a pad it must not be 0"),
-      field("damping", &M::damping, "N s/m", Range::not_negative(), "of its motion"),
+      field("name", &M::name, "name for hand_model"),
+      field("mass", &M::mass, "kg", Range::not_negative(), "mass of the hand; with a pad it must not be 0"),
+      field("damping", &M::damping, "N s/m", Range::not_negative(), "damping of the hand's motion"),
       field("stiffness", &M::stiffness, "N/m", Range::not_negative(), "towards the set point"),
-      field("pad_stiffness", &M::pad_stiffness, "N/m", Range::not_negative(), "between stylus and hand; 0: bonded"),
-      field("pad_damping", &M::pad_damping, "N s/m", Range::not_negative(), "between stylus and hand"),
+      field("pad_stiffness", &M::pad_stiffness, "N/m", Range::not_negative(),
+            "stiffness between stylus and hand; 0: bonded"),
+      field("pad_damping", &M::pad_damping, "N s/m", Range::not_negative(), "damping between stylus and hand"),
       field("inertia", &M::inertia, "kg m^2", Range::not_negative(), "that the fingers add to the gimbal"),
       field("angular_damping", &M::angular_damping, "N m s/rad", Range::not_negative(),
             "that the fingers add to the gimbal"),

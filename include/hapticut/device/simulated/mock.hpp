@@ -26,14 +26,15 @@ using ScriptedPath = std::function<Pose(double time)>;
 
 /// Options of a mock device.
 struct MockOptions {
+  /// Function from time [s] to the set point X_BS of the hand, of shape (4, 4) in Python; null: rest
   ScriptedPath path;
-  DeviceModel device;
-  HandModel hand;
-  bool rigid = true;
-  bool dry_friction = true;
-  bool encoder = true;
-  double velocity_filter = 100;
-  double end = 0;
+  DeviceModel device;            ///< see device_model; a mass of 0 means touch
+  HandModel hand;                ///< see hand_model
+  bool rigid = true;             ///< true: the stylus follows the path exactly; false: force and hand move it
+  bool dry_friction = true;      ///< whether the device has it, when not rigid
+  bool encoder = true;           ///< whether positions have the steps of the encoder, when not rigid
+  double velocity_filter = 100;  ///< [Hz] cut-off of the filter of the reported velocity; 0: no filter
+  double end = 0;                ///< [s] time after which there are no more readings; 0: never
 };
 
 constexpr auto fields_of(Of<MockOptions>) {

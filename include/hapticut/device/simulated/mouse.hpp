@@ -22,27 +22,29 @@ constexpr auto names_of(Of<MoveKey>) {
 
 /// How pointer and keys move the simulated hand.
 struct MouseOptions {
-  double per_pixel = 0.05e-3;
-  double per_notch = 0.5e-3;
-  double key_speed = 0.02;
-  double key_angular_speed = 1.0;
-  double reach = 0.08;
+  double per_pixel = 0.05e-3;      ///< [m] way of the hand per pixel of the pointer
+  double per_notch = 0.5e-3;       ///< [m] way along z per notch of the wheel; forwards moves away from the user
+  double key_speed = 0.02;         ///< [m/s] speed of the hand while a key is held
+  double key_angular_speed = 1.0;  ///< [rad/s] angular speed about z while a key is held
+  double reach = 0.08;             ///< [m] half the edge of the cube that the hand stays in
+  /// [m/s] largest speed of the set point, because a pointer jumps and a hand does not
   double max_speed = 0.3;
-  std::string_view device = "touch";
-  std::string_view hand = "firm";
+  std::string_view device = "touch";  ///< model of the simulated device, see device_model
+  std::string_view hand = "firm";     ///< model of the simulated hand, see hand_model
 };
 
 constexpr auto fields_of(Of<MouseOptions>) {
   using O = MouseOptions;
   return std::tuple{
-      field("per_pixel", &O::per_pixel, "m", Range::positive(), "of the hand per pixel of the pointer"),
+      field("per_pixel", &O::per_pixel, "m", Range::positive(), "way of the hand per pixel of the pointer"),
       field("per_notch", &O::per_notch, "m", Range::positive(),
-            "along z per notch of the wheel; forwards moves away from the user"),
-      field("key_speed", &O::key_speed, "m/s", Range::not_negative(), "of the hand while a key is held"),
-      field("key_angular_speed", &O::key_angular_speed, "rad/s", Range::not_negative(), "about z while a key is held"),
+            "way along z per notch of the wheel; forwards moves away from the user"),
+      field("key_speed", &O::key_speed, "m/s", Range::not_negative(), "speed of the hand while a key is held"),
+      field("key_angular_speed", &O::key_angular_speed, "rad/s", Range::not_negative(),
+            "angular speed about z while a key is held"),
       field("reach", &O::reach, "m", Range::positive(), "half the edge of the cube that the hand stays in"),
       field("max_speed", &O::max_speed, "m/s", Range::positive(),
-            "of the set point, because a pointer jumps and a hand does not"),
+            "largest speed of the set point, because a pointer jumps and a hand does not"),
       field("device", &O::device, "model of the simulated device, see device_model"),
       field("hand", &O::hand, "model of the simulated hand, see hand_model"),
   };

@@ -10,17 +10,18 @@ namespace hapticut {
 
 /// Which parts of the mechanics are simulated.
 struct PlantOptions {
-  double period = 1e-3;
-  double fine_step = 20e-6;
+  double period = 1e-3;      ///< [s] time for which a force is held: one tick of the servo loop
+  double fine_step = 20e-6;  ///< [s] duration of Plant::advance_fine
+  /// Whether the device has Coulomb friction; integrated with steps of 10 us instead of exactly
   bool dry_friction = false;
-  bool encoder = false;
-  bool rotation = false;
+  bool encoder = false;   ///< whether positions are read in steps of the encoder
+  bool rotation = false;  ///< whether torque rotates the gimbal; otherwise the gimbal follows the set point
 };
 
 constexpr auto fields_of(Of<PlantOptions>) {
   using O = PlantOptions;
   return std::tuple{
-      field("period", &O::period, "s", Range::positive(), "for which a force is held: one tick of the servo loop"),
+      field("period", &O::period, "s", Range::positive(), "time for which a force is held: one tick of the servo loop"),
       field("fine_step", &O::fine_step, "s", Range::positive(), "duration of Plant::advance_fine"),
       field("dry_friction", &O::dry_friction,
             "whether the device has Coulomb friction; integrated with steps of 10 us instead of exactly"),

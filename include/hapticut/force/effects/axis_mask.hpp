@@ -10,14 +10,14 @@ namespace hapticut {
 
 /// Which components of the output are on (thesis Table 6.2, "Force & Torque Outputs"), in the axes of W.
 struct AxisMask {
-  std::array<bool, 3> force = {true, true, true};
-  std::array<bool, 3> torque = {true, true, true};
+  std::array<bool, 3> force = {true, true, true};   ///< which components are on, along x, y, z
+  std::array<bool, 3> torque = {true, true, true};  ///< which components are on, about x, y, z
 };
 
 constexpr auto fields_of(Of<AxisMask>) {
   return std::tuple{
-      field("force", &AxisMask::force, "along x, y, z"),
-      field("torque", &AxisMask::torque, "about x, y, z"),
+      field("force", &AxisMask::force, "which components are on, along x, y, z"),
+      field("torque", &AxisMask::torque, "which components are on, about x, y, z"),
   };
 }
 

@@ -16,8 +16,8 @@ namespace hapticut {
 /// a second. The torque is formed from the filtered force, as if the filter took the difference away at the head
 /// (6.2.5: "due to the output net force and cutting operation").
 struct DeltaFilter {
-  double delta = 0.5;
-  double epsilon = 0.005;
+  double delta = 0.5;      ///< [N] maximum change that passes unfiltered
+  double epsilon = 0.005;  ///< [N] change per step otherwise; not more than delta
 };
 
 constexpr auto fields_of(Of<DeltaFilter>) {

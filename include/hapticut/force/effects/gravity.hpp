@@ -10,16 +10,16 @@ namespace hapticut {
 ///
 ///     F = m g,   T = (p_com - Ho) x F   about the handle's origin
 struct Gravity {
-  double mass = 0;
-  Vec3 center_of_mass = Vec3::Zero();
-  Vec3 acceleration = Vec3(0, 0, -9.80665);
+  double mass = 0;                           ///< [kg] mass of the tool, less that of the device's stylus
+  Vec3 center_of_mass = Vec3::Zero();        ///< [m] centre of mass from Ho, in the handle's frame H
+  Vec3 acceleration = Vec3(0, 0, -9.80665);  ///< [m/s^2] direction and size of gravity, in W
 };
 
 constexpr auto fields_of(Of<Gravity>) {
   return std::tuple{
-      field("mass", &Gravity::mass, "kg", Range::not_negative(), "of the tool, less that of the device's stylus"),
-      field("center_of_mass", &Gravity::center_of_mass, "m", "from Ho, in the handle's frame H"),
-      field("acceleration", &Gravity::acceleration, "m/s^2", "in W: direction and size of gravity"),
+      field("mass", &Gravity::mass, "kg", Range::not_negative(), "mass of the tool, less that of the device's stylus"),
+      field("center_of_mass", &Gravity::center_of_mass, "m", "centre of mass from Ho, in the handle's frame H"),
+      field("acceleration", &Gravity::acceleration, "m/s^2", "direction and size of gravity, in W"),
   };
 }
 

@@ -14,10 +14,13 @@ namespace hapticut {
 /// to what the device can do, whatever is set here. In your own loop use `output_limits(device)`
 /// (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
-  double max_force = std::numeric_limits<double>::infinity();
-  double max_torque = std::numeric_limits<double>::infinity();
+  double max_force = std::numeric_limits<double>::infinity();   ///< [N] larger forces are shortened to this size
+  double max_torque = std::numeric_limits<double>::infinity();  ///< [N m] larger torques are shortened to this size
+  /// [N/s] how fast the force may grow; it falls at once
   double force_growth = std::numeric_limits<double>::infinity();
+  /// [N m/s] how fast the torque may grow; it falls at once
   double torque_growth = std::numeric_limits<double>::infinity();
+  /// [s] time in which the output grows to its full size after the start, a jump or a reset
   double ramp_time = 0;
 };
 

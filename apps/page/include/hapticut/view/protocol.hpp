@@ -152,8 +152,8 @@ inline constexpr Range kPlaces = Range::between(-1e3, 1e3);  ///< [m] accepted c
 
 /// Moves the set point of the hand to the pointer.
 struct MoveHand {
-  Pose X_WH;
-  bool pressed = false;
+  Pose X_WH;             ///< pose of the handle
+  bool pressed = false;  ///< whether the button is pressed
 };
 
 constexpr auto fields_of(Of<MoveHand>) {
@@ -168,30 +168,34 @@ constexpr auto fields_of(Of<Stop>) { return std::tuple{}; }
 
 /// Sets the point that the user looks at; pages of the surface near it come first.
 struct LookAt {
-  Vec3 p_WQ = Vec3::Zero();
+  Vec3 p_WQ = Vec3::Zero();  ///< [m] the point looked at, in W
 };
 
-constexpr auto fields_of(Of<LookAt>) { return std::tuple{field("p_WQ", &LookAt::p_WQ, "m", kPlaces, "in W")}; }
+constexpr auto fields_of(Of<LookAt>) {
+  return std::tuple{field("p_WQ", &LookAt::p_WQ, "m", kPlaces, "the point looked at, in W")};
+}
 
 /// Sets the value of a control. The program that described the control checks the id and the range.
 struct SetControl {
-  std::uint16_t id = 0;
-  double value = 0;
+  std::uint16_t id = 0;  ///< [1] Control::id
+  double value = 0;      ///< [1] the new value, in the control's unit
 };
 
 constexpr auto fields_of(Of<SetControl>) {
   return std::tuple{field("id", &SetControl::id, "1", "Control::id"),
-                    field("value", &SetControl::value, "1", "in the control's unit")};
+                    field("value", &SetControl::value, "1", "the new value, in the control's unit")};
 }
 
 /// Loads another scene, by its name or the path of a file.
 struct Load {
-  std::string name;  ///< UTF-8 without control characters, at most kMaxName bytes
+  std::string name;  ///< name of a scene, or path of a file: UTF-8 without control characters, at most kMaxName bytes
 };
 inline constexpr std::size_t kMaxName = 120;
 
 constexpr auto fields_of(Of<Load>) {
-  return std::tuple{field("name", &Load::name, "name of a scene, or path of a file")};
+  return std::tuple{
+      field("name", &Load::name,
+            "name of a scene, or path of a file: UTF-8 without control characters, at most kMaxName bytes")};
 }
 
 /// Sent by the server, not by a page: the page that could send commands has disconnected. A simulated hand must stop,

@@ -16,18 +16,23 @@ namespace hapticut::view {
 
 /// Options of a view server.
 struct ViewServerOptions {
-  int port = 0;
+  int port = 0;  ///< [1] port of 127.0.0.1 to listen at; 0: any free port
+  /// Folder of the built page, read when the server starts; empty: no files are served
   std::filesystem::path page;
-  std::size_t max_connections = 16;
+  std::size_t max_connections = 16;  ///< [1] connections at a time; more are closed
+  /// [1/s] that a page may send, averaged over a second; more close its connection
   double commands_per_second = 2000;
+  /// [1] commands in the queue; when it is full, the oldest is dropped, but never a Stop or WriterLeft
   std::size_t max_waiting_commands = 4096;
+  /// Called with each Stop and WriterLeft in the thread of the server, before `receive` returns it, so that a busy
+  /// program does not delay them; null: nothing is called
   std::function<void(const ViewCommand&)> on_urgent;
 };
 
 constexpr auto fields_of(Of<ViewServerOptions>) {
   using O = ViewServerOptions;
   return std::tuple{
-      field("port", &O::port, "1", Range::between(0, 65535), "of 127.0.0.1 to listen at; 0: any free port"),
+      field("port", &O::port, "1", Range::between(0, 65535), "port of 127.0.0.1 to listen at; 0: any free port"),
       field("page", &O::page, "folder of the built page, read when the server starts; empty: no files are served"),
       field("max_connections", &O::max_connections, "1", Range::between(1, 1000),
             "connections at a time; more are closed"),

@@ -15,17 +15,21 @@ namespace hapticut {
 
 /// How a device of Force Dimension is opened.
 struct ForceDimensionOptions {
+  /// A serial number (1234) or a model; empty: the first free device.
   /// "omega.7" is a model for either hand, "omega.7-left" and "omega.7-right" are models for one hand.
   std::string device_name;
 
+  /// Whether an uncalibrated device calibrates itself by moving; false: calibrate it by hand.
   /// Release the device before it moves. There is no force until it is calibrated.
   bool calibrate = false;
-  double effector_mass = 0;
+  double effector_mass = 0;  ///< [kg] mass at the tip, for gravity compensation; 0: the device's own value
 
+  /// [s] time without a command after which the device switches its forces off.
   /// In steps of 125 us. While a callback hangs, the watchdog of this library fades the force out from 10 ms on by
   /// further commands. With a shorter time here the device switches its force off earlier.
   double watchdog = 20e-3;
 
+  /// Clock of the readings, in [s]; null: the monotonic clock.
   /// A custom clock allows a run in simulated time. It is called once per tick.
   std::function<double()> clock;
 };
@@ -37,10 +41,10 @@ constexpr auto fields_of(Of<ForceDimensionOptions>) {
       field("calibrate", &O::calibrate,
             "whether an uncalibrated device calibrates itself by moving; false: calibrate it by hand"),
       field("effector_mass", &O::effector_mass, "kg", Range::not_negative(),
-            "at the tip, for gravity compensation; 0: the device's own value"),
+            "mass at the tip, for gravity compensation; 0: the device's own value"),
       field("watchdog", &O::watchdog, "s", Range::between(2e-3, 31.875e-3),
             "time without a command after which the device switches its forces off"),
-      field("clock", &O::clock, "of the readings, in [s]; null: the monotonic clock"),
+      field("clock", &O::clock, "clock of the readings, in [s]; null: the monotonic clock"),
   };
 }
 

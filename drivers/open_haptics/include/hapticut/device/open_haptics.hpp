@@ -15,34 +15,41 @@ namespace hapticut {
 
 /// How an OpenHaptics device is opened.
 struct OpenHapticsOptions {
+  /// Name of the device in the manufacturer's setup program; empty: the default device
   std::string device_name;
 
+  /// Whether to try the usual names of the default device when the driver refuses the name.
   /// A warning of the run reports the name that was used. Only while no other device is open, because the driver would
   /// find that device instead.
   bool other_names = true;
+  /// Calibrates a Phantom Premium while it is opened; a person must hold the links at right angles
   bool reset_encoders = false;
-  std::string license_vendor, license_application, license_password;
-  double start_timeout = 5;
-  double silence = 0.5;
-  std::function<double()> clock;
+  std::string license_vendor;       ///< vendor of a deployment licence; empty: a development licence is installed
+  std::string license_application;  ///< application of a deployment licence
+  std::string license_password;     ///< password of a deployment licence
+  double start_timeout = 5;         ///< [s] longest wait for the first tick of the driver's servo loop
+  double silence = 0.5;             ///< [s] time without a tick after which the driver counts as lost
+  std::function<double()> clock;    ///< clock of the readings, in [s]; null: the monotonic clock
 };
 
 constexpr auto fields_of(Of<OpenHapticsOptions>) {
   using O = OpenHapticsOptions;
   return std::tuple{
-      field("device_name", &O::device_name, "as in the manufacturer's setup program; empty: the default device"),
+      field("device_name", &O::device_name,
+            "name of the device in the manufacturer's setup program; empty: the default device"),
       field("other_names", &O::other_names,
             "whether to try the usual names of the default device when the driver refuses the name"),
       field("reset_encoders", &O::reset_encoders,
             "calibrates a Phantom Premium while it is opened; a person must hold the links at right angles"),
-      field("license_vendor", &O::license_vendor, "of a deployment licence; empty: a development licence is installed"),
-      field("license_application", &O::license_application, "of a deployment licence"),
-      field("license_password", &O::license_password, "of a deployment licence"),
+      field("license_vendor", &O::license_vendor,
+            "vendor of a deployment licence; empty: a development licence is installed"),
+      field("license_application", &O::license_application, "application of a deployment licence"),
+      field("license_password", &O::license_password, "password of a deployment licence"),
       field("start_timeout", &O::start_timeout, "s", Range::positive(),
-            "for the first tick of the driver's servo loop"),
+            "longest wait for the first tick of the driver's servo loop"),
       field("silence", &O::silence, "s", Range::positive(),
             "time without a tick after which the driver counts as lost"),
-      field("clock", &O::clock, "of the readings, in [s]; null: the monotonic clock"),
+      field("clock", &O::clock, "clock of the readings, in [s]; null: the monotonic clock"),
   };
 }
 
