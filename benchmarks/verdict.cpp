@@ -30,10 +30,10 @@ using units::deg;
 using units::mm;
 using units::rpm;
 
-constexpr double kPress = 2;      // [N] of the hand
-constexpr double kGlide = 3e-3;   // [m/s] of the hand
-constexpr double kPlunge = 2e-3;  // [m/s] of the hand, at most
-constexpr double kDepth = 1e-3;   // [m] of a groove; a coupled tool that is deeper is not pressed further
+constexpr double kPress = 2;      // [N] force of the hand
+constexpr double kGlide = 3e-3;   // [m/s] speed of the hand
+constexpr double kPlunge = 2e-3;  // [m/s] speed of the hand, at most
+constexpr double kDepth = 1e-3;   // [m] depth of a groove; a coupled tool that is deeper is not pressed further
 constexpr int kTicks = 3000;      // measured
 
 double thread_seconds() {
@@ -90,7 +90,7 @@ Times times_of(const Scene& scene) {
   times.ticks.reserve(std::size_t(kTicks));
   Vec3 hand(0.013 * mm, 0.021 * mm, -bottom + 0.02 * mm);
   double lowest = -std::numeric_limits<double>::infinity();  // [m] where the hand stops
-  double depth = 0, pressed = 0;                             // [m], [N] of the tool
+  double depth = 0, pressed = 0;                             // [m], [N] depth of the tool, force on the hand
   int steps = 0, newtons = 0;
   // One tick. Behind the coupling the hand follows the tool, so that it presses with kPress at most.
   const auto move = [&](double glide, double plunge) {

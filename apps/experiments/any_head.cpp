@@ -118,7 +118,7 @@ struct Transported {
   Largest force, torque, power, elsewhere;
 
   void add(const HeadCase& c, const Workpiece& workpiece, int n) {
-    const auto vector = [n](int k) { return Vec3(2 * phase(7 * n + k) - Vec3::Ones()); };  // in a cube of edge 2
+    const auto vector = [n](int k) { return Vec3(2 * phase(7 * n + k) - Vec3::Ones()); };  // vector in a cube of edge 2
     const Vec3 size = phase(7 * n);
     const Handle handle = n % 2 == 0 ? Handle(RayHandle{20 * mm * size.x()})
                                      : Handle(LHandle{20 * mm * size.x(), 10 * mm * size.y(), kPi * vector(0).z()});

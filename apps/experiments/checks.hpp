@@ -15,7 +15,7 @@ namespace hapticut::experiments {
 /// Allowed error of a case, and the reason for it.
 struct Tolerance {
   double share;        ///< [1] allowed relative error
-  const char* reason;  ///< in a few words
+  const char* reason;  ///< a few words
 };
 
 /// One comparison: the value of a formula and the value of the library.
@@ -78,6 +78,6 @@ struct Experiment {
 [[nodiscard]] std::vector<Experiment> law_experiments();          ///< alternative laws
 [[nodiscard]] std::vector<Experiment> figure_experiments();       ///< figures of the thesis: C33
 [[nodiscard]] std::vector<Experiment> measurement_experiments();  ///< rows B1 and DC4 of published measurements
-[[nodiscard]] std::vector<Experiment> defect_experiments();  ///< of the thesis: in its model and in the default model
+[[nodiscard]] std::vector<Experiment> defect_experiments();  ///< defects of the thesis, in its and the default model
 
 }  // namespace hapticut::experiments

@@ -98,7 +98,7 @@ struct Wall {
     const double reach = kR + 2 * l;
     return {Vec3(kR - depth, -reach, z0), Vec3(reach, reach, z1)};
   }
-  [[nodiscard]] double area() const { return forms::disk_area_before(kR, depth - kR); }  // of the segment
+  [[nodiscard]] double area() const { return forms::disk_area_before(kR, depth - kR); }  // area of the segment
   [[nodiscard]] double force() const { return forms::side_wall_force(kStiffness, kR, depth, z1 - z0); }
 
   /// [1] Error of the force over (l/d)^2. At the wall's ends n lies in the end faces. A part that is assumed to lie

@@ -40,7 +40,7 @@ struct Convergence {
 /// Orders of root mean squares over twelve phases are known to about 0.2.
 inline constexpr Tolerance kOrder = {0.15, "of twelve phases"};
 inline constexpr double kSecondOrder = 2;  ///< [1]
-inline constexpr double kRimOrder = 1.5;   ///< [1] of lattice points in a disk
+inline constexpr double kRimOrder = 1.5;   ///< [1] order for lattice points in a disk
 inline constexpr Tolerance kOfRimOrder = {1.0 / 6, "of twelve phases"};
 
 /// The largest of several errors, each over its own bound.

@@ -24,7 +24,7 @@ struct PressedBall {
   double depth = 0.5 * kR;
   double speed = 0;                              // [m/s] upwards
   double damping = 0;                            // [N s/m] per voxel in the thesis, [s/m] in the default model
-  Quadrature quadrature = Quadrature::centroid;  // of the thesis
+  Quadrature quadrature = Quadrature::centroid;  // quadrature of the thesis's model
   double block_height = 0.8 * mm;                // below the surface
 
   [[nodiscard]] double force(Model model) const {
@@ -153,7 +153,7 @@ std::vector<Check> threshold() {
   slow.removed_at = fast.removed_at = 0.1 * mm;
   slow.speed = 0.5e-3;
   const auto ratio = [&](Model model) { return fast.run(model).force.z() / slow.run(model).force.z(); };
-  const double k_v = 1e13 * std::pow(0.1 * mm / AxialFeed::kVoxel, 2);  // of the thesis's springs
+  const double k_v = 1e13 * std::pow(0.1 * mm / AxialFeed::kVoxel, 2);  // [N/m^4] stiffness of the thesis's springs
   constexpr Tolerance kLayers = {0.25, "layers met or missed"};
   return {
       {"D5 thesis", "thrust at four times the feed: unchanged", "1", 1, ratio(Model::thesis), kThickLayer},
@@ -246,7 +246,7 @@ std::vector<Check> filter() {
 /// The surface lies in the middle of a layer of voxels. The thesis counts cut voxels as whole, so the surface appears
 /// half a voxel higher.
 std::vector<Check> binary_voxels() {
-  constexpr double kLayers = 24;  // of voxels below the surface: half a radius or more
+  constexpr double kLayers = 24;  // layers of voxels below the surface: half a radius or more
   std::vector<Check> checks;
   for (const int parts : {25, 50}) {
     PressedBall ball;
@@ -254,7 +254,7 @@ std::vector<Check> binary_voxels() {
     ball.depth = 0.2 * kR;
     ball.block_height = (kLayers + 0.5) * ball.voxel;
     ball.quadrature = Quadrature::voxel_center;
-    const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // of the thesis's springs
+    const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // [N/m^4] stiffness of the thesis's springs
     const std::string of = ", l = R/" + std::to_string(parts);
     checks.push_back({"D11 thesis" + of, "ball, d = 0.2 R, over the force of C1: half a voxel too deep", "1",
                       forms::cap_force(1, kR, ball.depth + ball.voxel / 2) / forms::cap_force(1, kR, ball.depth),

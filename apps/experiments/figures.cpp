@@ -80,7 +80,7 @@ int falls(const std::vector<double>& values, double share = 1) {
   return count;
 }
 
-constexpr double kOfACone = 0.03, kOfABall = 0.01;  // [1] in thesis mode
+constexpr double kOfACone = 0.03, kOfABall = 0.01;  // [1] tolerances in thesis mode
 constexpr const char* kWholeVoxelsGo = "whole voxels: flat 2 %, cone 3 %, ball 1 %";
 constexpr double kWhole = 0.02, kSlope = 0.1, kRound = 0.05;  // [1]
 constexpr const char* kVoxels = "whole voxels: 2 %, slopes 10 %, balls 5 %";
@@ -90,7 +90,7 @@ std::vector<Check> of_the_thesis() {
   const Stepping flat = step_down(kFlat), cone = step_down(kCone), ball = step_down(kBall);
   const Stepping sided = step_down(kFlatWithSides);
   const double w = ThesisLaw(ThesisLaw::Constants{}).removal_depth(kTurbine, kHead, kVoxel);
-  const double moved = kVoxel / 2;  // in each of the parts into which the library divides a step
+  const double moved = kVoxel / 2;  // motion in each of the parts into which the library divides a step
   Largest volume, constant, cone_volume, ball_volume;
   double total_cone = 0, total_ball = 0;
   for (std::size_t i = 0; i < flat.volume.size(); ++i) {

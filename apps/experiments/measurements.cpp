@@ -40,7 +40,7 @@ std::vector<Check> drillings() {
 /// A plate of enamel, 0.3 mm thick, whose edge is cut by the side of the bur over 1 mm.
 class Plate {
  public:
-  static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] of contact
+  static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] area of contact
 
   /// @param layer  [m] engaged layer at the removal rate of DC4
   Plate(const Material& material, double layer)

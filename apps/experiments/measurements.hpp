@@ -62,7 +62,7 @@ struct CarbideBur {
   static constexpr double kLoad = 0.98;                   ///< [N]
   static constexpr double kInEnamel = 0.273 * units::mm;  ///< [m/s]
   static constexpr double kInDentin = 0.493 * units::mm;  ///< [m/s]
-  static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
+  static constexpr double kScatter = 0.17;                ///< [1] scatter of the rate in enamel, as the source gives it
 };
 
 /// Published measurements and the model's predictions for them, in Markdown: `hapticut validate --measurements`.

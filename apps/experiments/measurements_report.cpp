@@ -16,7 +16,7 @@ using units::rpm;
 
 constexpr double kThickestChip = 0.2;  // [mm] twice that of the tests
 
-/// [m/s] of a carbide bur, by C36.
+/// [m/s] Rate of a carbide bur, by C36.
 double rate_of(double load, const Material& m) {
   const forms::SteadyCut cut = {m.specific_cutting_energy,
                                 m.cutting_ratio,

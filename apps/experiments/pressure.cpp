@@ -117,7 +117,7 @@ OracleHead tree() {
   const double R = 0.9 * mm, h = 1.6 * mm;
   struct Segment {
     Eigen::Vector2d from, to;
-    double longest;  // [1] of its length: the last segment is extended
+    double longest;  // [1] used length over its length: the last segment is extended
   };
   const double inner = kTreeWaist * R / 2;
   const std::vector<Segment> segments = {

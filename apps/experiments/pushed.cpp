@@ -10,7 +10,7 @@
 namespace hapticut::experiments {
 namespace pushed_cuts {
 
-constexpr Tolerance kPushed = {0.04, "measured, worst of grid"};  // of the speed
+constexpr Tolerance kPushed = {0.04, "measured, worst of grid"};  // tolerance of the speed
 
 /// [N/m^4] Lowest stiffness with a thin enough layer for balls and chips; at 1e14 they are off by 10 and 12 %.
 constexpr double kThin = 1e15;

@@ -34,7 +34,7 @@ struct DrillResult {
   std::size_t steps = 0;
   std::size_t steps_in_contact = 0;
   std::size_t steps_cutting = 0;   ///< that removed volume
-  std::size_t steps_too_soft = 0;  ///< of these, those with a turning spindle and StepStatus::engaged_layer_thick
+  std::size_t steps_too_soft = 0;  ///< those of them with a turning spindle and StepStatus::engaged_layer_thick
   std::size_t steps_rejected = 0;  ///< with a bit of kRejected
   std::size_t first_rejected = 0;  ///< number of the first of these, from 1; 0: none
   std::size_t removed_voxels = 0;

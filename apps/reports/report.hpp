@@ -15,7 +15,7 @@ struct WorkpieceSummary {
   std::string source;
   std::array<int, 3> dims = {0, 0, 0};  ///< [voxels] size of the bounding box of the solid, along the grid's axes
   double voxel_size = 0;                ///< [m]
-  Vec3 size = Vec3::Zero();             ///< [m] of the bounding box of the solid, along the grid's axes
+  Vec3 size = Vec3::Zero();             ///< [m] size of the bounding box of the solid, along the grid's axes
   Pose X_WV;                            ///< pose of the grid: position of the centre of voxel (0, 0, 0)
   Box box;                              ///< [m] bounding box of the solid, in W
   std::size_t memory_bytes = 0;

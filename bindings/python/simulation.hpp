@@ -14,7 +14,7 @@ namespace hapticut::python {
 /// A voxel that became empty in a run.
 struct RemovedInRun {
   std::int64_t step;            ///< index of the step in the run
-  std::int32_t index[3];        ///< in the workpiece's grid
+  std::int32_t index[3];        ///< index in the workpiece's grid
   std::uint8_t material;        ///< material id
   std::uint8_t unused[3] = {};  ///< so that equal rows have equal bytes
 };

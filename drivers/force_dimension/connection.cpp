@@ -27,7 +27,7 @@ constexpr double kCarefulDamping = 2;      // [N·s/m]
 
 // An arm reaches farther than the documented workspace; how far is not documented. A pose beyond this factor is not
 // plausible.
-constexpr double kReach = 1.4;  // [1] of the table's workspace
+constexpr double kReach = 1.4;  // [1] reach over the table's workspace
 
 // Entries of the status, by number because names in the header have changed between versions. A newer library may have
 // more entries.

@@ -16,7 +16,7 @@ struct Model {
   double stiffness;                  ///< [N/m]
   double rotational_stiffness;       ///< [N·m/rad]
   double damping;                    ///< [N·s/m]
-  std::array<double, 3> half_width;  ///< [m] of the workspace along x, y, z of the library
+  std::array<double, 3> half_width;  ///< [m] half the workspace along x, y, z of the library
 };
 
 [[nodiscard]] std::span<const Model> models();

@@ -60,7 +60,7 @@ std::string text(HDenum name) {
 
 std::string quoted(const char* name) {
   if (name == nullptr) return "the default device";
-  std::string words = "\"";  // in parts, because GCC 12 warns wrongly about operator+
+  std::string words = "\"";  // built in parts, because GCC 12 warns wrongly about operator+
   words += name;
   words += '"';
   return words;

@@ -10,7 +10,7 @@
 namespace hapticut {
 namespace {
 
-constexpr int kFineSteps = 50;  // in a tick, when events within it matter
+constexpr int kFineSteps = 50;  // steps in a tick, when events within it matter
 
 // [1] weight of the old value in a first-order low-pass.
 double memory(double cutoff, double period) { return cutoff > 0 ? std::exp(-2 * units::kPi * cutoff * period) : 0; }

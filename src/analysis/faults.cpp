@@ -21,7 +21,7 @@ constexpr double kSettled = 3;            // [s] before it: armed, faded in, in 
 constexpr double kPress = 4e-3;           // [m] target of the hand below the surface
 constexpr double kStroke = 8e-3;          // [m] sideways
 constexpr double kStrokeFrequency = 2.3;  // [Hz]; fast enough to contradict a frozen position at every phase but one
-constexpr double kOffset = 5e-3;          // [m] of clutch and calibration
+constexpr double kOffset = 5e-3;          // [m] shift by clutch and calibration
 
 constexpr auto kFaults = [] {
   constexpr auto kNamed = names_of(Of<InjectedFault>{});

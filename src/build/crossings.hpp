@@ -59,7 +59,7 @@ class Crossings {
  private:
   struct Face {
     Vec3 normal;
-    double height;  // of the plane above the fixed point, along the normal
+    double height;  // height of the plane above the fixed point, along the normal and times its length
     Vec3 ab, bc, ca;
   };
   Vec3 from_;

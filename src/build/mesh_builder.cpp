@@ -192,7 +192,7 @@ struct Found {
   std::atomic<std::int64_t> inside{0};  // voxels that are inside, completely or partly
   std::atomic<std::int64_t> cut{0};     // by triangles
   std::atomic<std::int64_t> ragged{0};  // cut by triangles with loose edges
-  std::atomic<std::int64_t> points{0};  // of the lattices in voxels that are inside
+  std::atomic<std::int64_t> points{0};  // points of the voxels' lattices that are inside
   std::atomic<bool> overlaps{false};
 };
 

@@ -109,7 +109,7 @@ class Molar {
   [[nodiscard]] double surface_height(double x, double y) const;
 
   MolarParameters size_;
-  Vec3 scale_;  ///< [1] of this tooth over the average one, along x, y and z of the crown
+  Vec3 scale_;  ///< [1] size of this tooth over the average one, along x, y and z of the crown
   std::vector<Cusp> cusps_;
   std::vector<RoundCone> cusp_ridges_;
   std::vector<RoundCone> marginal_ridges_;
@@ -117,7 +117,7 @@ class Molar {
   std::vector<Strand> canals_;
   std::vector<RoundCone> horns_;
   std::vector<FissureSegment> fissures_;
-  Vec3 body_center_ = Vec3::Zero();  ///< of the block between the cusps
+  Vec3 body_center_ = Vec3::Zero();  ///< centre of the block between the cusps
   Vec3 body_half_ = Vec3::Zero();
   double crown_bottom_ = 0;  ///< [m] height of the lowest point of the crown's parts
   double roots_top_ = 0;     ///< [m] height of the highest point of the strands

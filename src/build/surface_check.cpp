@@ -38,7 +38,7 @@ SurfaceMeasure measure_surface(const TriangleMesh& mesh) {
 
 void check_surface(const SurfaceMeasure& surface, const std::string& name, double filled, bool overlaps,
                    double voxel_size, const std::function<void(const std::string&)>& warn) {
-  constexpr double kSheet = 0.5;        // [1] of its area: half a ball has so much
+  constexpr double kSheet = 0.5;        // [1] vector area over area: half a ball has so much
   constexpr double kDifference = 0.05;  // [1] as for labels
   const std::string voxels = "voxels of " + format_number(voxel_size / units::mm) + " mm";
   const bool sheet = surface.open_sides > 0 && surface.vector_area > kSheet * surface.area;

@@ -77,8 +77,8 @@ class Bodies {
 
   std::array<int, 3> dims_;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> parent_;   // of a run: an earlier run of the same body, or itself
-  std::vector<std::size_t> first_run_;  // of each row, and the end of the last row
+  std::vector<std::uint32_t> parent_;   // for each run an earlier run of the same body, or itself
+  std::vector<std::size_t> first_run_;  // first run of each row, and the end of the last row
 };
 
 /// Gives a value to all samples that belong to a body but not to the largest one.

@@ -183,7 +183,7 @@ class GreyField {
   [[nodiscard]] float value_behind(const Vec3& place, float empty, const CellAt& cell_at) const {
     constexpr double kStep = 0.5;  // [samples]
     constexpr int kSteps = int(kReach / kStep);
-    constexpr float kFlat = 0.25F;  // [1] of the steepest rise
+    constexpr float kFlat = 0.25F;  // [1] flat rise over the steepest rise
     float unused = 0;
     const auto value_at = [&](const Vec3& p) { return cell_at(p).interpolate([](Sample v) { return v; }, unused); };
     Vec3 step;

@@ -23,7 +23,7 @@ inline constexpr int kMaxSubsamples = 16;
 struct PointOnAxis {
   int low = 0;       ///< the sample below
   int high = 0;      ///< the sample above; equal to `low` at the border
-  float weight = 0;  ///< [1] of the sample above
+  float weight = 0;  ///< [1] weight of the sample above
   bool inside = false;
 };
 

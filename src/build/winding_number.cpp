@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kLeafTriangles = 8;
 constexpr double kFarDistance = 2;  // [radii] beyond this distance a group of triangles is replaced by its expansion
-constexpr int kStackDepth = 64;     // of a balanced tree over 2^32 triangles, twice
+constexpr int kStackDepth = 64;     // twice the depth of a balanced tree over 2^32 triangles
 
 Vec3 centroid(const WindingNumber::Triangle& t) { return (t[0] + t[1] + t[2]) / 3; }
 Vec3 area_vector(const WindingNumber::Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]); }
@@ -35,7 +35,7 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) {
   if (triangles_.empty()) return;
   Vec3 middle = Vec3::Zero();
   for (const Triangle& t : triangles_) middle += centroid(t) / double(triangles_.size());
-  double volume = 0;  // of the cones from the middle, so that holes have little effect
+  double volume = 0;  // volume of the cones from the middle, so that holes have little effect
   for (const Triangle& t : triangles_) volume += (centroid(t) - middle).dot(area_vector(t));
   turned_ = volume < 0;
   if (turned_)

@@ -40,7 +40,7 @@ class WindingNumber {
     double radius;               // [m] largest distance of a vertex from the centre
     Vec3 dipole;                 // [m^2] sum of area vectors
     Mat3 quadrupole;             // [m^3] sum of (triangle's centroid - centre) (area vector)^T, symmetrised
-    std::uint32_t first, count;  // of triangles_, for a leaf; count 0 otherwise
+    std::uint32_t first, count;  // range in triangles_, for a leaf; count 0 otherwise
     std::uint32_t second_child;  // the first child is the next node
   };
   void build(std::uint32_t first, std::uint32_t count);

@@ -17,7 +17,7 @@ class CouplingObject final : public Object {
         coupling(simulation->simulation, gains) {}
 
   const std::shared_ptr<SimulationObject> simulation;
-  const std::uint32_t tool_exchanges;  // of the simulation when the coupling was made
+  const std::uint32_t tool_exchanges;  // exchanges of the simulation when the coupling was made
   VirtualCoupling coupling;
 };
 

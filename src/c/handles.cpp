@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kSlots = 4096;
 constexpr std::uint64_t kSlotMask = 0xffff, kNumberMask = (std::uint64_t(1) << 40) - 1;
 constexpr int kNumberShift = 16, kKindShift = 56;
-constexpr std::uint32_t kClosing = 1U << 31;  // of Slot::users
+constexpr std::uint32_t kClosing = 1U << 31;  // bit of Slot::users
 
 struct Slot {
   std::atomic<hapticut_handle> handle{0};

@@ -32,9 +32,9 @@ class LoopObject final : public Object {
   const std::shared_ptr<DeviceObject> device;
   SimulationModel model;
   RealtimeLoop loop;
-  LoopListener listener;            // in lane reading
+  LoopListener listener;            // used in lane reading
   std::atomic<bool> running{true};  // until stopped
-  RunReport report;                 // in lane first, after the end
+  RunReport report;                 // used in lane first, after the end
 
  private:
   void release_objects() noexcept;

@@ -26,7 +26,7 @@ class SimulationObject final : public Object {
   const std::optional<settings::Motion> motion;  ///< X_WT
   const Tool first_tool;                         ///< the tool of the scene, to which `motion` refers
   const RemovalLaw removal;                      ///< removal law of the scene
-  const Box box;                                 ///< [m] in W, of the workpiece at its creation
+  const Box box;                                 ///< [m] box around the workpiece at its creation, in W
   const IndexBox bounds;                         ///< bounds of the workpiece at its creation
   const double rate;                             ///< [Hz]
 

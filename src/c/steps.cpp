@@ -11,7 +11,7 @@
 namespace hapticut::c {
 namespace {
 
-constexpr std::size_t kBlocksAtOnce = 1024;  // of an undo or redo between steps
+constexpr std::size_t kBlocksAtOnce = 1024;  // blocks at once in an undo or redo between steps
 
 class SnapshotObject final : public Object {
  public:
@@ -19,7 +19,7 @@ class SnapshotObject final : public Object {
   SnapshotObject(WorkpieceSnapshot a_state, const std::shared_ptr<SimulationObject>& a_simulation)
       : state(std::move(a_state)), simulation(a_simulation) {}
   const WorkpieceSnapshot state;
-  const std::weak_ptr<SimulationObject> simulation;  // of the snapshot
+  const std::weak_ptr<SimulationObject> simulation;  // source of the snapshot
 };
 
 Twist twist_of(const hapticut_step_input& input) noexcept {

@@ -27,8 +27,8 @@ class InterruptionScope {
  private:
   friend void look_for_interruption();
   std::function<bool()> wanted_;
-  double next_;               // [s] of the monotonic clock
-  InterruptionScope* outer_;  // of the same thread
+  double next_;               // [s] next time to look, by the monotonic clock
+  InterruptionScope* outer_;  // outer scope of the same thread
 };
 
 /// @throws Interrupted when the scope of this thread wants it

@@ -78,7 +78,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   const AtEnd off_again([this] { guard_->stop(); });
   requests_.forget_stop();  // only here: from now on other threads see the run and may stop it
   phase_.store(Phase::running, std::memory_order_release);
-  const bool crashes = options.stop_on_crash && !options.simulated_time;  // in simulated time no hand feels the force
+  const bool crashes = options.stop_on_crash && !options.simulated_time;  // no hand feels the force in simulated time
   const int slot_number = run_slots::acquire(crashes);
   if (slot_number < 0)
     throw Error("More than " + std::to_string(run_slots::kSlots) +

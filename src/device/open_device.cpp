@@ -21,7 +21,7 @@ struct Registry {
 struct Component {
   bool is_built;
   std::string name, option, function;
-  std::string needs;  ///< to be built
+  std::string needs;  ///< what to install to build it
 };
 
 DeviceDriver unregistered_driver(const std::string& scheme, const std::string& usage, const Component& component) {

@@ -18,9 +18,9 @@ namespace {
 
 using units::kPi;
 
-constexpr double kMinSpread = 1.05;      // [1] of the chips, to separate edge from chip
+constexpr double kMinSpread = 1.05;      // [1] largest chip over the smallest, to separate edge from chip
 constexpr double kMaxError = 0.5;        // [1] standard error over the constant
-constexpr double kSmallEdge = 0.1;       // [1] of thrust and torque; an edge known within this is known, even if 0
+constexpr double kSmallEdge = 0.1;       // [1] part of thrust and torque; an edge known within this is known, even if 0
 constexpr double kMaxRadius = 0.05;      // [m]
 constexpr double kExact = 1e-4;          // [1] root mean square residual of numbers that fit exactly
 constexpr double kMinSeparation = 1e-6;  // [1] ratio of the eigenvalues above which constants are separated

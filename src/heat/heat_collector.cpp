@@ -12,8 +12,8 @@ namespace hapticut {
 namespace {
 
 constexpr double kMostlyAxial =
-    0.1;                       // [1] of the squared force must be across the axis, or its line does not pass near
-constexpr int kHalvings = 20;  // to a millionth of the head
+    0.1;                       // [1] minimum part of the squared force across the axis, or its line does not pass near
+constexpr int kHalvings = 20;  // down to a millionth of the head
 
 double heat_of_rubbing(const EnergyLedger& energy) { return energy.rubbing + energy.damping + energy.sliding; }
 double heat_of_cutting(const EnergyLedger& energy) { return energy.losses() - heat_of_rubbing(energy); }

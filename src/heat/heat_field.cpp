@@ -14,7 +14,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kMaxCells = 8e6;  // some 130 bytes each
-constexpr int kMaxDistance = 3;    // [cells] in which heat looks for material
+constexpr int kMaxDistance = 3;    // [cells] distance in which heat looks for material
 
 }  // namespace
 

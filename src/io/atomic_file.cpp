@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 std::string text_of_errno(int error_number) { return std::generic_category().message(error_number); }
 
 constexpr std::string_view kTemporaryPrefix = ".hapticut-";
-constexpr std::size_t kMaxName = 255;  // [bytes] of a file
+constexpr std::size_t kMaxName = 255;  // [bytes] length of a file name
 
 /// Identifies this machine and its process-id namespace: process ids mean the same only within both.
 std::string home_of_processes() {

@@ -124,7 +124,7 @@ class TextLines {
   std::string_view text_, line_;
   TextRules rules_;
   std::size_t number_;
-  std::size_t at_ = 0;  // in text_
+  std::size_t at_ = 0;  // place in text_
 };
 
 }  // namespace hapticut

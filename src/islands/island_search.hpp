@@ -41,7 +41,7 @@ class JoinedSets {
 /// Pieces that were one body before belong to one group; one piece of each group stays.
 class IslandSearch {
  public:
-  using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // of a piece, by number of the block
+  using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // voxels of a piece, by number of the block
 
   explicit IslandSearch(const IslandFinder& finder) : finder_(finder) {}
 
@@ -92,7 +92,7 @@ class IslandSearch {
     for (const auto& [block, here] : found_)
       for (const Part& part : here) parts[pieces_.root(part.piece)].emplace_back(block, part.voxels);
     for (auto& [piece, all] : parts) std::ranges::sort(all);
-    std::unordered_map<std::size_t, std::size_t> stays;  // of each group
+    std::unordered_map<std::size_t, std::size_t> stays;  // piece of each group
     for (const auto& [piece, all] : parts) {
       const auto [known, first] = stays.try_emplace(groups_.root(pieces_[piece].group), piece);
       if (!first && is_preferred(piece, known->second, parts)) known->second = piece;
@@ -118,7 +118,7 @@ class IslandSearch {
   };
   struct Group {
     int open = 0;             // open pieces of the group
-    std::int64_t closed = 0;  // [voxels] of its largest closed piece
+    std::int64_t closed = 0;  // [voxels] size of its largest closed piece
     bool fixed = false;       // a piece of it is fixed
     bool lost_fixed = false;  // perhaps none is
   };

@@ -20,9 +20,9 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kIslands = 256;    // in the rings at once; more wait in the watching thread
+constexpr std::size_t kIslands = 256;    // number in the rings at once; more wait in the watching thread
 constexpr std::size_t kMaxRemoved = 64;  // kept for `removed`
-constexpr std::size_t kWorkpieces = 4;   // in the rings at once
+constexpr std::size_t kWorkpieces = 4;   // number in the rings at once
 
 Simulation& simulation_of(LoopModel& model) {
   Simulation* const simulation = model.simulation();
@@ -101,7 +101,7 @@ struct IslandWatch::State final : StepObserver {
   Feed to_send;                  // while its ring is full
   std::vector<Removal> waiting;  // found, while the ring is full
   std::size_t under_way = 0;     // islands that were found and are not over
-  std::mutex mutex;              // of the members below; the loop never locks it
+  std::mutex mutex;              // guards the members below; the loop never locks it
   std::condition_variable wake;
   bool stopping = false;
   std::vector<Island> removed;

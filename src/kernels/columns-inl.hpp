@@ -57,8 +57,8 @@ struct Columns {
     kSquareOfLand,  // [m^2]
     kMaterial,      // its number, only where the materials differ
     // Motion:
-    kMoved,        // [1] in the sub-step
-    kApproach,     // [1] in the time, not negative
+    kMoved,        // [1] advance in the sub-step
+    kApproach,     // [1] advance in the time, not negative
     kInverseSlip,  // [s/m] SurfaceMotion
     kWork,         // [J/m^3] see PartRecession
     kFactor,       // [1] g_d
@@ -87,7 +87,7 @@ struct Columns {
   alignas(64) float of[kColumns][kCapacity];
   std::int32_t index[kCapacity];  // 512 times the number of the block, plus the offset in the block
   int count = 0;
-  MaterialId one_material = kEmpty;  // of all voxels; kEmpty: their materials may differ
+  MaterialId one_material = kEmpty;  // material of all voxels; kEmpty: their materials may differ
   bool smooth = false;               // some of them are at a smooth surface
 
   [[nodiscard]] HWY_INLINE Wide get(Name name, int first) const { return Wide::load(of[name] + first); }
@@ -128,7 +128,7 @@ struct PressSums {
   Vec of[ContactSums::kTerms];
   Vec depth;  // [m] maximum
   int voxels = 0;
-  int whole = 0;  // of them, not counted in kFill
+  int whole = 0;  // whole ones among them, not counted in kFill
 
   HWY_INLINE PressSums() : depth(broadcast(0.0F)) {
     for (Vec& sum : of) sum = broadcast(0.0F);

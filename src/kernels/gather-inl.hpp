@@ -187,9 +187,9 @@ class Gather {
     return strips;
   }
 
-  const Bound near_;                         // of the centres of voxels that may reach into the head
-  const Bound strips_near_, strips_inside_;  // of the middles of strips that have such voxels, and that have no others
-  Place lane_offsets_[kParts];               // [m] of the lanes of a strip, from the strip's first voxel
+  const Bound near_;                         // bound on centres of voxels that may reach into the head
+  const Bound strips_near_, strips_inside_;  // bounds on middles of strips with such voxels, and with no others
+  Place lane_offsets_[kParts];               // [m] offsets of the lanes of a strip, from the strip's first voxel
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
   const ContactJob& job_;

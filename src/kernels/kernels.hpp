@@ -88,10 +88,10 @@ struct ContactJob;
 /// The solid voxels of a block that may be inside a head.
 struct ReachedVoxels {
   static constexpr int kEnd = 16;                        ///< number of zeros after the last one
-  static constexpr int kCapacity = kBlockVoxels + kEnd;  ///< of an array for those of one block
+  static constexpr int kCapacity = kBlockVoxels + kEnd;  ///< size of an array for those of one block
   const std::uint16_t* voxels = nullptr;  ///< their offsets in the block, ascending, then zeros; null: not listed
   int count = 0;
-  MaterialId material = kEmpty;  ///< of all voxels of the block; kEmpty: their materials may differ
+  MaterialId material = kEmpty;  ///< material of all voxels of the block; kEmpty: their materials may differ
 };
 
 /// Lists the voxels of a block that may be inside the head, or inside it after a motion.

@@ -102,7 +102,7 @@ class Press {
       c.count += std::popcount(inside);
       if (c.count < Columns::kChunk) continue;
       stages_.run(tasks, Columns::kChunk);
-      c.one_material = reached.material;  // of those that are left
+      c.one_material = reached.material;  // material of those that are left
     }
   }
   /// [m] Positions of voxels in T.
@@ -135,8 +135,8 @@ class Press {
   const ContactJob& job_;
   Columns& columns_;
   Stages& stages_;
-  const Eigen::Matrix3f steps_;  // [m] of the grid, in T
-  const Eigen::Matrix3f axes_;   // of the grid, in T
+  const Eigen::Matrix3f steps_;  // [m] steps of the grid, in T
+  const Eigen::Matrix3f axes_;   // axes of the grid, in T
   const float voxel_size_, min_width_;
   const bool stands_;  // and removes nothing
   Whole<Springs> whole_;

@@ -333,7 +333,7 @@ class Stages {
   ColumnMaterials materials_;
   const bool spins_, chips_;
   PressSums sums_;
-  KeptColumns kept_ = {C::kTop, C::kHeight, C::kFill};  // of the part that crushing left
+  KeptColumns kept_ = {C::kTop, C::kHeight, C::kFill};  // columns of the part that crushing left
   bool cuts_ = false, crushes_ = false;
   bool crushed_ = false;  // some voxel of these columns was
 };

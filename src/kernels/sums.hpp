@@ -15,7 +15,7 @@ namespace hapticut::kernels {
 /// processor, but may differ between kinds.
 struct ContactSums {
   enum Term {  // forces in [N/m^3], torques in [N/m^2], energies in [J/m^3], to be multiplied by a voxel's volume
-    kForceX,   // of the reaction on the material: minus the force on the tool
+    kForceX,   // reaction on the material: minus the force on the tool
     kForceY,
     kForceZ,
     kTorqueX,
@@ -39,7 +39,7 @@ struct ContactSums {
     kMomentX,  // sum of magnitude times position
     kMomentY,
     kMomentZ,
-    kArea,  // [voxel edges^2] of the head's surface
+    kArea,  // [voxel edges^2] area of the head's surface
     kTerms
   };
   static constexpr int kLanes = BlockChange::kStrip;

@@ -208,12 +208,12 @@ class Whole {
   Stages& stages_;
   StiffnessVectors* const stiffness_;  // null: not needed
   FrictionVectors* const friction_;    // likewise
-  const Eigen::Matrix3f& axes_;        // of the grid, in T
+  const Eigen::Matrix3f& axes_;        // axes of the grid, in T
   const float deep_enough_;  // [m] depth at which a voxel is wholly inside; for a ball, during the whole sub-step
-  const typename Gather<Springs>::Bound deep_;  // of the centres of such voxels; exact for a ball
-  int count_ = 0;                               // of collected voxels
-  MaterialId id_ = kEmpty;                      // of all of them
-  float deepest_ = 0;                           // [m] of all voxels so far
+  const typename Gather<Springs>::Bound deep_;  // bound on the centres of such voxels; exact for a ball
+  int count_ = 0;                               // number of collected voxels
+  MaterialId id_ = kEmpty;                      // material of all of them
+  float deepest_ = 0;                           // [m] maximum of all voxels so far
   Sums sums_;
 };
 

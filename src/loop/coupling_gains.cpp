@@ -10,7 +10,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kMinDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and the chosen ratio
-constexpr double kMinMass = 1e-3;                              // [kg] of a tool that a hand could hold
+constexpr double kMinMass = 1e-3;                              // [kg] mass of a tool that a hand could hold
 
 }  // namespace
 

@@ -38,7 +38,7 @@ enum class Up { y, z };
   if (up == Up::y)
     map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // +x stays, up (+y) becomes +z, towards the user (+z) becomes -y
   const HeadBox head = tool.head().bounding_box();
-  const Vec3 aside = tool.X_HT() * Vec3(0.5 * (head.min + head.max));  // of the hand, with an L handle
+  const Vec3 aside = tool.X_HT() * Vec3(0.5 * (head.min + head.max));  // head's middle in H; aside with an L handle
   double lowest = aside.z();
   for (const double x : {head.min.x(), head.max.x()})
     for (const double y : {head.min.y(), head.max.y()})

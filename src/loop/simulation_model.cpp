@@ -60,7 +60,7 @@ void SimulationModel::require_renderable(double contact_stiffness, const Simulat
                                          double relative_stiffness, double scale) const {
   constexpr double kRounding = 1.01;
   if (device_stiffness_ == 0 || !config.law->is_foundation()) return;
-  const double renders = device_stiffness_ / (scale * first_map_.force_scale);      // [N/m] in the world
+  const double renders = device_stiffness_ / (scale * first_map_.force_scale);      // [N/m] stiffness in the world
   const double max_stiffness = renders / (contact_stiffness * relative_stiffness);  // [N/m^4]
   if (config.reference_stiffness <= kRounding * max_stiffness) return;
   throw Error("the device renders " + format_number(renders) + " N/m, but driven directly it would meet up to " +

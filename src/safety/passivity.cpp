@@ -12,10 +12,10 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxStillTime = 0.02;   // [s] of hand motion that one step of the encoders may stand for
+constexpr double kMaxStillTime = 0.02;   // [s] motion of the hand that one step of the encoders may stand for
 constexpr double kMeanTime = 0.01;       // [s] and
 constexpr double kMeanPath = 0.5e-3;     // [m] over which the hand's velocity is averaged
-constexpr double kPayTime = 0.02;        // [s] in which a debt is paid back
+constexpr double kPayTime = 0.02;        // [s] time in which a debt is paid back
 constexpr double kGentleChange = 0.018;  // [N] per tick, which a hand does not feel
 constexpr double kGentleSpeed = 0.15;    // [m/s] up to which it would feel more
 
@@ -24,8 +24,8 @@ constexpr double kSmoothChange = 0.05;  // [N] per tick, up to which a force is 
 constexpr double kAlong = 4;            // [1] times the change of a force beyond that, which hides another change
 
 constexpr double kStrikeTime = 0.1;    // [s] after a touch, in which a wall may act on a hand
-constexpr double kStrikeSpeed = 0.07;  // [m/s] at least, and by
-constexpr double kStrikeShare = 0.8;   // [1] of the device's stiffness
+constexpr double kStrikeSpeed = 0.07;  // [m/s] minimum speed of the hand
+constexpr double kStrikeShare = 0.8;   // [1] minimum stiffness of that wall over the device's
 constexpr double kStrikes = std::numeric_limits<double>::infinity();  // [1] roughness of its force
 
 /// [1] How far beyond that of a smooth force a change per tick is.

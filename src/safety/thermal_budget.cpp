@@ -9,7 +9,7 @@
 namespace hapticut {
 namespace {
 
-// [1] of the peak force, for a device that reports warm motors but no continuous force.
+// [1] Part of the peak force, for a device that reports warm motors but no continuous force.
 constexpr double kCarefulFraction = 0.25;
 
 }  // namespace

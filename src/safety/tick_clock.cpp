@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMinStep = 0.2;       // [periods]
 constexpr double kMaxLateness = 5e-3;  // [s]
-constexpr double kMaxAhead = 20e-3;    // [s] of the clock before readings that stand, as long as the gate holds one
+constexpr double kMaxAhead = 20e-3;    // [s] lead of the clock over readings that stand, as long as the gate holds one
 constexpr int kPaceTicks = 1000, kFewestTicks = 20;
 constexpr double kPaceTime = 1;  // [s]
 
@@ -20,7 +20,7 @@ void TickClock::restart() noexcept { *this = TickClock(period_, pause_); }
 TickClock::Elapsed TickClock::tick(double time, bool repeats, double waited) noexcept {
   const bool known = std::isfinite(time), first = !started_;
   const bool starts = first || time < clock_ - kMaxAhead;  // also the clock of a device that was opened anew
-  const double step = std::min(period_, waited);           // of a reading that tells no time
+  const double step = std::min(period_, waited);           // duration of a tick whose reading tells no time
   double elapsed = step, passed = step;                    // by the readings; by the clock
   if (known && starts) {
     clock_ = time;

@@ -11,7 +11,7 @@ namespace hapticut::settings {
 namespace {
 
 constexpr double kAngleStep = 0.5 * units::deg;
-constexpr double kMaxPoints = 1e7;  // of a curve; `drill` refuses as many steps
+constexpr double kMaxPoints = 1e7;  // points of a curve; `drill` refuses as many steps
 
 /// @param turns  [1] number of turns of the curve
 /// @param cause  the settings that cause the length

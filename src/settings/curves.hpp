@@ -14,7 +14,7 @@ namespace hapticut::settings {
 /// seen from the tip of the axis. They start at the projection of W's x axis, or of its y axis when x is close to
 /// `axis`.
 struct CurvePlane {
-  Vec3 center;  ///< [m] in W
+  Vec3 center;  ///< [m] position in W
   Vec3 axis;    ///< [1] any length but 0
 
   [[nodiscard]] Pose frame() const;  ///< z along the axis, x along angle 0
@@ -28,9 +28,9 @@ struct CurvePlane {
                                        double depth);
 
 struct CavityShape {
-  double top_radius;     ///< [m] of the curve in the uppermost layer
-  double bottom_radius;  ///< [m] of the curve in the lowest layer
-  double depth;          ///< [m] of the lowest layer
+  double top_radius;     ///< [m] radius of the curve in the uppermost layer
+  double bottom_radius;  ///< [m] radius of the curve in the lowest layer
+  double depth;          ///< [m] depth of the lowest layer
   double layer;          ///< [m] maximum distance between layers
   double pitch;          ///< [m] maximum distance between turns in a layer
 };

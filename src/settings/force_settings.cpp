@@ -20,7 +20,7 @@ using S = ForceSettings;
 
 /// A constant of one force law.
 struct Constant {
-  const char* name;  // of the key and of the flag
+  const char* name;  // name of the key and of the flag
   std::optional<double> S::*value;
   Range range;
   std::string meaning;
@@ -33,7 +33,7 @@ std::string or_else(double usual) { return " [" + format_number(usual) + "]"; }
 /// The constants of a law, and how the law is made.
 struct LawKind {
   Law law;
-  const char* owner;  // in messages
+  const char* owner;  // name in messages
   std::vector<Constant> constants;
   std::shared_ptr<const ForceLaw> (*make)(const S& s);
 };

@@ -16,7 +16,7 @@ namespace hapticut::settings {
 /// Changes to one material: `[material.NAME]` in a settings file, in SI units like Material.
 struct MaterialChange {
   std::string based_on;  ///< name of a preset; empty: the preset of the same name
-  std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< in the order of Material's fields
+  std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< ordered like Material's fields
 };
 
 /// The materials of a run: presets with the user's changes, and custom materials.

@@ -32,7 +32,7 @@ using VectorMember = std::optional<Vec3> P::*;
 
 /// A setting that belongs to some kinds of path.
 struct PathField {
-  std::string name;  // of the key and of the flag
+  std::string name;  // name of the key and of the flag
   std::variant<NumberMember, VectorMember> member;
   std::vector<PathKind> kinds;
   Range range;

@@ -32,7 +32,7 @@ using Value = std::variant<bool, double, std::string, std::vector<double>>;
 struct Setting {
   enum class Kind { number, integer, numbers, text, boolean, tables, named_tables };
 
-  std::string key;      ///< in a settings file, with its table: "tool.radius_mm"
+  std::string key;      ///< name in a settings file, with its table: "tool.radius_mm"
   std::string flag;     ///< on the command line: "--radius_mm"; empty: settings file only
   std::string meaning;  ///< text of the help
   std::string allowed;  ///< completes "must be ..."

@@ -25,7 +25,7 @@ struct VolumeSummary {
   double lowest, highest;                                        ///< grey values, ignoring NaN
   std::size_t not_a_number;                                      ///< number of samples that are NaN
   std::size_t padding;                                           ///< samples of the file outside the field of view
-  std::vector<std::string> remarks;                              ///< of the reader
+  std::vector<std::string> remarks;                              ///< remarks of the reader
   std::size_t memory_bytes;                                      ///< memory of the samples
   std::optional<std::size_t> voxels_at_or_above = std::nullopt;  ///< number of samples at or above the threshold
   std::map<int, std::size_t> voxels_by_label = {};               ///< empty unless the values are a few whole numbers

@@ -94,7 +94,7 @@ Workpiece make_slab(const Source& s) {
   for (std::size_t n = 0; n < layers.size(); ++n) {
     const double thickness = std::min(left, layers[n].thickness);
     left -= thickness;
-    const double noise = 1e-6 * voxel_size(s);  // of what the layers above leave of the box
+    const double noise = 1e-6 * voxel_size(s);  // error of what the layers above leave of the box
     wanted[n + 1] = thickness > noise ? size.x() * size.y() * thickness : 0;
   }
   if (const std::string found = differences_of(slab, wanted, "layers"); s.warn && !found.empty())

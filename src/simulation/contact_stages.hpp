@@ -74,7 +74,7 @@ struct Encounter {
 
 /// Where the head is and how it moves, for the stages that see voxels.
 struct HeadPlacement {
-  Pose X_VT;          ///< of the head in the grid's frame
+  Pose X_VT;          ///< pose of the head in the grid's frame
   HeadMotion motion;  ///< where the contact is evaluated: at the middle of the sub-step, or its end
 
   /// [1] Part of the cutting ratio that acts: less than 1 for slow and stalled heads.
@@ -217,7 +217,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit
-  unsigned phase_ = 0;        // of the level of detail
+  unsigned phase_ = 0;        // phase of the level of detail
   IndexBox bounds_;           // voxels that were ever solid
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
@@ -226,7 +226,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law and find_touched
   std::array<kernels::PressTask, kBlocksAtOnce> tasks_;
-  std::array<ContactBlock::Array<float>, kBlocksAtOnce> new_fills_;  // of blocks that are not written in place
+  std::array<ContactBlock::Array<float>, kBlocksAtOnce> new_fills_;  // fills of blocks that are not written in place
 };
 
 }  // namespace hapticut

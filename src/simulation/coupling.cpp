@@ -15,7 +15,7 @@ namespace {
 
 // Brake of a tool that the spindle throws about.
 constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
-constexpr double kMuchBraked = 0.1;             // [1] of the force between tool and material
+constexpr double kMuchBraked = 0.1;             // [1] brake over the force between tool and material
 
 /// [J] Energy of a spring whose force is limited.
 double energy_of(double stretch, double stiffness, double max_force) {
@@ -229,7 +229,7 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
 void VirtualCoupling::brake(Pull& pull, const Vec3& tool, const Vec3& hand) const noexcept {
   pull.brake.setZero();
   pull.brake_slope.setZero();
-  const double speed = tool.norm(), unbraked = (hand.norm() + kUnbraked) / speed;  // [m/s], [1] of it
+  const double speed = tool.norm(), unbraked = (hand.norm() + kUnbraked) / speed;  // [m/s], [1] its unbraked part
   if (simulation_->last_result().spindle.speed == 0 || !(unbraked < 1)) return;
   const Vec3 along = tool / speed;
   pull.brake = -kBrake * (1 - unbraked) * tool;

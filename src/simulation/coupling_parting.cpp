@@ -44,7 +44,7 @@ void VirtualCoupling::Distance::add(const Twist& velocity, double dt) noexcept {
 /// velocity of the poses, as a velocity in mm/s or in degrees is. Such a velocity would make the damper push the tool.
 bool VirtualCoupling::velocity_fits(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
   constexpr double kMaxRatio = 30;                          // [1] times the distance of the poses
-  constexpr double kNoiseLinear = 0.2, kNoiseAngular = 20;  // [m/s], [rad/s] of an estimate for a hand at rest
+  constexpr double kNoiseLinear = 0.2, kNoiseAngular = 20;  // [m/s], [rad/s] noise of an estimate for a hand at rest
   if (given_) by_pose_.add(twist_between(*given_, X_WD, dt), dt);
   if (given_) by_velocity_.add(V_WD, dt);
   given_ = X_WD;

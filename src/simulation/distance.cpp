@@ -108,7 +108,7 @@ class NearestVoxel {
   const Workpiece& workpiece_;
   const HeadOutline outline_;
   const MaterialId material_;
-  const double size_;  // [m] of a voxel
+  const double size_;  // [m] edge of a voxel
   const GridInHead grid_;
   double gap_ = kFar;  // [m] the smallest so far
 };

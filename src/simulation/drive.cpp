@@ -9,7 +9,7 @@ namespace hapticut {
 namespace {
 
 constexpr int kMaxTrials = 6;
-constexpr double kSettled = 2e-3;  // [1] of a speed
+constexpr double kSettled = 2e-3;  // [1] relative change of a speed that counts as none
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
   };
   // Secant steps on the residual torque. The first step, and steps with the wrong sign of the slope, are fixed-point
   // steps.
-  double residual = 0, before = 0;  // [N·m] of the trial before, and its torque
+  double residual = 0, before = 0;  // [N·m] residual of the trial before, and its torque
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     const double torque = spindle.load_.torque, speed = motor.speed();
     const double needed = torque_to_spin(sub_step, contact_stages.press(blocks, sub_step.head));

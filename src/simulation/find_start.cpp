@@ -9,7 +9,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxStepRotation = 1;  // [rad] of a step; a script may rotate the tool faster than a hand
+constexpr double kMaxStepRotation = 1;  // [rad] rotation in a step; a script may rotate the tool faster than a hand
 
 }  // namespace
 

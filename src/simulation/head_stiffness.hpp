@@ -12,7 +12,7 @@ namespace hapticut {
 /// The reference stiffness that a simulation chooses for a head.
 struct HeadStiffness {
   double chosen = 0;                                            // [N/m^4]
-  double renderable = std::numeric_limits<double>::infinity();  // [N/m^4] of the stiffest material
+  double renderable = std::numeric_limits<double>::infinity();  // [N/m^4] limit for the stiffest material
 
   [[nodiscard]] double in(const MaterialTable& materials) const noexcept {
     return std::min(chosen, renderable / max_relative_stiffness(materials));

@@ -47,7 +47,7 @@ class NearBlocks {
   std::vector<std::uint16_t> voxels_;  // memory of their lists
   bool known_ = false;                 // there are some
   Pose X_VT_near_, X_VT_found_;        // where they were found
-  std::uint64_t layout_ = 0;           // of the workpiece then
+  std::uint64_t layout_ = 0;           // layout of the workpiece then
   bool listed_ = false;                // whether their voxels were listed
 };
 

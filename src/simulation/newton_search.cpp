@@ -15,7 +15,7 @@ constexpr double kNearBalance = 2e-4;   // [N] absolute part
 constexpr double kNearFraction = 2e-4;  // [1] part of the maximum force
 constexpr int kPatient = 6;
 constexpr double kMinDescent = 1e-4;  // [1] by which a correction must reduce the residual
-constexpr double kStuck = 0.1;        // [1] of the largest force, residual of a point that friction holds
+constexpr double kStuck = 0.1;        // [1] residual of a point that friction holds, over the largest force
 constexpr double kLongTick = 1.5e-3;  // [s] from which on two parts have the time for as many steps as more parts
 constexpr double kAgainst = 3;        // [1]
 constexpr double kShorter = 0.7;      // [1] times one that does not, the next one
@@ -104,7 +104,7 @@ double VirtualCoupling::NewtonSearch::cost(const Residual& residual, const Twist
 
 /// Broyden's change of a slope to what a correction has shown.
 void VirtualCoupling::NewtonSearch::learn(Residual& from, const Vector6& correction, const Residual& there) noexcept {
-  Vector6 measure = correction;  // of lengths, also of rotations
+  Vector6 measure = correction;  // measure of lengths, also of rotations
   measure.tail<3>() *= lever_ * lever_;
   const Vector6 missed = from.of - there.of - from.slope * correction;
   from.slope += missed * measure.transpose() / correction.dot(measure);

@@ -19,7 +19,7 @@ namespace hapticut {
 class VirtualCoupling::NewtonSearch {
  public:
   static constexpr double kSolved = 1e-4;  // [voxels] a smaller correction ends the search
-  static constexpr int kLeastSteps = 2;    // of a part
+  static constexpr int kLeastSteps = 2;    // steps of a part
   static constexpr int kFaster = 4;        // [1] times the steps, in a tick of several parts
   /// Voxels of a contact for which a tick has CouplingGains::newton_steps, and those whose evaluation takes as long as
   /// the rest of a contact. Smaller contacts have more steps in the same time.
@@ -43,9 +43,9 @@ class VirtualCoupling::NewtonSearch {
   struct Residual {
     Vector6 of = Vector6::Zero();  // [N], [N m] force and torque
     double size = 0;               // [N] force, plus torque over lever_
-    double max_force = 0;          // [N] of contact and coupling
+    double max_force = 0;          // [N] the larger of the forces of contact and coupling
     Vector6 of_contact = Vector6::Zero();
-    Stiffness free_slope = Stiffness::Zero();  // of the slope, without the contact's
+    Stiffness free_slope = Stiffness::Zero();  // part of the slope without the contact's
     Stiffness slope = Stiffness::Zero();       // [N s/m] ... its decrease with the twist
     bool sliding = false;                      // a standing head slides
   };
@@ -62,10 +62,10 @@ class VirtualCoupling::NewtonSearch {
   const Part& part_;
   const Twist& hand_;
   const Twist before_;  // from which the forces accelerate the tool
-  const double lever_;  // [m] of the farthest point of the head
-  int steps_ = 0;       // of this part
+  const double lever_;  // [m] distance of the farthest point of the head
+  int steps_ = 0;       // number in this part
   int evaluated_ = 0;   // contacts of this part
-  int voxels_ = 0;      // of the last contact
+  int voxels_ = 0;      // number in the last contact
   int blocks_ = 0;      // searched for them
   // [N s/m] ... of a contact whose law reports no stiffness: measured in the first contact, then learned.
   std::optional<Stiffness> learned_;

@@ -16,7 +16,7 @@ namespace {
 
 // Memory for all voxels that a head may reach is reserved at set-up; a larger head is a mistake in the unit.
 constexpr double kMaxVoxels = 1e9, kMaxDiagonal = 4000;  // [voxels]
-constexpr double kMinThickness = 1.5;                    // [voxels] of a head: there its forces are wrong by a fifth
+constexpr double kMinThickness = 1.5;  // [voxels] thickness of a head: there its forces are wrong by a fifth
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())

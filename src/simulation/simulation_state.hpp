@@ -19,16 +19,16 @@ namespace hapticut {
 
 /// The springs that a contact has beside the foundation. They remember where they began.
 struct Springs {
-  DeepContact deep;     // in W
-  LimitSurface anchor;  // of dry friction, in W
+  DeepContact deep;     // its vectors are in W
+  LimitSurface anchor;  // anchor of dry friction, in W
 };
 
 /// The side of the hand in a step.
 struct HandSide {
   bool released = false;                 // the hand was released since the last step
   bool was_released = false;             // the hand was released before this step
-  OutputPath path = OutputPath::direct;  // of the force
-  HandOutput coupled;                    // of the coupling, in the last step that it answered
+  OutputPath path = OutputPath::direct;  // path of the force
+  HandOutput coupled;                    // answer of the coupling, in the last step that it answered
   Output output;
 };
 
@@ -130,7 +130,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   ToolMotion motion;
   SpindleDrive spindle;
   Springs springs;
-  double crushing_depth = 0;  // [m] of the last sub-step (crushing_depth_in)
+  double crushing_depth = 0;  // [m] value of the last sub-step (crushing_depth_in)
   HandSide hand;
 
   // The last step.
@@ -143,7 +143,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   // Since construction or reset.
   std::uint64_t steps = 0;
   std::uint64_t exchanges = 0;
-  std::uint64_t replacements = 0;                   // of the whole workpiece
+  std::uint64_t replacements = 0;                   // replacements of the whole workpiece
   bool altered = false;                             // the workpiece was changed, but not by a step
   ByMaterial<double> detached_volume = {};          // [m^3] by MaterialId
   MaterialSet touched, first_touched;               // for the first time, in the last step

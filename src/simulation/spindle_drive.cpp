@@ -11,10 +11,10 @@
 namespace hapticut {
 namespace {
 
-constexpr double kSteadyLoad = 0.1;                       // [1] of a torque
-constexpr double kSteadySpeed = 2e-3;                     // [1] of a speed
+constexpr double kSteadyLoad = 0.1;                       // [1] relative change of a torque that counts as none
+constexpr double kSteadySpeed = 2e-3;                     // [1] relative change of a speed that counts as none
 constexpr double kFasterHand = 1.25, kSlowHand = 0.5e-3;  // [1], [m/s] growth of the hand's speed without a trial
-constexpr double kTurningSpeed = 1;                       // [m/s] of the rim of a head that is about to turn
+constexpr double kTurningSpeed = 1;                       // [m/s] speed of the rim of a head that is about to turn
 
 }  // namespace
 

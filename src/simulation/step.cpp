@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
-constexpr double kCancelled = 1e-4;          // [1] of the normal forces: rounding error of single precision
-constexpr double kMuchCrushed = 0.1;         // [1] of the energy that removes material
-constexpr double kThickLayer = 0.1;          // [1] of the head's radius
+constexpr double kCancelled = 1e-4;          // [1] resultant over the normal forces: rounding error of single precision
+constexpr double kMuchCrushed = 0.1;         // [1] crushing's part of the energy that removes material
+constexpr double kThickLayer = 0.1;          // [1] engaged layer over the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
   return {X_WT.rotation.transpose() * twist_W.linear, X_WT.rotation.transpose() * twist_W.angular};

@@ -57,7 +57,7 @@ class StepMaterials {
 
  private:
   struct Ratios {
-    float cutting, sliding;  // [1] of a material at a fast spin
+    float cutting, sliding;  // [1] friction of a material at a fast spin
   };
   void scale(std::size_t id) noexcept {
     materials_[id].cutting_ratio = float(share_) * fast_ratios_[id].cutting;

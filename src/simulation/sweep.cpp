@@ -10,7 +10,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kLayerShare = 0.25;  // [1] of the crushed layer, largest motion of a rim in a part of a sub-step
+constexpr double kLayerShare = 0.25;  // [1] largest motion of a rim in a part of a sub-step, over the crushed layer
 constexpr int kMaxForLayer = 4;       // parts of a step; more would take too much time
 
 }  // namespace

@@ -11,12 +11,12 @@ namespace hapticut {
 /// One equal part of the tool's motion during a step, seen where the contact is evaluated: at its middle or its end.
 struct SubStep {
   double duration;     // [s]
-  double end;          // [1] of the step
-  double weight;       // [1] of its force in the force of the step
-  Pose X_WH;           // of the handle
-  Pose X_WT;           // of the head
-  Twist path_T;        // of To along the path, in T
-  HeadPlacement head;  // of the head, for the stages that see voxels
+  double end;          // [1] part of the step that is over
+  double weight;       // [1] part of its force in the force of the step
+  Pose X_WH;           // pose of the handle
+  Pose X_WT;           // pose of the head
+  Twist path_T;        // velocity of To along the path, in T
+  HeadPlacement head;  // placement of the head, for the stages that see voxels
 
   [[nodiscard]] Vec3 p_HoTo_W() const noexcept { return X_WT.translation - X_WH.translation; }
 
@@ -31,8 +31,8 @@ struct SubStep {
 /// needs. Each may be divided once more into equal parts, which follow a crushed layer.
 struct Sweep {
   int sub_steps = 1;
-  double rest = 0;  // [1] of the step's duration, each sub-step but the first
-  int parts = 1;    // of each sub-step
+  double rest = 0;  // [1] part of the step's duration, each sub-step but the first
+  int parts = 1;    // parts of each sub-step
 
   [[nodiscard]] int count() const noexcept { return sub_steps * parts; }
   /// [1] Duration, end, and weight of the force of a part of a sub-step. At the end of sub-steps, the force of the last
@@ -54,8 +54,8 @@ struct Sweep {
 /// The motion of the handle in a step, with constant twist.
 struct HandlePath {
   Pose from;    // X_WH at its beginning
-  Twist twist;  // of Ho along it, in W
-  Twist felt;   // of Ho as the device measures it, in W
+  Twist twist;  // velocity of Ho along it, in W
+  Twist felt;   // velocity of Ho as the device measures it, in W
   double dt;    // [s]
   Sweep sweep;
 };

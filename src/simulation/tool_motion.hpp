@@ -58,13 +58,15 @@ class ToolMotion {
     after_refusal_ = false;
   }
   [[nodiscard]] bool is_after_refusal() const noexcept { return after_refusal_; }
-  [[nodiscard]] const std::optional<Pose>& refused_jump() const noexcept { return jumped_to_; }  ///< of the last step
+  [[nodiscard]] const std::optional<Pose>& refused_jump() const noexcept {
+    return jumped_to_;
+  }  ///< place to which the last step was refused
 
  private:
   friend struct SimulationMemory;
   bool placed_ = false, parted_ = false;
   Pose X_WH_;
-  std::optional<Vec3> mean_velocity_;  // [m/s] of To, in W, over the last steps
+  std::optional<Vec3> mean_velocity_;  // [m/s] velocity of To, in W, over the last steps
   bool after_refusal_ = false;         // the last step's input was refused
   std::optional<Pose> jumped_to_;
 };

@@ -12,8 +12,8 @@ namespace {
 using units::kPi;
 
 constexpr double kMinRate = 8000, kMaxRate = 384'000;  // [Hz]
-constexpr double kMaxShare = 0.45;                     // [1] of the sample rate; a higher tone would alias
-constexpr double kFadeShare = 0.05;  // [1] of the sample rate, over which a tone fades below that limit
+constexpr double kMaxShare = 0.45;   // [1] highest tone over the sample rate; a higher one would alias
+constexpr double kFadeShare = 0.05;  // [1] range over the sample rate, in which a tone fades below that limit
 constexpr double kPitchTime = 0.03, kLevelTime = 0.01;  // [s] lag of the sound
 constexpr double kMinSpeed = 0.05;                      // [Hz] below it the spindle stands
 constexpr double kMinLevel = 1e-5;                      // [1] below it there is silence
@@ -21,7 +21,7 @@ constexpr double kToneSpeed = 300;                      // [Hz] at which a tone 
 constexpr double kNoise = 0.24;                         // [1] maximum rms
 constexpr double kMiddle = 2500, kQuality = 1.2;        // [Hz], [1] centre and quality of the band
 constexpr double kPlainEnergy = 1e8;                    // [J/m^3] at the centre
-constexpr double kLowestOctave = -1, kMaxOctave = 2;    // of the centre
+constexpr double kLowestOctave = -1, kMaxOctave = 2;    // octaves from the centre
 constexpr double kClickTone = 3000, kClickTime = 0.004, kClickRise = 0.0005, kClick = 0.5;  // [Hz], [s], [s], [1]
 constexpr double kClickLasts = 0.06, kFreeBeforeClick = 0.03;                               // [s]
 
@@ -38,9 +38,9 @@ double held(double frequency, double sample_rate) {
 struct DrillSound::Target {
   double sample_rate;
   double speed;          // [Hz]
-  double level, octave;  // of the noise
+  double level, octave;  // level of the noise, octave of its centre
   bool touching;
-  double follow_pitch, follow_level;  // [1] of the difference, in a sample
+  double follow_pitch, follow_level;  // [1] part of the difference that a sample makes up for
 
   Target(const SoundInput& input, const SoundOptions& options, double rate)
       : sample_rate(rate),

@@ -128,7 +128,7 @@ class Welder {
 
   const GridFrame& frame_;
   std::unordered_map<VoxelIndex, std::uint32_t, CellHash> at_seams_;
-  std::vector<std::uint32_t> numbers_;  // of the vertices of a net
+  std::vector<std::uint32_t> numbers_;  // numbers of a net's vertices in the mesh
 };
 
 WorkpieceSurface surface_of(const Workpiece& workpiece, MaterialId only) {

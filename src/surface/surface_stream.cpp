@@ -58,7 +58,7 @@ struct Page {
   std::uint64_t dirty = 0;        // bit: this block must be meshed
   bool waits = false;             // is in the heap
   bool resend = false;            // is returned even if unchanged
-  std::vector<BlockMesh> meshes;  // of blocks with a surface, in order
+  std::vector<BlockMesh> meshes;  // meshes of blocks with a surface, in order
 };
 
 struct WaitingPage {

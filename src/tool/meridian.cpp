@@ -12,7 +12,7 @@ namespace {
 
 using units::kPi;
 
-constexpr double kRounding = 1e-9;  // [1] of the size: smaller differences count as equal
+constexpr double kRounding = 1e-9;  // [1] rounding error over the size: smaller differences count as equal
 constexpr std::size_t kMaxEdges = 1000;
 
 std::string in_mm(const Vec2& p) {

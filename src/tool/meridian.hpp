@@ -21,8 +21,8 @@ using Vec2 = Eigen::Vector2d;  ///< (rho, z)
 struct MeridianEdge {
   Vec2 from, to;                      ///< [m]
   double curvature = 0;               ///< [1/m] > 0 bulges outwards
-  Vec2 center = Vec2::Zero();         ///< [m] of an arc
-  double start_angle = 0, sweep = 0;  ///< [rad] of an arc about its centre; sweep > 0 counter-clockwise
+  Vec2 center = Vec2::Zero();         ///< [m] centre of an arc
+  double start_angle = 0, sweep = 0;  ///< [rad] angles of an arc about its centre; sweep > 0 counter-clockwise
   Vec2 start_tangent, end_tangent;    ///< [1]
   EdgeKind kind = EdgeKind::cutting;
 
@@ -38,9 +38,9 @@ struct MeridianEdge {
 struct MeridianCurve {
   enum class Kind { line, arc, corner };
   Kind kind = Kind::line;
-  MeridianEdge edge;          ///< of a corner: the edge before it
+  MeridianEdge edge;          ///< for a corner: the edge before it
   Vec2 point = Vec2::Zero();  ///< [m] start; of a corner: the corner
-  Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
+  Vec2 next = Vec2::Zero();   ///< [1] for a corner: tangent of the edge after it
   double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
   /// Whether the curve is in charge at some point within a distance of x.  @param reach  [m] the distance
   [[nodiscard]] bool in_charge(const Vec2& x, double reach = 0) const;

@@ -13,16 +13,16 @@
 namespace hapticut::detail {
 namespace {
 
-constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that represents a hollow corner
-constexpr double kExact = 4e-7;         // [1] of the size: smaller errors count as none
-constexpr double kSlabRounding = 1e-5;  // [1] of the size: above the rounding of the slab height in single precision
+constexpr double kCornerRadius = 1e-7;  // [1] radius of the circle that represents a hollow corner, over the size
+constexpr double kExact = 4e-7;         // [1] error over the size: smaller errors count as none
+constexpr double kSlabRounding = 1e-5;  // [1] slack over the size, above the slab height's rounding in single precision
 constexpr std::size_t kMaxCells = 1U << 20U;
 constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
 constexpr int kSamples = 5;         // along the edge of a cell, to choose
 constexpr int kFineSamples = 33;    // along the edge of a cell, to bound the error
 constexpr int kEdgeSamples = 1000;  // along an edge
 // Two depths, each changing by at most kSmoothScale per unit of length, between a point and the nearest sample.
-constexpr double kBetweenFineSamples = 2 * kSmoothScale * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
+constexpr double kBetweenFineSamples = 2 * kSmoothScale * 0.70710678 / (kFineSamples - 1);  // [cell sizes] error
 
 using Curves = std::vector<std::uint32_t>;
 
@@ -119,7 +119,7 @@ class TableBuilder {
   /// Sets ProfileTable::cells_near, by spreading from cell to cell.
   void extend_cells() {
     t_.cells_near = t_.cells;
-    std::vector<int> reached;  // in the order of their distance; neighbours are visited later
+    std::vector<int> reached;  // ordered by distance; neighbours are visited later
     for (int n = 0; n < int(t_.cells.size()); ++n)
       if (t_.cells[std::size_t(n)] != 0) reached.push_back(n);
     for (std::size_t next = 0; next < reached.size(); ++next) {

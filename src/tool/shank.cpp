@@ -17,7 +17,7 @@ using detail::Meridian;
 using detail::MeridianEdge;
 using detail::Vec2;
 
-constexpr double kOnAnEdge = 1e-9;  // [1] of the size
+constexpr double kOnAnEdge = 1e-9;  // [1] distance that counts as on an edge, over the size
 
 using detail::in_mm;
 

@@ -120,7 +120,7 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
     return material_at(frame.X_WV.translation.z() + voxel_size * (index + covered(2, index).middle));
   };
   const IndexBox voxels = voxels_of(box, voxel_size);
-  double top = box.max.z();  // [m] of the layer
+  double top = box.max.z();  // [m] top of the layer
   for (std::size_t n = 0; n < layers.size() && top - box.min.z() > kNoise * voxel_size; top = bottoms[n++]) {
     const int row = std::min(int((top - box.min.z()) / voxel_size), voxels.max[2]);
     const auto is_of_layer = [&](int k) {

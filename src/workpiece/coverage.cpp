@@ -20,7 +20,7 @@ struct VoxelPolynomial {
   Vec3 bend;
 };
 
-constexpr double kRounding = 1e-9;  // [1] of a voxel
+constexpr double kRounding = 1e-9;  // [1] rounding error over a voxel
 
 /// @param moment  [voxel edges] integral of the position over the filled part, over the volume of a voxel
 Coverage coverage_of(double fill, const Vec3& moment) {

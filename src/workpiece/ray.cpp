@@ -84,7 +84,7 @@ double first_rise(const std::array<double, 4>& g) {
   const double d1 = g[1] - g[0], d2 = g[2] - 2 * g[1] + g[0], d3 = g[3] - 3 * g[2] + 3 * g[1] - g[0];
   const auto value = [&](double x) { return g[0] + x * (d1 + (x - 1) / 2 * (d2 + (x - 2) / 3 * d3)); };
   // Between its turning points the cubic is monotone.
-  const double a = d3 / 2, b = d2 - d3, c = d1 - d2 / 2 + d3 / 3;  // of the slope
+  const double a = d3 / 2, b = d2 - d3, c = d1 - d2 / 2 + d3 / 3;  // coefficients of the slope
   std::array<double, 3> ends = {3, 3, 3};
   if (const double root = b * b - 4 * a * c; root >= 0) {
     const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));

@@ -13,7 +13,7 @@
 namespace hapticut {
 namespace {
 
-constexpr double kMaxBlocks = 1 << 27;  // of the table
+constexpr double kMaxBlocks = 1 << 27;  // size of the table
 
 void save_content(const BlockView& block, SavedBlock& entry) noexcept {
   entry.has_voxels = block.material != nullptr;

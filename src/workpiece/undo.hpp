@@ -75,10 +75,10 @@ class UndoJournal {
   [[nodiscard]] bool half_way() const noexcept { return !marks_.empty() && marks_.back().undone > 0; }
   void drop_oldest_mark() noexcept;
 
-  BlockGrid blocks_;                    // of the bounds
+  BlockGrid blocks_;                    // blocks within the bounds
   std::vector<std::uint32_t> saved_;    // mark under which each block was saved last; 0: never
-  std::vector<SavedBlock> ring_;        // of all marks, oldest first
-  std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the present place
+  std::vector<SavedBlock> ring_;        // blocks of all marks, oldest first
+  std::size_t oldest_ = 0, count_ = 0;  // place in the ring; `count_` blocks before the present place
   std::vector<Mark> marks_, undone_;    // undone_: the next mark to redo is the last
   bool redoing_ = false;                // until the last mark is complete
   std::uint32_t last_number_ = 0;

@@ -115,7 +115,7 @@ std::vector<MaterialAmount> Workpiece::amounts() const {
   const double voxel_volume = std::pow(voxel_size(), 3);
   std::vector<MaterialAmount> amounts;
   ByMaterial<double> filled = {};  // [voxels]
-  ByMaterial<Vec3> moments;        // [voxels^2] of `filled` about the centre of voxel (0, 0, 0), along the grid's axes
+  ByMaterial<Vec3> moments;        // [voxels^2] moments about the centre of voxel (0, 0, 0), along the grid's axes
   moments.fill(Vec3::Zero());
   const auto add = [&](const MaterialId material, const VoxelIndex& first, const Vec3& offset, double fill) {
     filled[material] += fill;

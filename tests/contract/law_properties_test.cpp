@@ -226,7 +226,7 @@ struct Conservative {
   Law (*draw)();
   ToolHead (*head)();
   bool any_body, tilts;
-  double tolerance;  // [1] of the turnover
+  double tolerance;  // [1] error over the turnover
 };
 
 class ClosedPathOfASpring : public testing::TestWithParam<Conservative> {};

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned kMaxSeconds = 20;             // [s] of a mutant
+constexpr unsigned kMaxSeconds = 20;             // [s] time for a mutant
 constexpr rlim_t kMaxMemory = rlim_t(4) << 30U;  // [bytes]
 
 struct MutantSeed {

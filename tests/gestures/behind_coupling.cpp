@@ -128,7 +128,7 @@ void drill_a_hole(Report& report) {
       const double face = kPi * std::pow(std::min(-tip.z(), cone) * std::tan(slope), 2);  // [m^2] under the force
       const double stiff = loop.simulation.config().reference_stiffness * bur.material.relative_stiffness;
       const double layer = std::sqrt(2 * bur.force / (face * stiff));                        // [m] pressed in, not cut
-      const double deep = -tip.z() - layer / std::sin(slope), point = std::min(deep, cone);  // [m] of the hole
+      const double deep = -tip.z() - layer / std::sin(slope), point = std::min(deep, cone);  // [m] hole, its point
       const double wide = 0.5 * diameter * point / cone;                                     // [m] radius there
       const double hole = kPi * wide * wide * (point / 3 + deep - point);
       const double wider = std::pow(volume / hole, deep > cone ? 1.0 / 2 : 1.0 / 3);

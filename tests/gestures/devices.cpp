@@ -188,7 +188,7 @@ void flick(Report& report) {
   const std::vector<Tick>& ticks = chain.log.ticks;
   for (std::size_t n = 0; n + 1 < begins.size(); ++n) {
     const Span span = chain.log.within(begins[n], begins[n + 1]);
-    double work = 0;  // [J] of the hand on the stylus, which renders no torque
+    double work = 0;  // [J] work of the hand on the stylus, which renders no torque
     for (std::size_t k = std::max<std::size_t>(span.first, 1); k < span.last; ++k) {
       const Vec3 moved = ticks[k].X_WD.translation - ticks[k - 1].X_WD.translation;
       work += -ticks[k - 1].applied.force.dot(moved) + 0.5 * spring * moved.squaredNorm();
@@ -211,7 +211,7 @@ void flick(Report& report) {
 /// The case of the thesis with six degrees of freedom. The handle is held by the gimbal and the fingers alone, so a
 /// lever of the length L makes the contact softer by K/L^2.
 void l_handle(Report& report) {
-  constexpr double kDeeper = 4 * mm;  // of the hand, below the surface
+  constexpr double kDeeper = 4 * mm;  // travel of the hand below the surface
   double last = 0;                    // [N] with the longer lever
   for (const double length : {100 * mm, 30 * mm}) {
     report.scene("ball 2 mm on an L handle of " + shown(1e3 * length, "mm") +

@@ -27,7 +27,7 @@ inline constexpr double kBallRadius = 1 * mm;  // [m]
 /// Demands that in no tick of a span the motor force grows faster than the slew limit of a Touch.
 inline void demand_slow_growth(Report& report, const SceneLog& log, const Span& span,
                                const std::string& demand = "force step") {
-  double max_growth = 0;  // [N] in one tick
+  double max_growth = 0;  // [N] growth in one tick
   for (std::size_t n = std::max<std::size_t>(span.first, 1); n < span.last; ++n) {
     const Vec3 &last = log.ticks[n - 1].applied.force, &now = log.ticks[n].applied.force;
     max_growth = std::max(max_growth, (now - growth_limited(last, now, 0)).norm());

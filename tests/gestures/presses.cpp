@@ -52,8 +52,8 @@ struct Punch {
   std::string name;
   ToolHead head;
   double (*area)(double thickness);  // [m^2]
-  double radius;                     // [m] of the hole
-  double travel;                     // [m] of the tip beyond the thickness, until the head is through
+  double radius;                     // [m] radius of the hole
+  double travel;                     // [m] travel of the tip beyond the thickness, until the head is through
 };
 
 constexpr double kPunch = 0.5 * mm;             // [m] radius of ball and cylinder

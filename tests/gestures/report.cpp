@@ -16,7 +16,7 @@ std::string with_reason(const std::string& text, const std::string& why) {
 
 std::string shown(double value, const std::string& unit) {
   std::array<char, 32> text{};
-  const double negligible = 1e-9;  // in any unit
+  const double negligible = 1e-9;  // whatever the unit
   const double size = std::abs(value);
   const char* format = size >= 1000 && size < 1e6 ? "%.0f" : "%.3g";
   (void)std::snprintf(text.data(), text.size(), format, size < negligible ? 0.0 : value);

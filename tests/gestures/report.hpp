@@ -22,8 +22,8 @@ struct Row {
   std::string gesture;    // "G7"
   std::string scene;      // tool, material, kind of drive
   double voxel_size = 0;  // [m]; 0: the scene has no voxels, or compares several sizes
-  std::string demand;     // in a few words: "axial force"; `gesture` and `demand` name a known failure
-  std::string expected;   // in words and numbers, with the unit
+  std::string demand;     // a few words: "axial force"; `gesture` and `demand` name a known failure
+  std::string expected;   // words and numbers, with the unit
   std::string seen;       // the result of the library, in words and numbers
   bool is_met = false;    // the result meets the demand
   double strain = 0;      // [1] result over its bound; 0 for a demand without a number
@@ -43,7 +43,7 @@ class Report {
 
   // --- settings of the run ------------------------------------------------------------------------------------------
   [[nodiscard]] double voxel() const { return voxel_; }  ///< [m]
-  double period = 1e-3;                                  ///< [s] of a tick
+  double period = 1e-3;                                  ///< [s] duration of a tick
   Mat3 turn = Mat3::Identity();  ///< rotation of the whole scene, grid and hand, about the origin of W
   bool probing = false;          ///< adds probes after every step, which must not change any result
 

@@ -10,15 +10,15 @@
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kShare = 1e-3;        // [1] of the turnover: allowed gain or `entered`
-constexpr double kUnexplained = 1e-2;  // [1] of the coupling's turnover: allowed residual
+constexpr double kShare = 1e-3;        // [1] allowed gain or `entered`, over the turnover
+constexpr double kUnexplained = 1e-2;  // [1] allowed residual over the coupling's turnover
 constexpr double kNothing = 1e-9;      // [J] negligible work
 constexpr double kLittle = 1e-5;       // [J] below this turnover the coupling's tolerance of 10 mN dominates
 constexpr double kNoVolume = 1e-15;    // [m^3] negligible volume
 constexpr double kRounding = 1.001;    // [1]
-constexpr double kNoPower = 1e-6;      // [W] of a stalled motor: rounding in single precision
+constexpr double kNoPower = 1e-6;      // [W] power of a stalled motor: rounding in single precision
 constexpr double kLent = 1e-3;         // [1] share of the rotor's kinetic energy that may feed the load
-constexpr double kSpeedKnown = 2e-3;   // [1] of the setting: accuracy of the motor's speed
+constexpr double kSpeedKnown = 2e-3;   // [1] accuracy of the motor's speed, over the setting
 
 /// [m] Engaged layer (C34) half a voxel beside the axis, for the material with the thickest layer.
 double thickest_layer(const Simulation& simulation, double feed) {

@@ -19,18 +19,18 @@ namespace hapticut::gestures {
 /// One tick of a scene: hand, tool, device and simulation.
 struct Tick {
   double time = 0;      // [s] since the script began; the guard arms at negative times
-  Pose X_WD;            // of the handle in the hand
-  Pose X_WH;            // of the handle of the tool
+  Pose X_WD;            // pose of the handle in the hand
+  Pose X_WH;            // pose of the handle of the tool
   Wrench felt;          // requested for the hand, about Ho of the hand, in W
   Wrench effects;       // the part of `felt` that does not come from contact, such as weight
   Wrench applied;       // sent to the motors; without a device equal to `felt`
-  Wrench model;         // of the contact, about Ho of the tool, in W
-  double removed = 0;   // [m^3] in this tick
+  Wrench model;         // wrench of the contact, about Ho of the tool, in W
+  double removed = 0;   // [m^3] volume removed in this tick
   double depth = 0;     // [m] greatest below the cutting surface
-  int voxels = 0;       // in contact
+  int voxels = 0;       // number in contact
   int contacts = 1;     // evaluated contacts: several behind a coupling
-  double speed = 0;     // [rad/s] of the spindle
-  EnergyLedger energy;  // of the simulation
+  double speed = 0;     // [rad/s] speed of the spindle
+  EnergyLedger energy;  // ledger of the simulation
   StepStatus status = StepStatus::ok;
   ArmingState arming = ArmingState::on;
 };
@@ -106,7 +106,7 @@ class SceneLog final : public StepObserver {
     return std::sqrt(std::max(0.0, square / n - slope * slope * (n * n - 1) / 12)) / std::abs(middle);
   }
   [[nodiscard]] Span all() const { return {0, ticks.size()}; }
-  [[nodiscard]] Span within(double from, double to) const;  ///< [s] of Tick::time
+  [[nodiscard]] Span within(double from, double to) const;  ///< [s] limits of Tick::time
   [[nodiscard]] const Tick& at(double time) const;          ///< the last tick at or before this time
 
  private:
@@ -121,7 +121,7 @@ class SceneLog final : public StepObserver {
   double step_error_ = 0;       // [J] error of `entered` that vanishes with the step
   double hand_given_ = 0, min_hand_given_ = 0, hand_turnover_ = 0;  // [J] at the device, with the motor
   double unexplained_ = 0;                                          // [1] residual of the coupling over its turnover
-  double allowed_depth_ = 0, deepest_ = 0;                          // [m] of solid material in the head
+  double allowed_depth_ = 0, deepest_ = 0;                          // [m] depths of solid material in the head
   double unfelt_ = 0;                                               // [m^3] cut while the device got no force
   double max_felt_ = 0, max_applied_ = 0, max_torque_ = 0;          // [N], [N·m]
   double max_power_ = 0, excess_power_ = 0;  // [W] power, and excess over the motor's characteristic

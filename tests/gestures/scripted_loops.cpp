@@ -7,7 +7,7 @@
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kArming = 1.7;  // [s] in the air before the script, while the guard arms
+constexpr double kArming = 1.7;  // [s] time in the air before the script, while the guard arms
 
 /// A workpiece rotated about the origin together with its grid.
 Workpiece turned(Workpiece piece, const Mat3& turn) {

@@ -53,7 +53,7 @@ class ScriptedLoop {
   Report& report_;
   std::optional<VirtualCoupling> coupling_;
   std::optional<Pose> last_;
-  Pose end_;  // of the last script
+  Pose end_;  // pose at the end of the last script
   double time_ = 0;
 };
 

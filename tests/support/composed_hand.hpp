@@ -82,7 +82,7 @@ class ComposedHand {
   }
 
   [[nodiscard]] const Pose& X_WD() const { return X_WD_; }
-  [[nodiscard]] const Twist& velocity() const { return path_; }  ///< of Ho, from the poses
+  [[nodiscard]] const Twist& velocity() const { return path_; }  ///< velocity of Ho, from the poses
   [[nodiscard]] Motion motion() const { return motion_; }
 
  private:
@@ -92,9 +92,9 @@ class ComposedHand {
   static constexpr double kInert = 8e-3;                                  // [s]
   static constexpr double kMaxTilt = 0.7;                                 // [rad]
 
-  Pose X_WD_;  // of the handle
+  Pose X_WD_;  // pose of the handle
   Vec3 tip_H_ = Vec3::Zero();
-  Twist speed_, path_;  // of the tip; of Ho
+  Twist speed_, path_;  // velocity of the tip; of Ho
   Motion motion_ = Motion::rest;
   double press_ = 0;                                // [N]
   Vec3 drag_ = Vec3::Zero(), turn_ = Vec3::Zero();  // [m/s], [rad/s]

@@ -18,14 +18,14 @@ namespace hapticut::test {
 
 /// The margins of a run to its bounds.
 struct Margins {
-  double entered = 0;                        // [J] in a sequence, beyond the error of the step
-  double unbooked = 0;                       // [1] of the turnover, without what entered
-  double unexplained = 0;                    // [1] of the coupling's turnover
-  double announced = 0;                      // [1] of the coupling's turnover, in ticks with not_in_balance
+  double entered = 0;                        // [J] energy entered in a sequence, beyond the error of the step
+  double unbooked = 0;                       // [1] part of the turnover, without what entered
+  double unexplained = 0;                    // [1] part of the coupling's turnover
+  double announced = 0;                      // [1] part of the coupling's turnover, in ticks with not_in_balance
   double volume = 0;                         // [1] difference of two sums of the removed volume, over that volume
   double too_deep = 0;                       // [1] depth of solid material in the head over the allowed depth
-  double burst = 0;                          // [J] of the motor, beyond its power
-  double all_entered = 0, all_turnover = 0;  // [J] of all sequences
+  double burst = 0;                          // [J] work of the motor, beyond its power
+  double all_entered = 0, all_turnover = 0;  // [J] sums over all sequences
   std::uint64_t ticks = 0, cutting = 0, waiting = 0, refused = 0, stalled = 0, crushing = 0, unbalanced = 0,
                 grips = 0;  // numbers of ticks of each kind, and of grips
 
@@ -196,11 +196,11 @@ class ComposedInvariants final : public StepObserver {
   static constexpr double kRounding = 1 + 1e-9;
   static constexpr double kVolume = 1e-12;      // [m^3] below which a relative error means nothing
   static constexpr double kVolumeShare = 1e-5;  // [1] rounding error of fills in single precision
-  static constexpr double kUnbooked = 5e-6;     // [1] of the turnover
-  static constexpr double kEntered = 1e-3;      // [1] of the turnover
-  static constexpr double kUnfelt = 1e-3;       // [J] of 1 N over 1 mm, may also enter in a sequence
-  static constexpr double kUnexplained = 1e-2;  // [1] of the coupling's turnover
-  static constexpr double kRotated = 1e-8;      // [1] of the coupling's turnover, as large rotations do not add
+  static constexpr double kUnbooked = 5e-6;     // [1] part of the turnover
+  static constexpr double kEntered = 1e-3;      // [1] part of the turnover
+  static constexpr double kUnfelt = 1e-3;       // [J] work of 1 N over 1 mm, may also enter in a sequence
+  static constexpr double kUnexplained = 1e-2;  // [1] part of the coupling's turnover
+  static constexpr double kRotated = 1e-8;      // [1] part of the coupling's turnover, as large rotations do not add
   static constexpr double kLittle = 1e-4;       // [J] turnover below which a relative error means nothing
   static constexpr std::uint64_t kDepthEvery = 7, kVolumeEvery = 500, kLoopVolumeEvery = 100;  // [ticks]
 
@@ -305,14 +305,14 @@ class ComposedInvariants final : public StepObserver {
   std::uint64_t hash_ = 0xcbf29ce484222325ULL;
   double volume_at_begin_ = 0, removed_ = 0, removed_in_tick_ = 0;  // [m^3]
   EnergyLedger ledger_;
-  Pose pose_;              // of the last step
-  Wrench model_;           // of the last step
-  double step_error_ = 0;  // [J] of `entered`
+  Pose pose_;              // the last step's
+  Wrench model_;           // the last step's
+  double step_error_ = 0;  // [J] error of `entered`
   CouplingEnergy coupling_;
-  double explained_ = 0;  // [J] of the coupling's imbalance, due to changes between ticks
+  double explained_ = 0;  // [J] part of the coupling's imbalance, due to changes between ticks
   bool is_exchanged_ = false, is_released_ = true, energy_jumps_ = false, solid_may_be_deep_ = false;
   double rotor_speed_ = std::numeric_limits<double>::infinity();  // [rad/s]
-  double burst_ = 0;                                              // [J] of the motor
+  double burst_ = 0;                                              // [J] work of the motor, beyond its power
   Pose X_WH_;
 };
 

@@ -28,7 +28,7 @@ inline int below(int n, RandomPoses& random) { return std::min(n - 1, int(random
 
 inline MaterialTable some_materials(RandomPoses& random) {
   const auto one_of = [&](std::vector<Material> some) { return some[std::size_t(below(int(some.size()), random))]; };
-  std::vector<Material> table;  // in this order
+  std::vector<Material> table;  // drawn in this order
   table.push_back(one_of({presets::cortical_bone(), presets::enamel(), presets::clay()}));
   table.push_back(presets::dentin());
   table.push_back(one_of({presets::trabecular_bone(), presets::pulp()}));
@@ -150,7 +150,7 @@ inline std::uint64_t many_ticks() {
 /// broken one
 template <class Run>
 Margins compose(std::uint64_t ticks) {
-  constexpr std::uint64_t kTicks = 2500;  // of one sequence
+  constexpr std::uint64_t kTicks = 2500;  // ticks of one sequence
   Margins margins;
   int failures = 0;
   std::uint64_t seed = number_from("HAPTICUT_COMPOSED_SEED", 1);

@@ -41,7 +41,7 @@ struct PressedTool {
   double rebound = 0;           // [m/s] maximum speed upwards
   double jitter = 0;            // [m] from the lowest to the highest position in the last half second
   double rest_force = 0;        // [N] on the hand, upwards
-  int newton_steps = 0;         // in all ticks
+  int newton_steps = 0;         // sum over all ticks
 };
 
 inline PressedTool press(VirtualCoupling& coupling, double force = kPress, int ticks = 2000) {

@@ -23,12 +23,12 @@ using Files = std::map<std::string, std::optional<std::string>>;
 /// A refused input and its cure.
 struct Cure {
   std::string sentence;         ///< part of the refusal
-  std::string path;             ///< in the folder; empty: the folder
+  std::string path;             ///< path in the folder; empty: the folder
   Files broken;                 ///< files that are refused
   Files cured = {};             ///< files that the cure changes
   VolumeReadOptions with = {};  ///< options that the cure sets
   bool labels = false;          ///< read as labels, before the cure
-  std::string cured_path = {};  ///< in the folder; empty: path
+  std::string cured_path = {};  ///< path in the folder; empty: `path`
 };
 
 inline void PrintTo(const Cure& cure, std::ostream* out) { *out << cure.sentence; }

@@ -34,7 +34,7 @@ struct CutScene {
   double acceleration_limit = std::numeric_limits<double>::infinity();  // [rad/s^2]
   Pose X_VT;                                                            // where the head starts, in the grid's frame
   Vec3 feed_V = Vec3(3, 1, -5) * units::mm_per_s;
-  Vec3 omega_V = Vec3::Zero();  // [rad/s] of the head about its origin
+  Vec3 omega_V = Vec3::Zero();  // [rad/s] angular velocity of the head about its origin
   Material soft, hard;
 
   CutScene() {

@@ -17,7 +17,7 @@ inline RunOptions quick() {
   RunOptions options;
   options.stop_on_signals = false;
   options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
-  options.guard.watchdog.fade_after = 9;  // [s] of the wall clock; long, because the machine may be busy
+  options.guard.watchdog.fade_after = 9;  // [s] wall-clock time; long, because the machine may be busy
   options.guard.watchdog.fault = 10;
   return options;
 }

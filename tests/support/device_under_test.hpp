@@ -74,7 +74,7 @@ class DeviceUnderTest {
 
  protected:
   static constexpr std::size_t kLongest = 100000;  // ticks before recording would allocate
-  std::vector<Wrench> commanded;                   // of devices whose motors are recorded here
+  std::vector<Wrench> commanded;                   // those of devices whose motors are recorded here
 };
 
 /// A simulated device that records the commands to its motors.

@@ -163,7 +163,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   [[nodiscard]] long commands() const override { return hdsim_committed_count(0); }
   [[nodiscard]] Wrench command(long n) const override {
     Wrench w = committed(0, n);
-    w.torque /= 1000;  // of mN·m
+    w.torque /= 1000;  // mN·m to N·m
     return w;
   }
   void expect_left_in_order() const override {

@@ -9,7 +9,7 @@
 /// places.cpp of the build folder, so that everything else compiles the same in every clone.
 namespace hapticut::test {
 
-extern const char* const kSourceFolder;      // of this clone
+extern const char* const kSourceFolder;      // source of this clone
 extern const char* const kDataFolder;        // HAPTICUT_TEST_DATA
 extern const char* const kProgram;           // hapticut; this and all below: empty if not built
 extern const char* const kProgramWithTouch;  // with the adapter of OpenHaptics and its stand-in

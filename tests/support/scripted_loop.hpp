@@ -17,7 +17,7 @@
 /// A simulation in the loop of a device, driven tick by tick by a test.
 namespace hapticut::test::scripted_loop {
 
-inline constexpr double kRadius = 1.5e-3;  // [m] of the ball
+inline constexpr double kRadius = 1.5e-3;  // [m] radius of the ball
 
 /// A mock that states a stiffness for the contacts of these tests, so that it may be driven directly.
 inline std::unique_ptr<Device> stiff_mock(const std::string& path, double seconds = 0) {
@@ -29,7 +29,7 @@ inline std::unique_ptr<Device> stiff_mock(const std::string& path, double second
   return std::make_unique<MockDevice>(std::move(options));
 }
 
-using test::touch_gains;  // of the real device; `stiff_mock` states a higher stiffness
+using test::touch_gains;  // gains of the real device; `stiff_mock` states a higher stiffness
 
 inline Workpiece block(double voxel = 2e-4, double depth = 8e-3) {
   return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, voxel, plain_material());

@@ -107,7 +107,7 @@ test("a value that is out of range is marked and not sent", async () => {
 test("the emergency stop removes the force, and a reset restores it", async () => {
   await page.keyboard.press("Escape");
   await until(page, () => hapticut.snapshot.arming === 5);
-  await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // in the next picture
+  await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // seen in the next picture
   assert.match(await page.locator("#cure").textContent(), /reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);

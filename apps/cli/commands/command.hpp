@@ -20,7 +20,7 @@ struct Command {
   /// The settings of the command; a flag without dashes is a positional argument.
   std::vector<hapticut::settings::Setting> settings;
   std::function<void()> run;  ///< runs the command, after the settings are applied; @throws Error when it fails
-  std::set<std::string> ignored_tables{};  ///< of a settings file that other commands share
+  std::set<std::string> ignored_tables{};  ///< tables to ignore in a settings file that other commands share
 };
 
 [[nodiscard]] Command drill_command();

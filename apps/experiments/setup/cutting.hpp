@@ -69,7 +69,7 @@ inline const std::vector<Orientation> kOrientations = {
     {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
     {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
 };
-inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in the tool's axes
+inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] place of a tool's axis, in its axes
 
 /// The part of a box where `distance` [m] is negative, of one material.
 template <class Distance>

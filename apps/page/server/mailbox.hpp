@@ -142,14 +142,14 @@ class Mailbox {
   }
 
  private:
-  static constexpr double kKept = 2;  // [s] of timed messages: one second each of sound and curves
+  static constexpr double kKept = 2;  // [s] timed messages that are kept: one second each of sound and curves
 
   std::mutex mutex_;
   Scene scene_;
   std::uint64_t scenes_ = 1, last_timed_ = 0, page_ = 0;
   std::map<VoxelIndex, Newest> pages_;
   std::map<VoxelIndex, bool> is_changed_;
-  std::vector<VoxelIndex> changed_;  // in the order of arrival
+  std::vector<VoxelIndex> changed_;  // ordered by arrival
   std::array<Newest, kSlots> slots_;
   std::deque<TimedMessage> timed_;
   double kept_ = 0;  // [s]

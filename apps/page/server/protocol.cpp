@@ -11,7 +11,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they are stored");
 
-constexpr double kRotationTolerance = 1e-3;  // of a matrix in single precision
+constexpr double kRotationTolerance = 1e-3;  // allowed error of a matrix in single precision
 
 class Writer {
  public:

@@ -31,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 using Request = http::request<http::empty_body>;
 
 constexpr auto kTimeout = std::chrono::seconds(10);  // for a request, and for the response to a ping
-constexpr unsigned kMaxHeader = 8192;                // [bytes] of a request's header
+constexpr unsigned kMaxHeader = 8192;                // [bytes] size of a request's header
 constexpr const char* kWrongToken = "the token is wrong; open the address that the program has printed.";
 
 std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }

@@ -10,8 +10,8 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr double kHandSpeed = 5e-3;  // [m/s] of a careful hand
-constexpr double kFelt = 0.01;       // [1] of the force
+constexpr double kHandSpeed = 5e-3;  // [m/s] speed of a careful hand
+constexpr double kFelt = 0.01;       // [1] smallest part of the force that a hand feels
 constexpr double kFeltInACut = 0.1;  // [1] chi v that changes the force of a cut, mostly its energy, by 1 %
 
 }  // namespace

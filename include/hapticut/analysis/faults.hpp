@@ -59,9 +59,9 @@ constexpr auto names_of(Of<InjectedFault>) {
 struct FaultResponse {
   double time_to_zero = -1;            ///< [s] from the fault to the first tick without force; < 0: the force continued
   double max_force = 0;                ///< [N] from the fault on
-  double max_growth = 0;               ///< [N] in one tick from the fault on; release does not count
+  double max_growth = 0;               ///< [N] growth in one tick from the fault on; release does not count
   double oldest_force = 0;             ///< [s] maximum age of the last good reading behind a force
-  ArmingState end = ArmingState::off;  ///< of the guard, 0.5 s after the fault
+  ArmingState end = ArmingState::off;  ///< state of the guard, 0.5 s after the fault
 };
 
 /// Presses into the surface z = `height` while moving sideways, injects the fault, and records for half a second. Guard

@@ -98,7 +98,7 @@ constexpr auto fields_of(Of<BounceTest>) {
 
 /// Vibration of a hand that presses steadily.
 struct Buzz {
-  double position_rms = 0;            ///< [m] of the tip about its mean, along z
+  double position_rms = 0;            ///< [m] deviation of the tip from its mean, along z
   double frequency = 0;               ///< [Hz] half the rate of its crossings of the mean
   double force_peak_to_peak = 0;      ///< [N] along z
   double generated_power = 0;         ///< [W] mean power from the model

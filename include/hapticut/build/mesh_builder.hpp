@@ -13,8 +13,8 @@ namespace hapticut {
 
 /// A closed surface and the material inside it.
 struct MeshShell {
-  TriangleMesh mesh;             ///< [m] in W; small holes are closed, and all faces are oriented outwards
-  MaterialId material = kEmpty;  ///< of the enclosed space; kEmpty makes a cavity
+  TriangleMesh mesh;             ///< [m] surface in W; small holes are closed, and all faces are oriented outwards
+  MaterialId material = kEmpty;  ///< material of the enclosed space; kEmpty makes a cavity
 };
 
 /// Options for the conversion of surfaces to voxels.

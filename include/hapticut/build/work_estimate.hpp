@@ -15,7 +15,7 @@ namespace hapticut {
 struct WorkEstimate {
   double voxels = 0;        ///< [1] number of voxels in the box that is processed
   double cut_voxels = 0;    ///< [1] number of those that the surface cuts; they take most of the time
-  double memory_bytes = 0;  ///< [bytes] of the workpiece
+  double memory_bytes = 0;  ///< [bytes] memory of the workpiece
   double seconds = 0;       ///< [s]
 };
 

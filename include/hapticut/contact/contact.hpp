@@ -35,7 +35,7 @@ struct ContactBlock {
   MaterialId one_material = kEmpty;
   bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is the centre's distance below the surface
                            ///< with the smallest w, and may be negative
-  float min_width = VoxelSection<float>::kMinWidth;  ///< [1] of VoxelSection; set before the block is sampled
+  float min_width = VoxelSection<float>::kMinWidth;  ///< [1] width of VoxelSection; set before the block is sampled
 
   std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample

@@ -16,7 +16,7 @@ namespace hapticut {
 
 /// A voxel that became empty.
 struct RemovedVoxel {
-  std::array<int, 3> index;  ///< in the workpiece's grid
+  std::array<int, 3> index;  ///< index in the workpiece's grid
   MaterialId material;       ///< its former material
   [[nodiscard]] bool operator==(const RemovedVoxel&) const = default;
 };

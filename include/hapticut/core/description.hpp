@@ -18,11 +18,11 @@
 /// list of its names:
 ///
 ///     struct Ball {
-///       double radius = 1e-3;  ///< [m] to the cutting surface
+///       double radius = 1e-3;  ///< [m] radius of the cutting surface
 ///     };
 ///
 ///     constexpr auto fields_of(Of<Ball>) {
-///       return std::tuple{field("radius", &Ball::radius, "m", Range::positive(), "to the cutting surface")};
+///       return std::tuple{field("radius", &Ball::radius, "m", Range::positive(), "radius of the cutting surface")};
 ///     }
 ///
 /// Validation, settings files and their help, recordings, .vdb files, and Python with its docstrings read this list;

@@ -64,7 +64,7 @@ inline std::string with_all_digits(double value) {
 /// Formats a number for messages: up to six significant digits, e.g. `1e-05`, `0.3`, `nan`. A number that would look
 /// round and is not gets the digits that show it, e.g. `2.00000004`.
 [[nodiscard]] inline std::string format_number(double value) {
-  constexpr double kNoise = 1e-14;  // of a few operations, e.g. from millimetres to metres and back
+  constexpr double kNoise = 1e-14;  // [1] relative error of a few operations, e.g. from millimetres to metres and back
   std::string short_text = detail::with_digits(value, 6);
   if (!std::isfinite(value) || !detail::looks_round(short_text)) return short_text;
   const double read = std::strtod(short_text.c_str(), nullptr);
@@ -98,7 +98,7 @@ inline void require_metres(double value, double limit, const Subject& what) {
 }
 
 inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
-inline constexpr double kMaxFeed = 0.5;       ///< [m/s] of a cutting head; larger ones were meant in mm/s
+inline constexpr double kMaxFeed = 0.5;       ///< [m/s] feed of a cutting head; larger ones were meant in mm/s
 
 /// Throws unless a feed [m/s] is positive and at most kMaxFeed.
 inline void require_feed(double value, const Subject& what) {

@@ -13,7 +13,7 @@ namespace hapticut {
 
 /// A triangle mesh: a surface from a file, or the surface of a workpiece.
 struct TriangleMesh {
-  std::vector<Vec3> vertices;                           ///< [m] in W
+  std::vector<Vec3> vertices;                           ///< [m] positions in W
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices, counter-clockwise seen from outside
 };
 

@@ -70,7 +70,7 @@ class Sentence {
   template <class WordFor>
   [[nodiscard]] std::string written(const WordFor& word_for) const {
     std::string text;
-    std::size_t begin = 0;  // of the clause
+    std::size_t begin = 0;  // where the clause begins
     bool left_out = false;
     for (const Part& part : parts_) {
       if (part.kind == Part::Kind::text) text += part.text;

@@ -44,8 +44,8 @@ struct Pose {
 
 /// Velocity of a rigid body at a named point of the body.
 struct Twist {
-  Vec3 linear = Vec3::Zero();   ///< [m/s] of the named point
-  Vec3 angular = Vec3::Zero();  ///< [rad/s] of the body
+  Vec3 linear = Vec3::Zero();   ///< [m/s] velocity of the named point
+  Vec3 angular = Vec3::Zero();  ///< [rad/s] angular velocity of the body
 };
 
 /// Force and torque about a named point, acting on the tool.

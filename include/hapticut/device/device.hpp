@@ -65,7 +65,7 @@ constexpr auto fields_of(Of<RunOptions>) {
 
 /// The report of a run.
 struct RunReport {
-  double period = 1e-3;  ///< [s] of a tick: as requested, or as the device determines it
+  double period = 1e-3;  ///< [s] duration of a tick: as requested, or as the device determines it
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;  ///< ticks that were skipped because the loop was late
   LatencyHistogram wake_up;  ///< how late the ticks began; for a driver's own loop the deviation of the period
@@ -128,7 +128,7 @@ class Device {
   [[nodiscard]] const DeviceOutput& last_output() const noexcept { return guard_->output(); }
   [[nodiscard]] const DeviceState& last_state() const noexcept { return guard_->admitted(); }  ///< reading of this tick
   [[nodiscard]] ArmingState last_arming() const noexcept { return guard_->state(); }
-  [[nodiscard]] double period() const noexcept { return guard_->period(); }  ///< [s] of the ticks of this run
+  [[nodiscard]] double period() const noexcept { return guard_->period(); }  ///< [s] duration of a tick of this run
 
   /// Removes and returns the entries of the safety log; empty before the first run.
   [[nodiscard]] std::vector<SafetyLogEntry> drain_log();

@@ -68,7 +68,7 @@ class DeepContact {
   [[nodiscard]] bool needs_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
 
   [[nodiscard]] bool held() const { return held_; }                          ///< the spring acts
-  [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] of the spring
+  [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] stiffness of the spring
   [[nodiscard]] const Vec3& normal() const {
     return normal_;
   }                                                        ///< [1] direction of the spring, into the material, in W

@@ -55,9 +55,9 @@ using ContactMaterials = ByMaterial<ContactMaterial>;  ///< kEmpty has no stiffn
 
 /// How the head moves during one sub-step, in T where the contact is evaluated.
 struct HeadMotion {
-  Eigen::Vector3f velocity;               ///< [m/s] of To along the path, V
-  Eigen::Vector3f angular_velocity;       ///< [rad/s] of the handpiece along the path, Omega
-  Eigen::Vector3f felt_velocity;          ///< [m/s] of To as the device measures it; drives damping only
+  Eigen::Vector3f velocity;               ///< [m/s] velocity of To along the path, V
+  Eigen::Vector3f angular_velocity;       ///< [rad/s] angular velocity of the handpiece along the path, Omega
+  Eigen::Vector3f felt_velocity;          ///< [m/s] velocity of To as the device measures it; drives damping only
   Eigen::Vector3f felt_angular_velocity;  ///< [rad/s]
   float spin;                             ///< [rad/s] omega about +z; 0: the spindle stands
   float duration;                         ///< [s]

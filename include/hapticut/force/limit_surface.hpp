@@ -100,7 +100,7 @@ class LimitSurface {
   friend struct SimulationMemory;
   using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
-  /// [m], [rad] of the tool from its anchor
+  /// [m], [rad] Offset of the tool from its anchor.
   [[nodiscard]] Vector6 offset() const {
     Vector6 xi;
     xi << position_, vector_from_rotation(rotation_);
@@ -114,7 +114,7 @@ class LimitSurface {
     rotation_ = rotation_from_vector(Vec3(factor * xi.tail<3>()));
   }
 
-  Vec3 position_ = Vec3::Zero();      // [m] of the tool from its anchor
+  Vec3 position_ = Vec3::Zero();      // [m] offset of the tool from its anchor
   Mat3 rotation_ = Mat3::Identity();  // likewise
   double stored_ = 0;                 // [J]
   double stiffness_ = 0;              // [N/m]

@@ -19,7 +19,7 @@ struct Resultant {
   // Position of the contact: of the normal forces alone, without the drag of the spin.
   Vec3 push_T = Vec3::Zero();    ///< [N] their vector sum, on the tool, in T
   Vec3 moment_T = Vec3::Zero();  ///< [N·m] sum of their magnitudes times their positions from To, in T
-  double area = 0;               ///< [voxel edges^2] of the head's surface that is in material
+  double area = 0;               ///< [voxel edges^2] part of the head's surface that is in material
 };
 
 /// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.

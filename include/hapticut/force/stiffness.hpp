@@ -18,7 +18,7 @@ namespace hapticut {
 /// the head moves.
 inline constexpr double kStiffnessOfPoints = 1e13;
 
-inline constexpr double kPressureOfCuts = 1e6;  ///< [Pa] of the interface in a common cut, which has 0.1 to 10 MPa
+inline constexpr double kPressureOfCuts = 1e6;  ///< [Pa] interface pressure in a common cut, which has 0.1 to 10 MPa
 inline constexpr double kLayerOfRadius = 0.01;  ///< [1] engaged layer at that pressure over the head's radius
 inline constexpr double kLayerOfPoint =
     4.0 / 3;                              ///< [1] factor of that layer for each unit of the slope of a pointed head
@@ -28,7 +28,7 @@ namespace detail {
 
 /// [1] Slope d rho/dz of a head's end near its tip: above 2 for round or flat ends.
 [[nodiscard]] inline double slope_of_tip(const ToolHead& head) {
-  constexpr double kHeight = 0.05;  // [1] of the radius, above the tip
+  constexpr double kHeight = 0.05;  // [1] height above the tip, over the radius
   constexpr int kHalvings = 30;
   const double radius = head.cutting_radius(), height = kHeight * radius, z = head.bounding_box().min.z() + height;
   double inside = 0, outside = 2 * radius;

@@ -9,7 +9,7 @@ struct ChipChord {
   Real energy;         ///< [J/m^3] u/sigma_c
   CutDepth<Real> cut;  ///< [m] depth from which the pressure exceeds the threshold, p_e included
 
-  static constexpr float kMinRoots = 1e-9F;  ///< [sqrt(m/s)] of y_1 + y_2
+  static constexpr float kMinRoots = 1e-9F;  ///< [sqrt(m/s)] minimum of y_1 + y_2
 
   /// @param tooth_rate  [1/s] f_z of the lips that take a chip (ChippingLips)
   /// @param work        [J/(m^4 s)] kappa k_v g_d s/2 >= 0

@@ -41,7 +41,7 @@ HAPTICUT_FORMULA Real square_from_corners(const Corners& corners, Real rho, Real
 template <class Real>
 struct DecidingCurve {
   MeridianSpring<Real> spring;
-  Real scale;  ///< [1] of the curve
+  Real scale;  ///< [1] scale of the curve
 
   HAPTICUT_FORMULA DecidingCurve(const CurveSprings<Real>& curve, Real rho, Real z)
       : spring(curve.spring(rho, z)), scale(curve.scale) {}

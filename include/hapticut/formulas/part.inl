@@ -11,7 +11,7 @@ constexpr float kMinLoss = 1e-5F;         ///< [1] relative loss below which the
 /// 2. Crushing: material deeper than it can bear is removed before the force is computed.
 template <class Real>
 struct PartCrushing {
-  Real top, height, fill;  ///< [1] of what is left
+  Real top, height, fill;  ///< [1] what is left
   Real approach;           ///< [1] >= 0, speed of the top that is left
   Real yielding;           ///< [1] part of the volume that is at the limit, where a force does not grow with depth
 
@@ -33,7 +33,7 @@ struct PartCrushing {
 template <class Real>
 struct PartSprings {
   Real depth;   ///< [1] phi <w>
-  Real volume;  ///< [1] of the part in contact
+  Real volume;  ///< [1] volume of the part in contact
   Real area;    ///< [1] section at the head's surface
 
   HAPTICUT_FORMULA static PartSprings of(const FilledPart<Real>& part) {
@@ -160,7 +160,7 @@ struct PartEnergies {
 /// The normal force of a part, and the work of it that is not stored, relative to the voxel's volume.
 template <class Real>
 struct PartForce {
-  Real elastic;  ///< [N/m^3] of the springs
+  Real elastic;  ///< [N/m^3] force of the springs
   Real push;     ///< [N/m^3] f: with damping
 
   /// @param stiffness  [N/m^3] k_v l

@@ -173,8 +173,8 @@ struct VoxelReaction {
 /// How far the head moves into a voxel, in voxel edges.
 template <class Real>
 struct HeadAdvance {
-  Real moved;     ///< [1] in the sub-step
-  Real approach;  ///< [1] in the time, not negative
+  Real moved;     ///< [1] advance in the sub-step
+  Real approach;  ///< [1] advance in the time, not negative
 
   /// @param rate  [m/s] w_dot
   HAPTICUT_FORMULA static HeadAdvance of(const HeadMotion& m, Real rate) {
@@ -193,11 +193,11 @@ struct HeadAdvance {
 template <class Real>
 struct ChippingLips {
   static constexpr float kGrazing = 0.01F;  ///< [1] part of the feed towards a surface from which on all lips count
-  static constexpr float kMinFeed = 1e-6F;  ///< [m/s] of a head that only presses
+  static constexpr float kMinFeed = 1e-6F;  ///< [m/s] feed of a head that only presses
 
   float passing;   ///< [1] lips that pass in the time
   float per_edge;  ///< [s/m] the time over the voxel's edge
-  float per_feed;  ///< [s/m] of the feed without its ripple
+  float per_feed;  ///< [s/m] inverse of the feed without its ripple
 
   HAPTICUT_FORMULA explicit ChippingLips(const HeadMotion& m)
       : passing(m.tooth_rate * m.duration * m.level_of_detail),

@@ -81,8 +81,8 @@ class HeatCollector final : public StepObserver {
 
   Simulation& simulation_;
   std::unique_ptr<Queue> queue_;
-  EnergyLedger before_;  // of the last step
-  HeatPulse pending_;    // of steps that did not fit the queue, and of the present step
+  EnergyLedger before_;  // ledger of the last step
+  HeatPulse pending_;    // heat of steps that did not fit the queue, and of the present step
   ChangeFeed feed_;      // a second observer
 };
 

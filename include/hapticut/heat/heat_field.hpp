@@ -182,7 +182,7 @@ class HeatField {
   // --- the cells, for display ---------------------------------------------------------------------------------------
   [[nodiscard]] std::array<int, 3> dims() const { return dims_; }
   [[nodiscard]] double cell_size() const { return cell_size_; }            ///< [m]
-  [[nodiscard]] Vec3 center(const std::array<int, 3>& cell) const;         ///< [m] in W
+  [[nodiscard]] Vec3 center(const std::array<int, 3>& cell) const;         ///< [m] position in W
   [[nodiscard]] double temperature(const std::array<int, 3>& cell) const;  ///< [deg C] NaN: no material
   [[nodiscard]] double peak(const std::array<int, 3>& cell) const;         ///< [deg C] maximum so far
   [[nodiscard]] double dose(const std::array<int, 3>& cell) const;         ///< [min] CEM43
@@ -192,9 +192,9 @@ class HeatField {
   struct Cells {
     explicit Cells(std::size_t count);
     std::vector<double> heat, capacity, conductivity, filled;  // [J], [J/K], [W/(m K)], [1]
-    std::array<std::vector<double>, 3> conductance;            // [W/K] to the next cell along each axis
-    std::vector<double> wetted;                                // [m^2] of the surface
-    std::vector<double> cooling;                               // [W/K] to the water
+    std::array<std::vector<double>, 3> conductance;            // [W/K] conductance to the next cell along each axis
+    std::vector<double> wetted;                                // [m^2] area of the surface
+    std::vector<double> cooling;                               // [W/K] conductance to the water
     std::vector<double> rise, peak, above, dose;               // [K], [K], [s], [min]
     std::vector<double> removed;                               // [J] cutting energy of removed material
   };
@@ -222,7 +222,7 @@ class HeatField {
   double cell_size_ = 0, cell_volume_ = 0;         // [m], [m^3]
   VoxelIndex first_ = {0, 0, 0};                   // voxel of the first cell
   std::array<int, 3> dims_ = {0, 0, 0};            // without the empty cells around
-  std::array<std::size_t, 3> stride_ = {0, 0, 1};  // of cell numbers
+  std::array<std::size_t, 3> stride_ = {0, 0, 1};  // steps of cell numbers
   std::size_t materials_ = 0;
   std::vector<ThermalProperties> properties_;  // by id from 1
   std::vector<double> cutting_energy_;         // [J/m^3] by id from 1
@@ -231,7 +231,7 @@ class HeatField {
   std::vector<std::size_t> changed_;  // cells whose content has changed
   std::vector<std::size_t> removed_;  // cells that lost material since the last `add_cutting_heat`
   std::vector<double> peaks_;         // [K] by id from 1, including removed material
-  double waiting_ = 0;                // [J] of cutting, whose place is not known yet
+  double waiting_ = 0;                // [J] heat of cutting, whose place is not known yet
   double rate_ = 0;                   // [1/s] maximum of the cells; 0: not known
   HeatBalance balance_;
 };

@@ -40,8 +40,8 @@ void validate(const IslandOptions& options);
 
 /// A piece that nothing holds.
 struct Island {
-  std::vector<BlockVoxels> blocks;  ///< in the order of their origins; without voxels in blocks that hold only its skin
-  std::int64_t voxels = 0;          ///< in all blocks
+  std::vector<BlockVoxels> blocks;  ///< ordered by origin; without voxels in blocks that hold only its skin
+  std::int64_t voxels = 0;          ///< number in all blocks
   double min_fill = 0;              ///< [1] IslandOptions::min_fill of the search
 
   [[nodiscard]] bool operator==(const Island&) const = default;

@@ -19,7 +19,7 @@ class Workpiece;
 
 /// A copy of one block of the workpiece, for a picture or a recording.
 struct ChangedBlock {
-  VoxelIndex origin = {0, 0, 0};  ///< of the first voxel of the block
+  VoxelIndex origin = {0, 0, 0};  ///< index of the block's first voxel
   std::uint64_t version = 0;      ///< grows with every block that is sent
   std::uint32_t workpiece = 0;    ///< number of exchanges of the workpiece so far: ToolSnapshot::workpiece, or as
                                   ///< the constructor of ChangeFeed tells
@@ -121,7 +121,7 @@ class BlockOutbox {
   std::uint64_t version_ = 0, outside_ = 0;
   ChangedBlock scratch_;
   std::unique_ptr<Queue> queue_;
-  std::mutex keeping_;  // of `kept_`; not locked while the loop runs and nothing is kept
+  std::mutex keeping_;  // guards `kept_`; not locked while the loop runs and nothing is kept
   std::deque<Kept> kept_;
   std::atomic<bool> any_kept_ = false;
 };

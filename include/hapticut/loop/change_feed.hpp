@@ -107,7 +107,7 @@ class ChangeFeed final : public StepObserver {
 
   Simulation& simulation_;
   BlockOutbox outbox_;
-  std::size_t all_, swept_;            // [blocks] in the region; [blocks] marked since all must be sent
+  std::size_t all_, swept_;            // [blocks] number in the region; [blocks] marked since all must be sent
   std::size_t per_step_ = 0;           // [blocks]
   bool sweeps_more_ = false;           // the sweep gets the odd place
   std::uint64_t workpiece_ = 0;        // SimulationTotals::replacements when it was last looked at

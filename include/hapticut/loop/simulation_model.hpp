@@ -105,7 +105,7 @@ class SimulationModel final : public LoopModel {
  private:
   template <class Model>
   struct Commands;                            // checks and applies each command
-  enum class Restoring { none, undo, redo };  // of a marked state
+  enum class Restoring { none, undo, redo };  // which way a marked state is being restored
 
   void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
                           double scale) const;
@@ -131,10 +131,10 @@ class SimulationModel final : public LoopModel {
   const std::size_t undo_blocks_;
   const IndexBox region_;
   const WorkspaceMapOptions first_map_;
-  const std::optional<CouplingGains> gains_;  // of the coupling, at the device
+  const std::optional<CouplingGains> gains_;  // gains of the coupling, at the device
   const double device_stiffness_;             // [N/m] that it renders; 0: not known, or there is a coupling
   const double relative_stiffness_;           // [1] maximum of the materials
-  const double contact_stiffness_;            // [m^3] of the head, per unit of k_v
+  const double contact_stiffness_;            // [m^3] contact stiffness of the head, per unit of k_v
 
   Simulation* simulation_;
   Device* device_;
@@ -145,15 +145,15 @@ class SimulationModel final : public LoopModel {
   std::size_t undo_blocks_per_tick_;
 
   SpindleInterlock interlock_;
-  Pose X_BS_;                // of the last valid reading
-  std::uint32_t epoch_ = 0;  // of that reading
-  Pose X_WH_;                // of the tool's handle
+  Pose X_BS_;                // pose of the last valid reading
+  std::uint32_t epoch_ = 0;  // epoch of that reading
+  Pose X_WH_;                // pose of the tool's handle
   ToolSnapshot tool_;
   Restoring restoring_ = Restoring::none;
   bool skip_force_ = false;  // drop the next wrench, because the guard reads the interruption at the next reading only
   bool touches_ = true;      // the tool touches something, or may touch something
   bool books_energy_;        // the law reports the stored energy
-  ModelContact contact_;     // of the last tick
+  ModelContact contact_;     // contact in the last tick
 };
 
 }  // namespace hapticut

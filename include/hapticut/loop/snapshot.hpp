@@ -28,10 +28,10 @@ struct ToolSnapshot {
   int contact_voxels = 0;
   Vec3 contact_point_W = Vec3::Zero();      ///< [m] Contact::point_W, in W; zero while the head touches nothing
   double spindle_speed = 0;                 ///< [rad/s]
-  StepStatus status = StepStatus::ok;       ///< of the last step
+  StepStatus status = StepStatus::ok;       ///< bits of the last step
   StepStatus status_seen = StepStatus::ok;  ///< bits of all steps since the loop began
   std::uint64_t steps = 0;                  ///< since the loop began
-  TickEffort effort;                        ///< in the last tick
+  TickEffort effort;                        ///< values of the last tick
   TickEffort max_effort;                    ///< maximum of each value since the loop began
   std::size_t undo_marks = 0;               ///< marks that `Undo` can return to
   std::size_t redo_marks = 0;               ///< undone marks that `Redo` can restore
@@ -46,7 +46,7 @@ struct ToolSnapshot {
 struct LoopSnapshot {
   std::uint64_t tick = 0;
   DeviceState device;        ///< as admitted by the guard
-  DeviceOutput output;       ///< of the previous tick
+  DeviceOutput output;       ///< output of the previous tick
   double max_commanded = 0;  ///< [N] maximum commanded force since the loop was made
   double max_applied = 0;    ///< [N] maximum applied force since the loop was made
   ArmingState arming = ArmingState::off;

@@ -92,8 +92,8 @@ class WorkspaceMap {
   void latch(const Pose& X_BS, const Pose& X_WS) noexcept;
 
   WorkspaceMapOptions options_;
-  Pose X_WS_home_;   // of the stylus, in W
-  Pose X_BS_latch_;  // of the stylus, in B
+  Pose X_WS_home_;   // pose of the stylus in W when it was latched
+  Pose X_BS_latch_;  // pose of the stylus in B when it was latched
   bool engaged_ = true;
 };
 

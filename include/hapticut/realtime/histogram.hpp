@@ -37,7 +37,7 @@ class LatencyHistogram {
   [[nodiscard]] double max() const { return max_; }                                              ///< [s]
   [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / double(count_) : 0; }           ///< [s]
   [[nodiscard]] std::uint64_t longer() const { return longer_; }                                 ///< number above 2 ms
-  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }  ///< of 1 us each
+  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }  ///< 1 us wide each
 
   /// The number of durations of at least `seconds`, without those in the bucket of `seconds` itself.
   /// @param seconds [s] > 0

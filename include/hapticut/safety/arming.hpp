@@ -113,7 +113,7 @@ class Arming {
   bool inspected_ = false;  // whether the first force since the wait began was inspected
   bool first_ = true;       // there was no force since the start or since a fault
   bool short_ramp_ = false;
-  double progress_ = 0;  // [1] of the fade-in
+  double progress_ = 0;  // [1] progress of the fade-in
 };
 
 }  // namespace hapticut

@@ -160,7 +160,7 @@ class SafetyGuard {
   /// The commanded and the applied wrench of the last tick; for the thread of the loop.
   [[nodiscard]] const DeviceOutput& output() const noexcept { return output_; }
 
-  [[nodiscard]] double period() const noexcept { return options_.period; }  ///< [s] of a tick
+  [[nodiscard]] double period() const noexcept { return options_.period; }  ///< [s] duration of a tick
   [[nodiscard]] double slew() const noexcept { return slew_; }              ///< [N/s] limit in use
   [[nodiscard]] double max_force() const noexcept { return max_force_; }    ///< [N] limit in use
 
@@ -192,22 +192,22 @@ class SafetyGuard {
   std::atomic<Watchdog::Verdict> worst_silence_{Watchdog::Verdict::alive};  // since the last tick
   std::atomic<ArmingState> published_state_{ArmingState::off};
   std::atomic<std::uint64_t> heartbeat_{0};
-  Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
-  std::array<std::uint64_t, 3> late_beats_{};             // of its thread: heartbeats at the last times that were late
+  Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // last verdict, for the watchdog's thread only
+  std::array<std::uint64_t, 3> late_beats_{};  // heartbeats at the last times that were late; for its thread only
 
   bool started_ = false;
   Reading reading_ = Reading::bad;
-  double last_time_ = 0;                                     // [s] of the last reading
+  double last_time_ = 0;                                     // [s] time of the last reading
   double waited_ = std::numeric_limits<double>::infinity();  // [s] since the last tick; infinite: not reported
   TickClock::Elapsed elapsed_;
   int not_finite_ = 0;
-  Pose X_BS_last_;          // of the last admitted reading
+  Pose X_BS_last_;          // pose of the last admitted reading
   Vec3 motion_, rotation_;  // since then
   Vec3 low_seen_, high_seen_;
   Mat3 R_BS_seen_;      // the first while the units are checked
   double rotated_ = 0;  // [rad] farthest from it
   double watched_ = 0;  // [s] for which the units were checked
-  Wrench before_ramp_;  // of the last tick: the slew limit starts from it
+  Wrench before_ramp_;  // wrench of the last tick: the slew limit starts from it
   DeviceOutput output_;
 };
 

@@ -102,10 +102,10 @@ class PassivityController {
     Wrench commanded;                  ///< by the model
     Wrench effects;                    ///< the part of `commanded` that is not contact
     Wrench applied;                    ///< written to the device at the last tick
-    Vec3 motion = Vec3::Zero();        ///< [m] of the device since the last tick
+    Vec3 motion = Vec3::Zero();        ///< [m] displacement of the device since the last tick
     Vec3 rotation = Vec3::Zero();      ///< [rad] rotation vector of the device since the last tick
     double dt = 0;                     ///< [s] since the last tick
-    std::optional<double> stored;      ///< [J] in the model; empty: not known
+    std::optional<double> stored;      ///< [J] energy stored in the model; empty: not known
     std::optional<double> motor = {};  ///< [J] work of the model's motor since the last tick; empty: not known
     bool in_air = false;               ///< the tool touches nothing
   };
@@ -130,15 +130,15 @@ class PassivityController {
   double max_force_, lever_, max_torque_;
   double stored_ = 0, damping_force_ = 0;
   double commanded_ = 0;   // [N] at the last tick
-  Vector6 effects_;        // [N] in it
+  Vector6 effects_;        // [N] part of it that is not contact
   Vector6 mean_;           // [N] that acted since the reading last stepped, along each axis
   Vector6 still_;          // [ticks] since then
   Vector6 velocity_;       // [m/s] mean of the hand's
   Vector6 path_;           // [m] motion, where the past counts less and less
-  double motor_work_ = 0;  // [J] of the model's motor, likewise
+  double motor_work_ = 0;  // [J] work of the model's motor, likewise
   double time_ = 0;        // [s] likewise
   double stands_ = 0;      // [s] since the reading last stepped
-  Vector6 reduction_;      // [N] of a push
+  Vector6 reduction_;      // [N] reduction of a push
   Vector6 damping_;        // [N]
   Vector6 slope_;          // [N/s] mean change of the commanded force
   Vector6 last_contact_;   // [N] commanded at the last tick

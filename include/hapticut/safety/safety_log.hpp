@@ -133,8 +133,8 @@ inline constexpr std::size_t kSafetyEvents = std::size_t(SafetyEvent::count);
 
 /// One log entry: an event that began.
 struct SafetyLogEntry {
-  double time = 0;             ///< [s] of the reading
-  std::uint64_t sequence = 0;  ///< of the reading
+  double time = 0;             ///< [s] time of the reading
+  std::uint64_t sequence = 0;  ///< sequence number of the reading
   SafetyEvent event = SafetyEvent::count;
   double value = 0;  ///< the measured value, in the unit of the event: metres, newtons, seconds, or a number
 };
@@ -173,7 +173,7 @@ class SafetyLog {
  private:
   struct Ring;
   struct Dated {
-    std::uint64_t tick;  // of this log
+    std::uint64_t tick;  // number of the tick, counted by this log
     SafetyLogEntry entry;
   };
   [[nodiscard]] Dated dated(SafetyEvent event, double value) const noexcept;

@@ -23,7 +23,7 @@ class TickClock {
   /// The ticks of about a second.
   struct Pace {
     double period = 0;  ///< [s] mean time of a tick
-    double rate = 0;    ///< [Hz] of good readings
+    double rate = 0;    ///< [Hz] rate of good readings
   };
 
   /// @param period  [s] of the ticks
@@ -47,7 +47,7 @@ class TickClock {
  private:
   double period_, pause_;
   bool started_ = false;
-  double clock_ = 0;          // [s] of the readings, but it goes on while they stand
+  double clock_ = 0;          // [s] time of the readings, but it goes on while they stand
   int ticks_ = 0, good_ = 0;  // since the last pace
   double watched_ = 0;        // [s] since then
 };

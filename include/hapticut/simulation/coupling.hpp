@@ -101,16 +101,16 @@ constexpr auto fields_of(Of<CouplingEnergy>) {
 struct CoupledResult {
   Wrench hand;      ///< about Ho of the hand, in W: what the hand feels, with effects and limits
   Wrench coupling;  ///< about Ho of the hand, in W, without effects and limits
-  Pose X_WH;        ///< of the simulated tool's handle: the pose to display
-  Twist V_WH;       ///< of its Ho, in W
+  Pose X_WH;        ///< pose of the simulated tool's handle, to be displayed
+  Twist V_WH;       ///< velocity of the handle's origin Ho, in W
   std::span<const RemovedVoxel> removed_voxels;  ///< emptied in this tick; valid until the next one
   double removed_volume = 0;                     ///< [m^3] removed in this tick
-  ChangedBlocks changed_blocks;                  ///< in this tick
+  ChangedBlocks changed_blocks;                  ///< blocks that changed in this tick
   int parts = 0;                                 ///< steps of the simulation: more than one where the tool is fast
-  int newton_steps = 0;                          ///< in all of them
+  int newton_steps = 0;                          ///< sum over the simulation's steps
   int level_of_detail = 1;                       ///< the maximum Contact::level_of_detail of these steps
-  StepStatus status = StepStatus::ok;            ///< of the simulation's steps
-  MaterialSet first_touched;                     ///< in this tick: Simulation::first_touched of all its steps
+  StepStatus status = StepStatus::ok;            ///< bits of the simulation's steps and of the coupling
+  MaterialSet first_touched;                     ///< materials of this tick: Simulation::first_touched of all its steps
   CouplingEnergy energy;
 };
 
@@ -208,7 +208,7 @@ class VirtualCoupling {
   /// the spring, which stores energy within the same limit, does not account for.
   struct Limited {
     Vec3 force, spring;  // [N] or [N m] of both, and of the spring alone
-    Mat3 slope;          // [1] of the force against the sum
+    Mat3 slope;          // [1] slope of the force against the sum
   };
   [[nodiscard]] static Limited limited(const Vec3& spring, const Vec3& damper, double max_size) noexcept;
 
@@ -232,7 +232,7 @@ class VirtualCoupling {
 
   /// A part of a tick.
   struct Part {
-    Pose X_WD;    // of the hand, at its end
+    Pose X_WD;    // pose of the hand at its end
     double dt;    // [s]
     int left;     // parts of the tick after this one
     double tick;  // [s] duration of the whole tick
@@ -266,7 +266,7 @@ class VirtualCoupling {
   bool is_placed_ = false;  // the tool has had a pose
   bool waits_ = true;       // at first, while parked, and after a rejected input
   Rejoin rejoin_ = Rejoin::near;
-  Pose X_WD_;  // of the hand, at the end of the last part
+  Pose X_WD_;  // pose of the hand at the end of the last part
 
   /// Distance that the hand has moved lately, by its poses or by its velocities.
   struct Distance {

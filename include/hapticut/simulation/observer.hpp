@@ -16,7 +16,7 @@ class Simulation;
 
 /// The wrench that a coupling renders to the hand.
 struct HandOutput {
-  Pose X_WD;      ///< of the hand's handle
+  Pose X_WD;      ///< pose of the hand's handle
   Wrench wrench;  ///< about Ho of the hand, in W, on the hand; before effects and limits
   double dt = 0;  ///< [s] since the last output
 };
@@ -51,9 +51,9 @@ struct ObservedStep {
   bool spindle_set;              ///< its speed had been set before it, after the last halt, perhaps to the same value
   bool spindle_held;             ///< it is held at standstill: see SpindleDrive::hold
   double spindle_setting;        ///< [rad/s] speed setting of the spindle; 0 while it is held
-  OutputPath path;               ///< of the force
-  const HandOutput& hand;        ///< of the coupling, when `path` is coupled
-  const StepResult& result;      ///< of the step
+  OutputPath path;               ///< path of the force
+  const HandOutput& hand;        ///< output of the coupling, when `path` is coupled
+  const StepResult& result;      ///< result of the step
 };
 
 /// Observes every step of a simulation, including those that a loop or a coupling takes: see Simulation::observers.

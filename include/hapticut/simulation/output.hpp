@@ -42,10 +42,10 @@ void validate(const Effects& effects, double update_rate);
 
 /// The state of a step that the effects use.
 struct EffectsInput {
-  Pose X_WH;              ///< of the handle
-  Pose X_WT;              ///< of the head
+  Pose X_WH;              ///< pose of the handle
+  Pose X_WT;              ///< pose of the head
   bool touching = false;  ///< the head spins in material
-  double power = 0;       ///< [W] of the spindle
+  double power = 0;       ///< [W] power of the spindle
   double dt = 0;          ///< [s]
   double lever = 1;       ///< [1] see `lever_at_handle`
 };

@@ -42,7 +42,7 @@ class SpindleDrive {
     double torque = 0;        // [N·m] about +z; of a stalled head, the torque that would turn it
     double hand_speed = 0;    // [m/s] maximum speed of the head's points without the spin
     double first_torque = 0;  // [N·m] prediction from the sub-step before
-    double first_speed = 0;   // [rad/s] of the motor under that torque
+    double first_speed = 0;   // [rad/s] speed of the motor under that torque
     bool settled = false;     // the prediction was nearly right
   };
 

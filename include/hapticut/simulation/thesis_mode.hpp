@@ -11,7 +11,7 @@ struct ThesisMode {
   ThesisLaw::Constants law;            ///< springs, dampers, spin torque and removal
   double update_rate = 1000;           ///< [Hz] > 0 at which the step will be called
   double tool_mass = 0;                ///< [kg] >= 0; 0: no weight
-  Vec3 center_of_mass = Vec3::Zero();  ///< [m] of the tool from Ho, in H
+  Vec3 center_of_mass = Vec3::Zero();  ///< [m] the tool's centre of mass from Ho, in H
   double handle_torque_scale = 1;      ///< [1] zeta of its handles
 };
 

@@ -12,7 +12,7 @@ namespace hapticut {
 struct WorstCase {
   std::size_t blocks = 0;   ///< blocks visited in one sub-step
   std::size_t voxels = 0;   ///< voxels evaluated in one sub-step, level of detail considered
-  int sub_steps = 0;        ///< of the longest motion that is not rejected
+  int sub_steps = 0;        ///< sub-steps of the longest motion that is not rejected
   int level_of_detail = 1;  ///< 1: every voxel in every sub-step; n: one n-th of them, in turn
   int contacts = 1;         ///< evaluations of so many voxels; more than one in a tick of VirtualCoupling
 };

@@ -37,7 +37,7 @@ class LoopListener {
  private:
   double rate_;
   std::uint64_t tick_ = 0;
-  double dissipated_ = 0, removed_ = 0;  // [J], [m^3] of the last snapshot
+  double dissipated_ = 0, removed_ = 0;  // [J], [m^3] values of the last snapshot
   SoundInput input_;
 };
 

@@ -11,8 +11,8 @@ namespace hapticut {
 /// The surface of a workpiece, with normals and materials.
 struct WorkpieceSurface {
   TriangleMesh mesh;                  ///< closed; [m] in W; counter-clockwise seen from outside
-  std::vector<Vec3> normals;          ///< of each vertex, unit length, out of the material; in W
-  std::vector<MaterialId> materials;  ///< of each vertex: of the nearest voxel that is at least half full
+  std::vector<Vec3> normals;          ///< unit normal of each vertex, out of the material; in W
+  std::vector<MaterialId> materials;  ///< material of each vertex: of the nearest voxel that is at least half full
 };
 
 /// The surface of the remaining material, as SurfaceStream computes it, in one mesh and without rounding. It lies where

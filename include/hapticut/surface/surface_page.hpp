@@ -17,9 +17,9 @@ struct SurfaceVertex {
   static constexpr int kStepsPerVoxel = 512;
 
   std::array<std::int16_t, 3> position;  ///< [1/512 voxel edge] along the axes of V, from the page's first voxel centre
-  MaterialId material;                   ///< of the nearest voxel that is at least half full
+  MaterialId material;                   ///< material of the nearest voxel that is at least half full
   std::uint8_t unused_1 = 0;
-  std::array<std::int8_t, 3> normal;  ///< [1/127] of unit length, along the axes of V, out of the material
+  std::array<std::int8_t, 3> normal;  ///< [1/127] unit vector out of the material, along the axes of V
   std::uint8_t unused_2 = 0;
 
   [[nodiscard]] bool operator==(const SurfaceVertex&) const = default;

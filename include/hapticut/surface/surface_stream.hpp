@@ -64,7 +64,7 @@ class SurfaceStream {
   [[nodiscard]] const GridFrame& frame() const;
   [[nodiscard]] std::size_t waiting() const;          ///< pages that may have changed; 0: all were returned
   [[nodiscard]] std::uint64_t blocks_meshed() const;  ///< since the beginning
-  [[nodiscard]] std::size_t memory_bytes() const;     ///< of the copy and the meshes; O(pages)
+  [[nodiscard]] std::size_t memory_bytes() const;     ///< size of the copy and the meshes; O(pages)
 
  private:
   struct State;

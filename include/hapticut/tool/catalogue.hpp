@@ -57,7 +57,7 @@ namespace hapticut {
 
 /// [1] Radius at the foot of a tier of `christmas_tree_head` over the radius of the rim below.
 inline constexpr double kTreeWaist = 0.6;
-inline constexpr int kMaxTiers = 20;  ///< of `christmas_tree_head`
+inline constexpr int kMaxTiers = 20;  ///< tiers of `christmas_tree_head`
 
 inline constexpr double kCommonDrillPoint = 118 * units::deg;  ///< [rad] full angle of the point of a common drill
 
@@ -111,12 +111,12 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 struct HeadShape {
   struct Dimension {
     HeadDimension what;
-    double usual;           ///< [SI] of a common bur
+    double usual;           ///< [SI] value for a common bur
     bool optional = false;  ///< if left out, it is `usual`
   };
   const char* name;                                      ///< "pear"
   const char* in_sentences;                              ///< "a pear"
-  std::vector<Dimension> dimensions;                     ///< in the order of the arguments of `make`
+  std::vector<Dimension> dimensions;                     ///< ordered like the arguments of `make`
   ToolHead (*make)(std::span<const double> dimensions);  ///< [SI]
 
   /// Null if this shape has no such dimension.

@@ -113,9 +113,9 @@ class HeadOutline {
 
   static constexpr std::size_t kMaxEdges = 3;
   double ball_radius_ = 0;                                     // [m] 0: not a ball
-  std::array<ProfilePiece<double>, kMaxEdges> straight_ = {};  // of a shape of straight edges
-  std::size_t count_ = 0;                                      // of `straight_`
-  std::span<const ProfilePiece<double>> profile_;              // of a profile
+  std::array<ProfilePiece<double>, kMaxEdges> straight_ = {};  // edges of a shape of straight edges
+  std::size_t count_ = 0;                                      // number of pieces in `straight_`
+  std::span<const ProfilePiece<double>> profile_;              // pieces of a profile
 };
 
 }  // namespace hapticut

@@ -75,8 +75,8 @@ struct ProfileCorner {
 template <class Real>
 struct ProfilePiece {
   Real rho_0, z_0, rho_1, z_1;  ///< [m] ends
-  Real center_rho, center_z;    ///< [m] of an arc
-  Real radius;                  ///< [m] of an arc, 0: straight
+  Real center_rho, center_z;    ///< [m] centre of an arc
+  Real radius;                  ///< [m] radius of an arc, 0: straight
   Real sense;                   ///< [1] arc: +1 bulges outwards (counter-clockwise), -1 hollow
   Real side;                    ///< [1] arc: +1 to the right of its centre (larger rho), -1 to the left
 };

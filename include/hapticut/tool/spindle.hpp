@@ -124,7 +124,7 @@ class SpindleMotor {
     drive(torque, dt);
   }
 
-  [[nodiscard]] double speed() const { return speed_; }  ///< [rad/s] of the sub-step; 0 when stalled
+  [[nodiscard]] double speed() const { return speed_; }  ///< [rad/s] speed in the sub-step; 0 when stalled
   [[nodiscard]] AngularSpeed setting() const { return AngularSpeed::in_rad_per_s(setting_); }  ///< demanded speed
   [[nodiscard]] bool is_limited() const { return spindle_.is_limited(); }
 
@@ -148,9 +148,9 @@ class SpindleMotor {
                              load * speed < spindle_.power_limit);
   }
 
-  /// [1] of the setting; below it a load stalls the spindle.
+  /// [1] Speed over the setting below which a load stalls the spindle.
   static constexpr double kStalledFraction = 1e-3;
-  /// [1] of the setting; a motor with droop has its largest power there.
+  /// [1] Speed over the setting at which a motor with droop has its largest power.
   static constexpr double kLoadedFraction = 0.5;
 
  private:

@@ -92,7 +92,7 @@ struct CentroidOffset {
 struct BlockContent {
   std::array<MaterialId, kBlockVoxels> material;      ///< kEmpty in empty voxels
   std::array<float, kBlockVoxels> fill;               ///< [1] filled fraction, 0 ... 1; 0 where material is kEmpty
-  std::array<CentroidOffset, kBlockVoxels> centroid;  ///< of the filled part; zero in full and empty voxels
+  std::array<CentroidOffset, kBlockVoxels> centroid;  ///< centroid of the filled part; zero in full and empty voxels
 };
 
 /// The kind of block that a builder returns: a uniform block needs no arrays.
@@ -109,7 +109,7 @@ struct BlockKind {
 /// homogeneous interiors need no memory.
 struct BlockView {
   VoxelIndex origin = {0, 0, 0};           ///< index of the block's first voxel
-  MaterialId uniform_material = kEmpty;    ///< of every voxel, if `material` is null
+  MaterialId uniform_material = kEmpty;    ///< material of every voxel, if `material` is null
   const MaterialId* material = nullptr;    ///< [512] or null: uniform
   const std::uint64_t* solid = nullptr;    ///< 8 words, bit `block_offset`: not yet empty; null with `material`
   const float* fill = nullptr;             ///< [512] filled fractions or null: every solid voxel is full

@@ -45,13 +45,13 @@ void for_each_block_origin(const IndexBox& voxels, const Function& function) {
 
 /// A set of voxels of one block.
 struct BlockVoxels {
-  VoxelIndex origin = {0, 0, 0};  ///< of the block's first voxel
+  VoxelIndex origin = {0, 0, 0};  ///< index of the block's first voxel
   BlockMask voxels;
 
   [[nodiscard]] bool operator==(const BlockVoxels&) const = default;
 };
 
-inline constexpr int kSides = 6;  ///< of a block: -x, +x, -y, +y, -z, +z
+inline constexpr int kSides = 6;  ///< sides of a block: -x, +x, -y, +y, -z, +z
 
 /// Origin of the neighbouring block at a side.
 [[nodiscard]] inline VoxelIndex beside(VoxelIndex origin, int side) noexcept {

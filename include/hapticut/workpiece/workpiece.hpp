@@ -68,8 +68,8 @@ class Workpiece {
   [[nodiscard]] IndexBox bounds() const;                      ///< smallest box around all voxels that are not empty
   [[nodiscard]] bool empty() const;                           ///< whether no material is left
   [[nodiscard]] std::int64_t solid_voxels() const;            ///< voxels that are not yet empty
-  [[nodiscard]] std::size_t memory_bytes() const;             ///< of the trees, without the pool
-  [[nodiscard]] std::size_t pool_bytes() const;               ///< of the blocks reserved for cutting
+  [[nodiscard]] std::size_t memory_bytes() const;             ///< size of the trees, without the pool
+  [[nodiscard]] std::size_t pool_bytes() const;               ///< size of the blocks reserved for cutting
   [[nodiscard]] std::vector<MaterialAmount> amounts() const;  ///< one entry per material of the table
   [[nodiscard]] MaterialId material_at(const VoxelIndex& index) const;  ///< kEmpty outside
   [[nodiscard]] double fill_at(const VoxelIndex& index) const;          ///< [1] 0 outside

@@ -79,7 +79,7 @@ void MouseDevice::begin_run(const RunOptions& options) {
   simulated_ = options.simulated_time;
   tick_ = 0;
   angle_ = 0;
-  for (std::atomic<double>* moved : {&inputs_->x, &inputs_->y, &inputs_->z}) moved->store(0);  // of before the run
+  for (std::atomic<double>* moved : {&inputs_->x, &inputs_->y, &inputs_->z}) moved->store(0);  // forgets older motion
   target_ = {};
   wanted_.setZero();
   plant_ = Plant(plant_.device(), plant_.hand(), {period_, period_ / 50, false, false, false});

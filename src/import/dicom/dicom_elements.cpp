@@ -14,7 +14,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kPreamble = 128;
-constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // of files without a preamble
+constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // start of files without a preamble
 constexpr std::string_view kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840.10008.1.2.1";  // transfer syntaxes
 constexpr std::uint32_t kUndefined = 0xffffffff;  // length of elements that end with a delimiter
 constexpr int kMaxDepth = 16;                     // sequences within sequences

@@ -19,7 +19,7 @@ namespace {
 
 /// The JSON text of a file: all of a .gltf, the first part of a .glb.
 std::string json_of(const std::filesystem::path& path) {
-  constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] of a .glb
+  constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] header of a .glb, and the place of a length in it
   std::string file = bytes_of_file(path);
   if (file.size() < kHeader || !file.starts_with("glTF")) return file;
   return file.substr(kHeader, number_in<std::uint32_t>(std::string_view(file).substr(kPlaceOfLength)));

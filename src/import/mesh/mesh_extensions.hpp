@@ -20,7 +20,7 @@
 namespace hapticut {
 
 struct MeshFormat {
-  std::string_view ending;  ///< in lower case
+  std::string_view ending;  ///< lower case
   Polygons (*read)(const std::filesystem::path& path);
   double unit_mm;  ///< [mm] default length of one unit
 };

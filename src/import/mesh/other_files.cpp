@@ -15,7 +15,7 @@ constexpr std::string_view kConvert = "save the mesh as STL, PLY, OBJ, OFF or gl
 constexpr std::string_view kNoMesh = "name a mesh";
 
 struct Kind {
-  std::string_view begin;  // of the file
+  std::string_view begin;  // start of the file
   std::string_view name;
   std::string_view cure;
 };

@@ -31,7 +31,7 @@ struct PlyHeader {
   PlyFormat format = PlyFormat::text;
   std::vector<PlyElement> elements;
   std::size_t size = 0;   ///< [bytes] size of the header; the values follow
-  std::size_t lines = 0;  ///< of the header
+  std::size_t lines = 0;  ///< number in the header
 };
 
 /// @throws Error that names the invalid line

@@ -22,7 +22,7 @@ struct PolygonObject {
 };
 
 struct Polygons {
-  std::vector<Vec3> vertices;  ///< in units of the file
+  std::vector<Vec3> vertices;  ///< positions in units of the file
   std::vector<PolygonObject> objects;
 };
 

@@ -15,9 +15,9 @@ namespace {
 using detail::Vec2;
 constexpr int kCuts = 8;            // half-planes in which the mesh is cut
 constexpr double kCutAngle = 2.4;   // [rad] from one to the next: no two cut a regular prism in the same way
-constexpr double kFit = 1e-3;       // [1] of the largest radius: allowed distance of lines and arcs from the vertices
-constexpr double kBall = 1e-3;      // [1] of the mean square radius: below it the mesh is a ball, and every axis fits
-constexpr double kOnAxis = 1e-6;    // [1] of the largest radius
+constexpr double kFit = 1e-3;       // [1] allowed distance of lines and arcs from the vertices, over the largest radius
+constexpr double kBall = 1e-3;      // [1] eigenvalue over the mean square radius; below it a ball, and every axis fits
+constexpr double kOnAxis = 1e-6;    // [1] distance that counts as on the axis, over the largest radius
 constexpr double kFirstCut = 0.61;  // [rad] an angle at which meshes rarely have vertices
 
 struct Triangle {

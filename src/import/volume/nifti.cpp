@@ -13,7 +13,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kNifti1 = 348, kNifti2 = 540;  // [bytes] of the headers
+constexpr std::size_t kNifti1 = 348, kNifti2 = 540;  // [bytes] sizes of the headers
 constexpr std::size_t kExtensions = 4;  // [bytes] after the header, which tell whether there are extensions
 
 /// A NIfTI header, in the units of the file.
@@ -162,7 +162,7 @@ double bytes_needed(const NiftiHeader& h) {
 
 /// @throws Error when the values would begin where the file has extensions, which then are read as values
 void require_room_for_extensions(const NiftiHeader& h, std::string_view bytes) {
-  constexpr double kLeast = 16;  // [bytes] of an extension
+  constexpr double kLeast = 16;  // [bytes] size of an extension
   const std::size_t end = h.version == 1 ? kNifti1 : kNifti2;
   if (bytes[end] != 0 && h.offset < double(end + kExtensions) + kLeast)
     throw Error("it has extensions behind its header (its byte " + std::to_string(end) + " is not 0), but its values " +

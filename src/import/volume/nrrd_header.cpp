@@ -17,7 +17,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kMaxNrrdHeader = 1 << 20;
-constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header line; a list of data files has one line for each
+constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] size of a line; a list of data files has one line for each
 constexpr std::size_t kMaxNrrdFiles = 1 << 16;
 
 std::optional<ValueType> type_of_nrrd(std::string_view name) {

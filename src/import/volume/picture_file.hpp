@@ -15,7 +15,7 @@ namespace hapticut {
 struct PictureFile {
   std::array<int, 2> dims;  ///< width, height
   unsigned channels;        ///< 1 grey, 2 with alpha, 3 colour, 4 with alpha
-  ValueType type;           ///< of a channel
+  ValueType type;           ///< type of a channel
   std::string bytes;        ///< row by row from the top, interleaved channels, machine byte order
 };
 

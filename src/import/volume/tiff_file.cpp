@@ -16,7 +16,7 @@
 namespace hapticut {
 namespace {
 
-constexpr tmsize_t kMaxPiece = tmsize_t(1) << 28;  // [bytes] of a strip or a tile
+constexpr tmsize_t kMaxPiece = tmsize_t(1) << 28;  // [bytes] size of a strip or a tile
 
 class TiffReader {
  public:

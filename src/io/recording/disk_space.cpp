@@ -23,7 +23,7 @@ constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] reserved at a time, 
 
 /// [bytes] that a file has on its disk.
 std::uint64_t bytes_on_disk(int file) {
-  constexpr std::uint64_t kUnit = 512;  // of st_blocks
+  constexpr std::uint64_t kUnit = 512;  // [bytes] unit of st_blocks
   struct stat status {};
   if (::fstat(file, &status) != 0) fail(errno);
   return std::uint64_t(status.st_blocks) * kUnit;

@@ -10,7 +10,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kHead = 12;                             // [bytes] of the file header that identify the format
+constexpr std::size_t kHead = 12;  // [bytes] part of the file header that identifies the format
 constexpr std::uint64_t kMaxBlock = std::uint64_t(1) << 40U;  // [bytes] limit of a block query
 
 /// Whether a writer has the file open, or was killed with the file open: a bit in the header (HDF5 File Format

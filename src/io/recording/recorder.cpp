@@ -111,7 +111,7 @@ struct Recorder::State {
   std::atomic<bool> ending_failed{false};
 
   // Used by the writer's thread.
-  WriterLock lock;  // of the growing file
+  WriterLock lock;  // lock of the growing file
   std::unique_ptr<DiskSpace> disk_space;
   hdf5::File file;
   std::vector<const Column*> columns;

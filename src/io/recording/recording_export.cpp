@@ -146,7 +146,7 @@ void write_npz(const Recording& recording, const std::filesystem::path& path) {
       }
     }
     zip.close();
-  } catch (const FileError&) {  // of the recording
+  } catch (const FileError&) {  // the fault is in the recording
     throw;
   } catch (const Error& error) {
     cannot_write(path, error.sentence());

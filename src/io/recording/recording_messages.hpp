@@ -45,10 +45,10 @@ struct Reply {
 };
 
 inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]
-inline constexpr std::uint64_t kMaxReply = 1 << 20;        // [bytes] of a reply other than a block
-inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] of a message shown to users
-inline constexpr std::uint64_t kMaxDimensions = 32;        // of a data set
-inline constexpr unsigned kMaxReadingSeconds = 15;         // [s] of processor time, plus time for long replies
+inline constexpr std::uint64_t kMaxReply = 1 << 20;        // [bytes] size of a reply other than a block
+inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] size of a message shown to users
+inline constexpr std::uint64_t kMaxDimensions = 32;        // number for a data set
+inline constexpr unsigned kMaxReadingSeconds = 15;         // [s] processor time, plus time for long replies
 inline constexpr std::uint64_t kBytesPerSecond = 4 << 20;  // [bytes/s] that define the time for long replies
 
 }  // namespace hapticut

@@ -10,7 +10,7 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint32_t kOldestFormat = 222;  // of 2012; older files store nodes differently
+constexpr std::uint32_t kOldestFormat = 222;  // format of 2012; older files store nodes differently
 constexpr char kDelayedLoading[] = "__delayedload";
 constexpr char kHalf[] = "_HalfFloat";
 

@@ -16,7 +16,7 @@ namespace hapticut {
 struct VdbEntry {
   std::string name;          ///< may be empty
   std::string type;          ///< type of its values: "float", "int32", "vec3s", "ptdataidx32" ...
-  std::uint64_t memory = 0;  ///< [bytes] of its tree, once it is read; 0 for a removed grid
+  std::uint64_t memory = 0;  ///< [bytes] memory of its tree, once it is read; 0 for a removed grid
 };
 
 /// Checks the bytes of a .vdb file and keeps only the grids that a workpiece can use: float and int32.

@@ -11,11 +11,11 @@
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kValueSize = 4;             // [bytes] of a float and of an int32
+constexpr std::size_t kValueSize = 4;             // [bytes] size of a float and of an int32
 constexpr std::uint64_t kUpper = 32 * 32 * 32;    // entries of a node of the upper level
 constexpr std::uint64_t kLower = 16 * 16 * 16;    // entries of a node of the lower level
 constexpr std::uint64_t kLeaf = 8 * 8 * 8;        // voxels of a leaf
-constexpr std::int32_t kUpperEdge = 4096;         // [voxels] of a node of the upper level
+constexpr std::int32_t kUpperEdge = 4096;         // [voxels] edge of a node of the upper level
 constexpr std::int32_t kMaxCoordinate = 1 << 30;  // [voxels] keeps sums of indices in range
 constexpr std::size_t kMinBytesOfBlosc = 16;      // length of its header
 
@@ -73,7 +73,7 @@ class TreeWalk {
     }
   }
 
-  /// [bytes] of the nodes in memory.
+  /// [bytes] Size of the nodes in memory.
   [[nodiscard]] std::uint64_t memory() const {
     constexpr std::uint64_t kOfEntry = 8;   // a value or a pointer, in a node
     constexpr std::uint64_t kOfLeaf = 256;  // besides its values

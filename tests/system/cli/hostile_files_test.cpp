@@ -22,7 +22,7 @@ struct Hostile {
   const char* before;                           ///< what stands before its name on the command line
   const char* after;                            ///< and behind it
   const char* cause;                            ///< that the refusal names; nullptr: it is read
-  std::function<void(const json&)> check = {};  ///< of what is read
+  std::function<void(const json&)> check = {};  ///< checks what is read
 };
 
 /// Ends programs that run longer than 20 s, and limits memory to that of a small machine.

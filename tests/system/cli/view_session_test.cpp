@@ -81,7 +81,7 @@ TEST(ViewSession, SetsAnUndoMarkAfterTheMarksAreUsedUp) {
   desk.lead(Vec3(0, 0, 1 * mm), false);
   desk.lead(Vec3(0, 0, -0.3 * mm), true);
   desk.lead(Vec3(0, 0, 1 * mm), false);
-  desk.lead(Vec3(0, 0, 1.1 * mm), true);  // in air
+  desk.lead(Vec3(0, 0, 1.1 * mm), true);  // stays in air
   desk.lead(Vec3(0, 0, 1 * mm), false);
   for (unsigned left = desk.session.latest().tool.undo_marks; left-- > 0;) {
     desk.session.apply(commands::Undo{});

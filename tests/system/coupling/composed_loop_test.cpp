@@ -24,7 +24,7 @@ class Course {
   explicit Course(std::uint64_t seed)
       : random_(seed),
         voxel_(random_.between(0.12, 0.25) * mm),
-        simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // in this order
+        simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // drawn in this order
         hand_(simulation_.tool()),
         device_(*this),
         model_(simulation_, device_, options()),

@@ -27,7 +27,7 @@ class Episode {
       : random_(seed),
         voxel_(random_.between(0.12, 0.25) * mm),
         turns_(below(2, random_) == 0),
-        simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // in this order
+        simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // drawn in this order
         fresh_(simulation_.workpiece().snapshot()),
         coupling_(simulation_, some_gains(turns_, random_)),
         invariants_(simulation_),

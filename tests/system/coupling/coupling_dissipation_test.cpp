@@ -23,7 +23,7 @@ using units::mm;
 
 struct Stroke {
   double min_hand_work = 0;  // [J] minimum of the accumulated work of the hand
-  double max_imbalance = 0;  // [J] of the coupling's ledger
+  double max_imbalance = 0;  // [J] imbalance of the coupling's ledger
   double rebound = 0;        // [m/s] maximum speed upwards while the hand comes down
   double jitter = 0;         // [m] along x while the hand rests
   double sideways = 0;       // [N] maximum on the hand

@@ -25,7 +25,7 @@ using test::RandomPoses;
 using units::mm;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr int kHands = 250;          // of each of the four kinds
+constexpr int kHands = 250;          // number of each of the four kinds
 constexpr double kShare = 1e-3;      // [1] part of its turnover that a hand may get
 constexpr double kNothing = 1e-7;    // [J] below the turnover of any hand
 constexpr double kAbove = 0.6 * mm;  // above the surface, where a path begins
@@ -157,8 +157,8 @@ struct Scene {
 /// Work of the motor and of rotations, summed over the steps.
 class Steps final : public StepObserver {
  public:
-  double motor = 0;     // [J] of the spindle
-  double rotation = 0;  // [J] of a hand that feels the contact's torque at the end of each step
+  double motor = 0;     // [J] work of the spindle
+  double rotation = 0;  // [J] work of a hand that feels the contact's torque at the end of each step
   Pose last;
 
   void on_step(const ObservedStep& step) noexcept override {
@@ -206,7 +206,7 @@ class HandWork {
   Wrench held;           // by the motors
   double given = 0;      // [J] by the hand so far
   double allowed = 0;    // [J] allowance for holding and reading
-  double turnover = 0;   // [J] of the hand
+  double turnover = 0;   // [J] turnover of the hand
   double others = 0;     // [J] work of others
   double booked = 0;     // [J] by the coupling, of the hand
   double min_work = 0;   // [J] minimum of the work of hand and others, with the allowance

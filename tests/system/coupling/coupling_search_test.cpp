@@ -22,7 +22,7 @@ namespace {
 using namespace units;
 
 constexpr int kSteps = 9;                  // and one contact for the step: 1 ms where each takes 0.1 ms
-constexpr int kVoxels = 250, kExtra = 40;  // of such a contact; a smaller one takes less
+constexpr int kVoxels = 250, kExtra = 40;  // voxels of such a contact, and what else it takes; a smaller one takes less
 constexpr int kTicks = 800;
 
 enum class Shape { flat, slot, bowl };

@@ -174,7 +174,7 @@ TEST(CouplingInput, IsRefusedWithItsValueAndTheCure) {
   gains.mass = 50;
   expect_refused([&] { validate(gains); }, {"CouplingGains::mass", "50"});
   gains = {};
-  gains.stiffness = 0.7;  // in N/mm
+  gains.stiffness = 0.7;  // meant in N/mm
   expect_refused([&] { validate(gains); }, {"CouplingGains::stiffness", "0.7"});
   gains = {};
   gains.max_force = NAN;

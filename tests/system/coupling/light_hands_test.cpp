@@ -38,7 +38,7 @@ double unsteadiness(DeviceModel device, const ToolHead& head, const Material& ma
   Pose hand = Pose::from_translation(Vec3(0.01, 0.02, 1.1) * mm) * tool.X_HT().inverse();
   ClosedLoop loop(config);
   loop.reset(hand);
-  constexpr double kPress = 1, kRest = 1.2, kEnd = 1.8, kDepth = 6 * mm;  // [s], [m] of the set point
+  constexpr double kPress = 1, kRest = 1.2, kEnd = 1.8, kDepth = 6 * mm;  // [s], [m] times, depth of the set point
   std::vector<Vec3> forces;
   const double start = hand.translation.z();
   for (double t = 0; t < kEnd; t += period) {

@@ -22,8 +22,8 @@ constexpr double kPeriod = 1e-3;  // [s]
 
 /// A spring and a damper that are read and held in ticks of kPeriod.
 struct Held {
-  double stiffness, damping;  // of the coupling
-  double own_damping;         // of the device
+  double stiffness, damping;  // spring and damper of the coupling
+  double own_damping;         // damping of the device
 };
 
 /// [N s/m] Effective damping at a frequency, after `delay` ticks (Colgate and Schenkel 1997, for a spring and a damper

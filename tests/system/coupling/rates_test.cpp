@@ -21,7 +21,7 @@ using namespace units;
 /// The path of a hand that is pressed down, as a distance along it.
 struct Motion {
   ToolHead head;
-  Mat3 rotation;  // of the head
+  Mat3 rotation;  // rotation of the head
   Vec3 (*at)(double distance);
 };
 

@@ -73,8 +73,8 @@ struct BallInItsCavity {
   Simulation simulation{
       build_block({Vec3(-3, -3, -3) * units::mm, Vec3(3, 3, 0) * units::mm}, 2e-4, test::plain_material()),
       test::tool_of(SphereHead{test::kRadius}, 3000), test::on_foundation(1e13)};
-  static constexpr double kDepth = 0.5e-3;  // [m] of the ball's lowest point
-  double height = 0;                        // [m] of the ball's lowest point
+  static constexpr double kDepth = 0.5e-3;  // [m] the ball's lowest point
+  double height = 0;                        // [m] the ball's lowest point
 
   void move_to(double to, double by) {
     do {

@@ -18,7 +18,7 @@ constexpr double kDepth = 0.3 * mm;
 constexpr double kNormal = 3e-3;        // [1] rotation of the normal force by voxels of a third of the depth
 constexpr double kTwoMaterials = 5e-3;  // [1] rotation of the normal force near a softer half
 constexpr double kArm = 1e-2;           // [1] error of the point where this rotated force leaves the ball
-constexpr double kClosure = 1e-4;       // [1] of the ledger
+constexpr double kClosure = 1e-4;       // [1] error of the ledger
 constexpr double kPressedOnce = 1e-3;   // [1] the step that presses is not part of the path
 
 Material rough(const char* name, double ratio) {
@@ -54,7 +54,7 @@ const StepResult& press_and_drag(Simulation& simulation, double to_x, double spe
 
 /// Force on a ball that slides along x, kDepth deep in a flat solid: the limit surface of all its points.
 struct Sliding {
-  double ratio;  // [1] of the force along x to that along z
+  double ratio;  // [1] force along x over that along z
   double arm;    // [m] below the ball's centre, at which the force along x acts
 };
 Sliding sliding_cap(double friction, const Vec3& along = Vec3::UnitX()) {
@@ -145,7 +145,7 @@ TEST(Friction, D10HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   SimulationConfig config;
   config.removal = RemovalLaw::none;  // so that only the friction changes
   const double full = kFullSpinSpeed / kRadius;
-  const double ramp = 2 * full / 0.5;  // [rad/s^2] to twice the speed of the hand-over in half a second
+  const double ramp = 2 * full / 0.5;  // [rad/s^2] reaches twice the speed of the hand-over in half a second
   Simulation simulation = ball_on_block(config, Spindle{0, std::numeric_limits<double>::infinity(), ramp}, 5 * mm);
   Pose pose = Pose::from_translation(Vec3(-4 * mm, 0, kRadius));
   const double speed = 2 * units::mm_per_s;

@@ -17,9 +17,9 @@ using units::deg;
 using units::kPi;
 using units::mm;
 
-constexpr double kQuadrature = 1e-6;       // [1] of the midpoint rule with thousands of points
-constexpr double kSinglePrecision = 1e-4;  // [1] of sums of some thousand forces
-constexpr double kFineVoxels = 0.02;       // [1] of sums of a fifth as many forces, with a steeper form
+constexpr double kQuadrature = 1e-6;       // [1] error of the midpoint rule with thousands of points
+constexpr double kSinglePrecision = 1e-4;  // [1] error of sums of some thousand forces
+constexpr double kFineVoxels = 0.02;       // [1] error of sums of a fifth as many forces, with a steeper form
 
 // --- contact mechanics (Table 5.1) -----------------------------------------------------------------------------------
 

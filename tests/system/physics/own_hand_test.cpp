@@ -28,7 +28,7 @@ struct Felt {
 
 Felt lower(const SimulationConfig& config, const ToolHead& head, AngularSpeed speed,
            const Material& material = presets::cortical_bone()) {
-  constexpr double kMass = 0.08, kSpring = 300, kDamping = 4, kPress = 1.5;  // of device and hand
+  constexpr double kMass = 0.08, kSpring = 300, kDamping = 4, kPress = 1.5;  // device and hand together
   Simulation simulation(plain_block(3 * mm, 3 * mm), Tool(head, RayHandle{0}, Spindle{speed}), config);
   PreparedMaterials materials(MaterialTable({material}), simulation.config());
   EXPECT_TRUE(simulation.exchange(materials));

@@ -85,7 +85,7 @@ ErrorConstants press(Surface surface, const Vec3& normal, double l) {
 // surface voxels have the same f. Where the surface is tilted against the grid, every f occurs at once.
 constexpr double kSlope = 12 * (2 * kRadius - 3 * kDepth) / (4 * kRadius - 3 * kDepth);
 constexpr double kMidpoint = -kSlope / 24;
-constexpr double kTolerance = 0.03;  // of 12 phases, of a lattice, and of subsampled fills
+constexpr double kTolerance = 0.03;  // error of 12 phases, of a lattice, and of subsampled fills
 
 class Resolution : public testing::TestWithParam<double> {};
 

@@ -33,7 +33,7 @@ Plunge plunge(const ToolHead& head, const Material& material, double speed, doub
                         Tool(head, RayHandle{30 * mm}, common_spindle(spindle * rpm)), config);
   const Pose X_TH = simulation.tool().X_HT().inverse();
   const double dt = 1 / rate;
-  double height = head.reach() + 0.1 * mm, down = 0;  // of the tool's origin; since the first contact
+  double height = head.reach() + 0.1 * mm, down = 0;  // height of the tool's origin; way since the first contact
   Plunge seen;
   int ticks = 0;
   while (down < depth) {

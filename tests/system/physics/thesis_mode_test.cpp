@@ -25,7 +25,7 @@ using units::mm;
 
 constexpr double kStiffnessOfMaterial = 0.4, kDepth = 0.5 * mm;
 constexpr double kDampingOfMaterial = 5, kFriction = 0.3;  // [s/m], [1]
-constexpr double kSinglePrecision = 1e-5;                  // [1] of sums of a thousand forces
+constexpr double kSinglePrecision = 1e-5;                  // [1] error of sums of a thousand forces
 const Vec3 kTo(0.013 * mm, 0.021 * mm, kRadius - kDepth);
 
 const LHandle kHandle{40 * mm, 12 * mm, 60 * deg};
@@ -182,7 +182,7 @@ const std::vector<NamedHead> kHeads = {
     {"ball", SphereHead{kRadius}}, {"cone", ConeHead{45 * deg, kRadius}}, {"flat", FlatHead{kRadius, kRadius}}};
 constexpr std::array kSpeeds = {10'000 * units::rpm, 40'000 * units::rpm, 300'000 * units::rpm};
 constexpr std::array kStiffnesses = {0.1, 0.4, 1.0};  // [1]
-constexpr double kContinuous = 0.88;                  // [N] of a Touch
+constexpr double kContinuous = 0.88;                  // [N] continuous force of a Touch
 
 Simulation as_offered(const ToolHead& head, AngularSpeed speed, double stiffness, double voxel = kVoxel,
                       SimulationConfig config = thesis_mode()) {

@@ -17,7 +17,7 @@ using units::deg;
 using units::kPi;
 using units::mm;
 
-constexpr double kStiffness = 1e12;  // [N/m^4] of C33
+constexpr double kStiffness = 1e12;  // [N/m^4] stiffness of C33
 constexpr double kR = 1 * mm;
 constexpr SteadyCut kCut{3e8, 0.5, 1000, 5e-3};
 

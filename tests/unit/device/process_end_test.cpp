@@ -131,7 +131,7 @@ TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
 struct CrashOfTheLoop {
   std::atomic<double> began{0}, handed_on{0}, scale{1};
 };
-CrashOfTheLoop* crash_of_the_loop = nullptr;  // in memory that the processes share
+CrashOfTheLoop* crash_of_the_loop = nullptr;  // lies in memory that the processes share
 
 TEST(Device, DoesNotWaitWhenItsOwnThreadCrashes) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;

@@ -108,7 +108,7 @@ TEST(DicomPadding, IsReadFromTheFileOrFromAnyFunctionalGroup) {
     std::vector<DicomElements> frames(2);
     if (where == 0) e.set_word(kPadding, 7);
     if (where == 1) shared.set_items(0x00209170, {converted});  // from a converter, shared by all slices
-    if (where == 2) shared.set_items(0x00289145, {converted});  // in the group of the scale
+    if (where == 2) shared.set_items(0x00289145, {converted});  // the group of the scale
     if (where == 3) frames[0].set_items(0x00209171, {converted}), frames[1].set_items(0x00209171, {other});
     e.set_items(0x52009229, {shared}).set_items(0x52009230, frames);
     const test::TemporaryFolder folder;

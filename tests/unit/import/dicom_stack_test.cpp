@@ -183,7 +183,7 @@ TEST_F(DicomSlices, ThatAreMissingFarAwayOrThereTwiceAreNamed) {
        "'s3' and 's4' are 1 mm apart, the others 0.5 mm; planes between them are missing"},
       {{0, 1, 1.5, 2}, "'s0' and 's1' are 1 mm apart, the others 0.5 mm"},
       {{0, 0.5, 1, 1, 1.5, 2}, "'s2' and 's3' are at the same place; one is a duplicate"},
-      {{0, 0.01, 0.02, 0.04, 0.05}, "'s2' and 's3' are 0.02 mm apart, the others 0.01 mm"}};  // of a micro scanner
+      {{0, 0.01, 0.02, 0.04, 0.05}, "'s2' and 's3' are 0.02 mm apart, the others 0.01 mm"}};  // a micro scanner
   for (const auto& [heights, part] : series) {
     for (int n = 0; n < 10; ++n) std::filesystem::remove(folder_ / test::slice_name(n));
     write_heights(heights);

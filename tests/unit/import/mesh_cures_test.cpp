@@ -48,7 +48,7 @@ std::string written(const TemporaryFolder& folder, const char* name, const Write
   return test::read_bytes(folder / name);
 }
 
-constexpr double kVolume = 36;  // [mm^3] of the tetrahedron
+constexpr double kVolume = 36;  // [mm^3] volume of the tetrahedron
 
 double volume_of(const std::filesystem::path& path) {
   double volume = 0;

@@ -121,7 +121,7 @@ TEST(LabelVolumes, OfValuesNearAWholeNumberAreRead) {
   };
   EXPECT_EQ(label(2.0000002F), 2);
   EXPECT_EQ(label(1.9999999F), 2);
-  EXPECT_EQ(label(0.988F + 0.003F), 1);  // of labels that were scaled to 8 bits
+  EXPECT_EQ(label(0.988F + 0.003F), 1);  // from labels that were scaled to 8 bits
   EXPECT_EQ(label(65534.996F), 65535);
   EXPECT_EQ(label(-1e-7F), 0);
   test::expect_refused([&] { return label(2.0118F); }, "it has the value 2.0118, but labels");

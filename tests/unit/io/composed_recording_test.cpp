@@ -64,7 +64,7 @@ class RecordedRun {
         drive_(drive),
         voxel_(random_.between(0.12, 0.25) * mm),
         config_(some_settings()),
-        simulation_{some_piece(voxel_, random_), some_tool(random_), config_},  // in this order
+        simulation_{some_piece(voxel_, random_), some_tool(random_), config_},  // drawn in this order
         fresh_(simulation_.workpiece().snapshot()),
         hand_(simulation_.tool()),
         seen_(seen) {

@@ -51,7 +51,7 @@ TEST(SecondRecorder, OfAFileIsRefusedUnderEachOfItsNames) {
   std::filesystem::create_symlink(path, folder / "also-a.h5");
   const std::vector<std::filesystem::path> names = {path, folder / "./link/a.h5", folder / "also-a.h5",
                                                     std::filesystem::relative(path)};
-  record_alone(path, names);  // to a new file
+  record_alone(path, names);  // writes a new file
   record_alone(path, names);  // beside an older recording
   EXPECT_EQ(folder.file_count(), 3U);
 }
@@ -75,7 +75,7 @@ TEST(SecondRecorder, MayBeginWhenTheFirstIsDestroyedOrFails) {
     Recorder recorder(folder / "a.h5", simulation, patient());
     step_in_the_air(recorder, 5);
   }
-  record(folder / "a.h5", 6);  // in a.h5.new
+  record(folder / "a.h5", 6);  // writes a.h5.new
   {
     Simulation simulation = some_simulation();
     Recorder left(folder / "a.h5", simulation, patient());  // leaves a.h5.new

@@ -124,7 +124,7 @@ TEST(IslandWatch, RemovesAPieceBesideACustomLoop) {
     cut_through(simulation, tick);
     watch.tick();
   }
-  while (watch.count() == 0) {  // in the air, until the thread of the watch has run
+  while (watch.count() == 0) {  // goes on in the air until the thread of the watch has run
     cut_through(simulation, kThrough + 10);
     watch.tick();
     std::this_thread::yield();

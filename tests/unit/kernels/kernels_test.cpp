@@ -31,7 +31,7 @@ double max_size(const ContactBlock::Array<float>& a, int lanes) {
 TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // in this order
+  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // drawn in this order
   long samples = 0;
   int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
@@ -130,7 +130,7 @@ void expect_same(const Resultant& found, const Resultant& wanted, double phases,
 TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // in this order
+  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // drawn in this order
   long samples = 0, emptied = 0, stiff = 0, rubbed = 0, crushed = 0, blocks = 0, at_the_rim = 0, at_a_jump = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 100; ++trial) {

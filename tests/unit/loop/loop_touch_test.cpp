@@ -11,7 +11,7 @@
 namespace hapticut::loop_touch_test {
 namespace {
 
-constexpr double kRadius = 1.5e-3, kVoxel = 2e-4;  // [m] of the ball; of the block
+constexpr double kRadius = 1.5e-3, kVoxel = 2e-4;  // [m] radius of the ball; voxel of the block
 
 /// A block whose upper face the ball touches when the stylus is at the origin of its base.
 Simulation block_under_the_ball() {

@@ -22,7 +22,7 @@
 namespace hapticut::random_commands_test {
 namespace {
 
-constexpr double kRadius = 1.5e-3;  // [m] of the ball
+constexpr double kRadius = 1.5e-3;  // [m] radius of the ball
 
 /// Counts the commands that a SimulationModel applies and refuses.
 class CountingModel final : public LoopModel {

@@ -23,7 +23,7 @@
 namespace hapticut::simulation_model_test {
 namespace {
 
-constexpr double kRadius = 1.5e-3;  // [m] of the ball
+constexpr double kRadius = 1.5e-3;  // [m] radius of the ball
 
 // The thread sanitizer makes a tick thirty times slower, so fewer ticks have to suffice.
 constexpr std::uint64_t kManyTicks = test::kWithThreadSanitizer ? 5000 : 20000;
@@ -254,7 +254,7 @@ TEST(SimulationModel, AppliesClutchAndScale) {
   const auto device = test::scripted_loop::stiff_mock("line");
   Simulation simulation = block_under_the_ball(0);
   SimulationModelOptions options = ball_above_the_block();
-  options.map.X_WB.translation.z() += 20e-3;  // in the air
+  options.map.X_WB.translation.z() += 20e-3;  // starts in the air
   SimulationModel model(simulation, *device, options);
   RealtimeLoop loop(*device, model, options_for(model, 0));
   loop.start();

@@ -111,13 +111,13 @@ TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
   RunOptions run = simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
   LoopSnapshot snapshot;
-  int touched = 0;      // [voxels] in contact before the pedal goes down; -1: something was removed
+  int touched = 0;      // [voxels] number in contact before the pedal goes down; -1: something was removed
   double removed = -1;  // [m^3] when the pedal comes up
   int n = 0;
   (void)scripted.device->run(
       [&](const DeviceState& reading) {
         DeviceState state = reading;
-        state.X_BS.translation = {0, 0, 1e-3 - 1.5e-6 * n};  // in contact from tick 667 on
+        state.X_BS.translation = {0, 0, 1e-3 - 1.5e-6 * n};  // touches from tick 667 on
         state.buttons = n < 800 || n >= 900 ? ~(1U << 3) : 1U << 3;
         DeviceCommand command{model.step(state, 1e-3, snapshot), false, model.contact()};
         if (n == 799) touched = snapshot.tool.removed_volume == 0 ? snapshot.tool.contact_voxels : -1;

@@ -11,7 +11,7 @@
 namespace hapticut::workspace_map_test {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of a few products of numbers of size 1
+constexpr double kRounding = 1e-12;  // error of a few products of numbers of size 1
 
 Pose pose(const Vec3& rotation, const Vec3& at) { return {rotation_from_vector(rotation), at}; }
 

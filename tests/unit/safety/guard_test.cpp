@@ -187,7 +187,7 @@ TEST(Guard, WaitsUntilFreeAfterALateTickAndFadesInShortly) {
 TEST(Guard, WaitsUntilFreeAfterEventsThatCanPutTheToolIntoMaterial) {
   struct Case {
     SafetyEvent event;
-    double period;  // [s] of the tick
+    double period;  // [s] duration of the tick
     Vec3 moved;     // [m]
   };
   for (const Case& c :

@@ -17,7 +17,7 @@ namespace {
 using test::GuardedLoop;
 using test::kPeriod;
 
-/// [s] of the readings until the full force is allowed, at most 5 s.
+/// [s] Time of the readings until the full force is allowed, at most 5 s.
 double time_to_engage(GuardedLoop& loop, double period) {
   const double begin = loop.reading.time;
   while (loop.guard.state() != ArmingState::on && loop.reading.time - begin < 5) loop.tick(Vec3::Zero(), period);

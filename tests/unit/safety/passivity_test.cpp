@@ -14,7 +14,7 @@
 namespace hapticut::passivity_test {
 namespace {
 
-constexpr double kStiffness = 700, kPeak = 3.3, kTick = 1e-3;  // [N/m], [N], [s] of a Touch
+constexpr double kStiffness = 700, kPeak = 3.3, kTick = 1e-3;  // [N/m], [N], [s] values of a Touch
 
 PassivityOptions options_of_touch() {
   PassivityOptions options;
@@ -31,7 +31,7 @@ Vec3 control(PassivityController& controller, const Vec3& force, const Vec3& eff
 
 /// Outcome of a hand that moves at 0.1 m/s into a wall and out again, three times.
 struct Outcome {
-  double given = 0;        // [J] to the hand
+  double given = 0;        // [J] work given to the hand
   double max_damping = 0;  // [N]
   double pulled = 0;       // [N] maximum force inwards
 };
@@ -147,7 +147,7 @@ TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
       held += 0.5 * kStiffness * on.squaredNorm();
       most_ahead = std::max(most_ahead, given - motor - held);
     }
-    EXPECT_LE(most_ahead, 1e-3) << paid;  // of 1 N that would push for 10 mm
+    EXPECT_LE(most_ahead, 1e-3) << paid;  // [J] for a push that grows to 1 N within 10 mm
     EXPECT_LE(given, motor + held + 1e-6) << paid;
     EXPECT_GE(given, 0.9 * motor) << paid;
   }
@@ -156,7 +156,7 @@ TEST(PassivityController, LimitsAPushToTheWorkOfTheMotor) {
 // A smooth force stays smooth, whatever the hand does and whether or not the motor pays, at every rate.
 TEST(PassivityController, ChangesASmoothForceByLittleInATick) {
   for (const double rate : {250.0, 500.0, 1000.0, 4000.0, 8000.0})
-    for (const double step : {0.0, 5e-6, 55e-6})  // [m] of the encoders
+    for (const double step : {0.0, 5e-6, 55e-6})  // [m] step of the encoders
       for (const bool knows : {false, true}) {
         PassivityController controller(options_of_touch(), kPeak);
         Vec3 applied = Vec3::Zero(), before = Vec3::Zero(), last = Vec3::Zero(), was = Vec3::Zero();

@@ -157,7 +157,7 @@ std::string px(double value) {
 }
 
 struct Place {
-  double x, y;  // [px] of the frame's origin
+  double x, y;  // [px] position of the frame's origin
 
   [[nodiscard]] std::string point(double rho, double z) const {
     return px(x + rho / mm * kScale) + ' ' + px(y - z / mm * kScale) + ' ';

@@ -35,7 +35,7 @@ std::vector<NamedHead> all_heads() {
   return heads;
 }
 
-constexpr int kPoints = 2000;  // of an edge
+constexpr int kPoints = 2000;  // number on an edge
 
 /// Points of the meridian, close to each other.
 std::vector<Eigen::Vector2d> points_of(const Profile& profile) {

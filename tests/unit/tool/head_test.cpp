@@ -21,7 +21,7 @@ using units::mm;
 struct Expected {
   const char* name;
   ToolHead head;
-  Vec3 min, max;         // [m] of the box
+  Vec3 min, max;         // [m] corners of the box
   double volume, reach;  // [m^3], [m]
 };
 

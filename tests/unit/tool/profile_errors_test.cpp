@@ -20,7 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Refused {
   const char* name;
   Profile profile;
-  std::vector<const char*> words;  // of the message
+  std::vector<const char*> words;  // words of the message
 };
 
 void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.name; }

@@ -122,7 +122,7 @@ TEST_P(AnyProfile, TableIsWithinItsBoundAndItsBoundWithinTheTolerance) {
     const ProfileTable& table = head.table();
     ASSERT_LE(table.error, tolerance * std::min(table.radius, table.top - table.bottom));
     const ProfileSprings<double> springs(table);
-    const double rounding = 1e-6 * mm;  // of the circle that represents a hollow corner
+    const double rounding = 1e-6 * mm;  // error by the circle that represents a hollow corner
     double sum = 0;
     constexpr int kPoints = 200000;
     for_points(head, kPoints, [&](double rho, double z) {
@@ -193,7 +193,7 @@ TEST_P(ClosedProfile, DepthIsTheDistanceToTheNearestPointOfTheSurface) {
     double nearest = 1;
     for (const Eigen::Vector2d& p : surface) nearest = std::min(nearest, (p - Eigen::Vector2d(rho, z)).norm());
     const MeridianSpring<double> s = spring_at(head, rho, z);
-    const double error = 0.002 * mm;  // of the table
+    const double error = 0.002 * mm;  // error of the table
     ASSERT_NEAR(std::abs(margin_at(head, rho, z)), nearest, spacing);
     if (s.depth <= 0) return;
     ++inside;

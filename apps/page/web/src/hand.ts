@@ -12,7 +12,7 @@ export interface Hit {
 }
 
 export const kHover = 1e-3; // [m] height of the tip above the surface
-export const kWheelStep = 0.1e-3; // [m] of depth per notch
+export const kWheelStep = 0.1e-3; // [m] depth per notch
 
 /** The rotation with z along `axis` and with x as close as possible to that of `before`. */
 export function rotatedTo(before: number[], axis: Vec3): number[] {
@@ -35,7 +35,7 @@ export class Hand {
   pressed = false;
   private R_WT: number[] = identity.rotation;
   private X_HT: Pose = identity;
-  private tip: Vec3 = [0, 0, 0]; // of the tool, in W
+  private tip: Vec3 = [0, 0, 0]; // position of the tool's tip, in W
   private tipHeight = 0; // z of the tip in T
   private plane: Hit | null = null;
   private lift = 0;

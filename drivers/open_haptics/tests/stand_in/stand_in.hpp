@@ -35,7 +35,7 @@ struct Device {
   std::string name, model;
   bool initialised = false;
   Reading actual, current;
-  Output set, committed, previous;  // of the current frame, of the last frame, of the frame before
+  Output set, committed, previous;  // outputs of the current frame, of the last frame, of the frame before
   Output rendered;                  // by the motors in the last tick
   double ramp = 0;                  // [N] limit of the amplifiers
   std::vector<Output> history;
@@ -75,7 +75,7 @@ struct Simulation {
   double rate = 1000;
   long ticks = 0;
   std::thread thread;
-  std::thread::id servo;  // of the tick that is running
+  std::thread::id servo;  // thread of the tick that is running
   std::atomic<bool> stop_thread{false};
 };
 

@@ -64,7 +64,7 @@ class Plant {
   [[nodiscard]] Pose pose() const;              ///< exact
   [[nodiscard]] Pose measured_pose() const;     ///< with the steps of the encoder
   [[nodiscard]] Twist velocity() const;         ///< exact
-  [[nodiscard]] double kinetic_energy() const;  ///< [J] of the translation of tip and hand
+  [[nodiscard]] double kinetic_energy() const;  ///< [J] energy of the translation of tip and hand
 
   [[nodiscard]] const DeviceModel& device() const { return device_; }
   [[nodiscard]] const HandModel& hand() const { return hand_; }

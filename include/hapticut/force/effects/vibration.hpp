@@ -35,7 +35,7 @@ constexpr auto fields_of(Of<Vibration>) {
   };
 }
 
-/// [1] of the update rate: a sine sampled less than 1/0.45 times a period beats visibly, and at 0.5 it may vanish.
+/// [1] Part of the update rate: a sine sampled less than 1/0.45 times a period beats visibly, and at 0.5 may vanish.
 inline constexpr double kMaxVibration = 0.45;
 
 /// @param update_rate  [Hz] of the step

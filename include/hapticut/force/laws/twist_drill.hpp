@@ -66,11 +66,11 @@ class TwistDrillLaw final : public LumpedLaw {
     return lumped;
   }
 
-  /// [N] of a drill of diameter D [m] and point angle [rad] at feed per revolution a [m].
+  /// [N] Thrust of a drill of diameter D [m] and point angle [rad] at feed per revolution a [m].
   [[nodiscard]] double thrust(double diameter, double a, double point_angle) const {
     return c_.specific_energy * a * diameter / 2 * std::sin(point_angle / 2);
   }
-  /// [N·m] of a drill of diameter D [m] at feed per revolution a [m].
+  /// [N·m] Torque of a drill of diameter D [m] at feed per revolution a [m].
   [[nodiscard]] double torque(double diameter, double a) const {
     return c_.specific_energy * a * diameter * diameter / 8;
   }

@@ -55,7 +55,7 @@ struct RecordedStep {
 /// Build, machine and device of a recording, and how it ended.
 struct RecordingInfo {
   std::uint64_t format = kRecordingFormat;
-  std::string version, commit, compiler, cpu;  ///< of the recording program: see BuildInfo
+  std::string version, commit, compiler, cpu;  ///< build of the recording program: see BuildInfo
   std::string begun;                           ///< start time, as 2026-01-31T23:59:59Z
   std::string device;                          ///< name of the device; empty: no device
   std::string note;                            ///< RecorderOptions::note, free text

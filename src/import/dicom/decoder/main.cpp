@@ -16,8 +16,8 @@
 
 namespace {
 
-constexpr unsigned kSeconds = 15;                                  // of a frame
-constexpr std::uint64_t kMaxFrame = std::uint64_t(1) << 33U;       // [bytes] of a frame and of its file
+constexpr unsigned kSeconds = 15;                                  // [s] time for a frame
+constexpr std::uint64_t kMaxFrame = std::uint64_t(1) << 33U;       // [bytes] size of a frame and of its file
 constexpr std::uint64_t kMemoryBesides = std::uint64_t(1) << 29U;  // [bytes] for the program and its codecs
 constexpr std::uint64_t kCopiesOfAFrame = 16;  // copies of a frame that codecs hold, in wider numbers
 

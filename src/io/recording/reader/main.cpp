@@ -27,7 +27,7 @@ using child::limit;
 using child::read_all;
 using child::write_all;
 
-constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] in addition to kMemoryPerByte
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] memory in addition to kMemoryPerByte
 constexpr std::uint64_t kMemoryPerByte = 4;
 
 void limit_memory(const std::string& path) {

@@ -92,7 +92,7 @@ struct ShownMaterial {
 
 /// The first information for a page.
 struct Scene {
-  GridFrame frame;                       ///< of the pages of the surface
+  GridFrame frame;                       ///< grid of the surface's pages
   std::vector<ShownMaterial> materials;  ///< by id from 1
 };
 
@@ -131,7 +131,7 @@ enum class Severity : std::uint32_t { info = 0, warning = 1, error = 2 };
 /// Values that a page shows beside the scene.
 struct Instruments {
   Pose X_WG;                             ///< pose of the head at the set point of the hand
-  double power = 0;                      ///< [W] of the tool
+  double power = 0;                      ///< [W] power of the tool
   std::uint64_t ticks = 0, missed = 0;   ///< since the loop began; `missed`: ticks that were more than a period late
   double bucket = 0;                     ///< [s] width of the buckets of `latency`
   std::vector<std::uint32_t> latency{};  ///< number of ticks by lateness; the last bucket has all later ones
