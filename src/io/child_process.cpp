@@ -14,6 +14,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
 
@@ -47,12 +49,36 @@ fs::path place_of(const ChildProgram& program) {
               program.otherwise + ".");
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// Sends or receives bytes until all are transferred.
+/// @param event     POLLIN or POLLOUT
+/// @param transfer  part of the bytes without waiting, as ::recv
+/// @return false when the child has ended, or at the end of the time
+template <class Byte, class Transfer>
+bool transfer_all(int socket, short event, Byte* bytes, std::size_t count, Clock::time_point end,
+                  const Transfer& transfer) {
+  while (count > 0) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+    pollfd waiting{socket, event, 0};
+    const int ready = ::poll(&waiting, 1, std::max(int(left.count()), 0));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return false;
+    const ssize_t moved = transfer(socket, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (moved < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (moved <= 0) return false;
+    bytes += moved;
+    count -= std::size_t(moved);
+  }
+  return true;
+}
+
 }  // namespace
 
 ChildProcess::~ChildProcess() { stop(); }
 
 void ChildProcess::start() {
-  if (runs()) return;
+  if (process_ > 0) return;
   const std::string program = place_of(program_).string();
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
@@ -91,34 +117,25 @@ void ChildProcess::stop() noexcept {
   process_ = -1;
 }
 
-bool ChildProcess::send(std::string_view bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(std::size_t(count));
+std::optional<ChildProcess::Answer> ChildProcess::ask(std::string_view content, Request limits,
+                                                      std::uint64_t max_bytes) {
+  const Clock::time_point end = Clock::now() + time_limit_;
+  limits.bytes = content.size();
+  Reply reply;
+  const auto send = [&](const char* bytes, std::size_t count) {
+    return transfer_all(socket_, POLLOUT, bytes, count, end, ::send);
+  };
+  const auto receive = [&](char* bytes, std::size_t count) {
+    return transfer_all(socket_, POLLIN, bytes, count, end, ::recv);
+  };
+  if (process_ > 0 && send(reinterpret_cast<const char*>(&limits), sizeof limits) &&
+      send(content.data(), content.size()) && receive(reinterpret_cast<char*>(&reply), sizeof reply) &&
+      reply.result <= Reply::Result::no_memory && reply.bytes <= max_bytes) {
+    Answer answer{reply.result, reply.reason, std::string(reply.bytes, '\0')};
+    if (receive(answer.content.data(), answer.content.size())) return answer;
   }
-  return true;
-}
-
-bool ChildProcess::receive(char* bytes, std::size_t count, std::chrono::nanoseconds& time_left) const {
-  using Clock = std::chrono::steady_clock;
-  while (count > 0) {
-    const Clock::time_point before = Clock::now();
-    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(time_left);
-    pollfd waiting{socket_, POLLIN, 0};
-    const int ready = ::poll(&waiting, 1, int(wait.count()));
-    const int reason = errno;
-    time_left = std::max(time_left - (Clock::now() - before), std::chrono::nanoseconds(0));
-    if (ready < 0 && reason == EINTR) continue;
-    if (ready <= 0) return false;
-    const ssize_t got = ::recv(socket_, bytes, count, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    bytes += got;
-    count -= std::size_t(got);
-  }
-  return true;
+  stop();
+  return std::nullopt;
 }
 
 }  // namespace hapticut

@@ -5,10 +5,11 @@
 
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "io/child_messages.hpp"
 
 namespace hapticut {
 
@@ -26,11 +27,22 @@ extern const ChildProgram kDecoder;          ///< unpacks compressed DICOM pictu
 extern const ChildProgram kRecordingReader;  ///< reads recordings
 
 /// A child process for reading code that a damaged file can crash: the child dies, and this process reports an error.
-/// `start` starts the child; its standard input is the socket of the connection. The child ends with this object.
-/// docs/decisions/0011-readers.md explains why it is not a fork.
+/// Its side is `child::serve`. The child ends with this object. docs/decisions/0011-readers.md explains why it is not a
+/// fork.
 class ChildProcess {
  public:
-  explicit ChildProcess(const ChildProgram& program) : program_(program) {}
+  static constexpr std::chrono::seconds kMaxReplyTime{20};
+
+  /// A reply with its content.
+  struct Answer {
+    Reply::Result result;
+    std::uint64_t reason;
+    std::string content;
+  };
+
+  /// @param time_limit  maximum time of one request and its reply
+  explicit ChildProcess(const ChildProgram& program, std::chrono::nanoseconds time_limit = kMaxReplyTime)
+      : program_(program), time_limit_(time_limit) {}
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -39,17 +51,16 @@ class ChildProcess {
   /// @throws Error when the program is missing or cannot be started
   void start();
   void stop() noexcept;
-  [[nodiscard]] bool runs() const noexcept { return process_ > 0; }
 
-  /// @return false when the child has ended
-  [[nodiscard]] bool send(std::string_view bytes) const;
-
-  /// @param[in,out] time_left  maximum waiting time; reduced by the time waited
-  /// @return false when the child has ended, or when `time_left` is over (then 0)
-  [[nodiscard]] bool receive(char* bytes, std::size_t count, std::chrono::nanoseconds& time_left) const;
+  /// Sends a request and waits for its reply.
+  /// @param limits     memory and processor time of the child
+  /// @param max_bytes  maximum length of the reply's content
+  /// @return nullopt when the child does not run, ends, takes too long or sends something else; it is then stopped
+  [[nodiscard]] std::optional<Answer> ask(std::string_view content, Request limits, std::uint64_t max_bytes);
 
  private:
   ChildProgram program_;
+  std::chrono::nanoseconds time_limit_;
   pid_t process_ = -1;
   int socket_ = -1;
 };

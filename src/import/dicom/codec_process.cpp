@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/dicom/codec_process.hpp"
 
-#include <chrono>
-
 #include "io/byte_reader.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr std::chrono::seconds kMaxWait{20};  // for a frame
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 29U;  // [bytes] for the program and its codecs
+constexpr std::uint64_t kCopiesOfAFrame = 16;               // copies of a frame that codecs hold, in wider numbers
+constexpr std::uint64_t kSecondsOfAFrame = 15;              // [s] of processor time
 
 void append_element(std::string& bytes, std::uint32_t tag, const char* kind, std::string value) {
   if (value.size() % 2 != 0) value += kind == std::string_view("UI") ? '\0' : ' ';
@@ -71,17 +71,14 @@ std::string CodecProcess::operator()(const DicomFile& file, const DicomPicture& 
   if (compression == "JPEG 2000" && !packed.empty()) require_jpeg_2000_of(packed, picture);
   process_.start();
   const std::string request = one_frame_file(file, picture, packed);
-  std::string message;
-  append_bytes_of(message, std::uint64_t(request.size()));
-  append_bytes_of(message, std::uint64_t(picture.frame_bytes()));
-  std::uint64_t length = 0;
-  std::string values(picture.frame_bytes(), '\0');
-  std::chrono::nanoseconds time_left = kMaxWait;
-  const bool answered = process_.send(message) && process_.send(request) &&
-                        process_.receive(reinterpret_cast<char*>(&length), sizeof length, time_left) &&
-                        length == values.size() && process_.receive(values.data(), values.size(), time_left);
-  if (answered) return values;
+  seconds_ += kSecondsOfAFrame;
+  std::optional<ChildProcess::Answer> answer =
+      process_.ask(request, {kMemory + kCopiesOfAFrame * picture.frame_bytes() + 4 * request.size(), seconds_},
+                   picture.frame_bytes());
+  if (answer && answer->result == Reply::Result::done && answer->content.size() == picture.frame_bytes())
+    return std::move(answer->content);
   process_.stop();
+  seconds_ = 0;
   throw Error("its values, compressed by " + compression +
               ", cannot be unpacked; they are damaged or of an unsupported kind. Get a complete copy, or save the file "
               "uncompressed.");

@@ -4,7 +4,6 @@
 #include <new>
 #include <string_view>
 
-#include "io/byte_reader.hpp"
 #include "io/file_errors.hpp"
 
 namespace hapticut {
@@ -83,8 +82,9 @@ hid_t Hdf5Source::data_set_at(const std::string& place) {
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
-std::string Hdf5Source::reply_to(const Query& query, const std::string& place, const std::string& name) {
+std::string Hdf5Source::reply_to(const Query& query) {
   const hdf5::Quiet quiet;
+  const std::string &place = query.place, &name = query.name;
   std::string content;
   switch (query.kind) {
     case QueryKind::open:
@@ -105,7 +105,7 @@ std::string Hdf5Source::reply_to(const Query& query, const std::string& place, c
     case QueryKind::layout:
       return layout_at(place);
     case QueryKind::block:
-      return block_of(query, place);
+      return block_of(query);
   }
   return content;
 }
@@ -118,11 +118,11 @@ std::string Hdf5Source::layout_at(const std::string& place) {
   return content;
 }
 
-std::string Hdf5Source::block_of(const Query& q, const std::string& place) {
+std::string Hdf5Source::block_of(const Query& q) {
   if (double(q.numbers) * double(q.count) > double(kMaxBlock)) throw std::bad_alloc();
-  const std::string its = "its '" + name_at(place) + "'", what = "reading " + name_at(place);
-  const hid_t set = data_set_at(place);
-  (void)hdf5::number_class(set, name_at(place));
+  const std::string name = name_at(q.place), its = "its '" + name + "'", what = "reading " + name;
+  const hid_t set = data_set_at(q.place);
+  (void)hdf5::number_class(set, name);
   std::vector<hsize_t> length = hdf5::shape_of(set);
   const hdf5::DataSpace source(H5Dget_space(set), what);
   if (!length.empty()) {
@@ -136,11 +136,9 @@ std::string Hdf5Source::block_of(const Query& q, const std::string& place) {
   const hsize_t expected = q.numbers * q.count;
   if (hdf5::checked(H5Sget_select_npoints(source.get()), what) != hssize_t(expected))
     throw hdf5::Failure(its + " has another shape");
-  std::string bytes(expected * size_of(ValueType(q.value_type)), '\0');
+  std::string bytes(expected * size_of(q.value_type), '\0');
   const hdf5::DataSpace target(H5Screate_simple(1, &expected, nullptr), what);
-  hdf5::checked(
-      H5Dread(set, hdf5::type_of(ValueType(q.value_type)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
-      what);
+  hdf5::checked(H5Dread(set, hdf5::type_of(q.value_type), target.get(), source.get(), H5P_DEFAULT, bytes.data()), what);
   return bytes;
 }
 

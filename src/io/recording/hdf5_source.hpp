@@ -18,7 +18,7 @@ class Hdf5Source final : public RecordingSource {
   Hdf5Source(hdf5::File file, std::uint64_t file_size) : RecordingSource(file_size), file_(std::move(file)) {}
   ~Hdf5Source() override;
 
-  std::string reply_to(const Query& query, const std::string& place, const std::string& name) override;
+  std::string reply_to(const Query& query) override;
 
  private:
   /// A group inside the file; throws where HDF5 would follow a link.
@@ -29,7 +29,7 @@ class Hdf5Source final : public RecordingSource {
   hdf5::Object object_at(const std::string& place) const;
   hid_t data_set_at(const std::string& place);
   [[nodiscard]] std::string layout_at(const std::string& place);
-  [[nodiscard]] std::string block_of(const Query& query, const std::string& place);
+  [[nodiscard]] std::string block_of(const Query& query);
 
   hdf5::File file_;
   std::map<std::string, hdf5::DataSet> data_sets_;  ///< open data sets

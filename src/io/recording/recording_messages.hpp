@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+
+#include "io/byte_reader.hpp"
+#include "io/value_types.hpp"
 
 /// @file
-/// Messages between the library and its HDF5 reader program. A query is a Query followed by two texts; a reply is a
-/// Reply followed by its content. Both programs run on one machine, so numbers are sent as in memory.
+/// Queries of the library to its HDF5 reader program; a query is the content of a Request.
 namespace hapticut {
 
-enum class QueryKind : std::uint32_t {
+enum class QueryKind : std::uint8_t {
   open,              ///< place: path of the file; content: nothing
   exists,            ///< content: one byte, 0 or 1
   has_attribute,     ///< content: one byte, 0 or 1
@@ -21,12 +24,12 @@ enum class QueryKind : std::uint32_t {
 
 struct Query {
   QueryKind kind = QueryKind::open;
-  std::uint32_t value_type = 0;   ///< ValueType of a block
-  std::uint32_t place_bytes = 0;  ///< length of the text that follows
-  std::uint32_t name_bytes = 0;   ///< length of the next text
-  std::uint64_t numbers = 0;      ///< numbers per row of a block
-  std::uint64_t first = 0;        ///< first row of a block
-  std::uint64_t count = 0;        ///< number of rows of a block
+  std::string place = {};
+  std::string name = {};                      ///< of an attribute
+  ValueType value_type = ValueType::float64;  ///< of a block
+  std::uint64_t numbers = 0;                  ///< numbers per row of a block
+  std::uint64_t first = 0;                    ///< first row of a block
+  std::uint64_t count = 0;                    ///< number of rows of a block
 };
 
 /// What a refusal is about.
@@ -36,19 +39,30 @@ enum class Fault : std::uint64_t {
   not_hdf5,  ///< it is another file
 };
 
-struct Reply {
-  enum class Result : std::uint64_t { done, refused, no_memory };
+/// Calls `use` with each number of a query, in the order of the message.
+template <class AQuery, class Use>
+void for_each_number_of(AQuery& query, const Use& use) {
+  use(query.kind);
+  use(query.value_type);
+  use(query.numbers);
+  use(query.first);
+  use(query.count);
+}
 
-  Result result = Result::done;
-  std::uint64_t bytes = 0;    ///< length of the content; if refused, the content is the message
-  Fault fault = Fault::part;  ///< if refused
-};
+[[nodiscard]] inline std::string bytes_of(const Query& query) {
+  std::string bytes;
+  for_each_number_of(query, [&](const auto& number) { append_bytes_of(bytes, number); });
+  append_bytes_of(bytes, std::uint64_t(query.place.size()));
+  return bytes + query.place + query.name;
+}
 
-inline constexpr std::uint64_t kMaxPlace = 1 << 16;        // [bytes]
-inline constexpr std::uint64_t kMaxReply = 1 << 20;        // [bytes] size of a reply other than a block
-inline constexpr std::uint64_t kMaxSentence = 1000;        // [bytes] size of a message shown to users
-inline constexpr std::uint64_t kMaxDimensions = 32;        // number for a data set
-inline constexpr unsigned kMaxReadingSeconds = 15;         // [s] processor time, plus time for long replies
-inline constexpr std::uint64_t kBytesPerSecond = 4 << 20;  // [bytes/s] that define the time for long replies
+[[nodiscard]] inline Query query_in(std::string_view bytes) {
+  ByteReader in(bytes);
+  Query query;
+  for_each_number_of(query, [&]<class Number>(Number& number) { number = in.read<Number>(); });
+  query.place = in.read(in.read<std::uint64_t>());
+  query.name = in.read(in.left());
+  return query;
+}
 
 }  // namespace hapticut

@@ -1,48 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/recording_process.hpp"
 
+#include <algorithm>
 #include <new>
 
 namespace hapticut {
+namespace {
+
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] in addition to kMemoryPerByte
+constexpr std::uint64_t kMemoryPerByte = 4;                 // [bytes] per byte of the file
+constexpr std::uint64_t kReadingSeconds = 15;               // [s] of processor time, plus time for long replies
+constexpr std::uint64_t kBytesPerSecond = 4 << 20;          // [bytes/s] that define the time for long replies
+constexpr std::uint64_t kMaxReply = 1 << 20;                // [bytes] of a reply other than a block
+constexpr std::size_t kMaxSentence = 1000;                  // [bytes] of a message shown to users
+
+}  // namespace
 
 RecordingProcess::RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
                                    std::chrono::nanoseconds time_limit)
-    : RecordingSource(file_size), time_limit_(time_limit), process_(kRecordingReader) {
+    : RecordingSource(file_size),
+      process_(kRecordingReader, time_limit),
+      memory_(kMemory + kMemoryPerByte * file_size) {
   process_.start();
-  (void)RecordingProcess::reply_to({}, std::filesystem::absolute(path).string(), "");
+  (void)RecordingProcess::reply_to({.place = std::filesystem::absolute(path).string()});
 }
 
-void RecordingProcess::die() {
-  process_.stop();
-  fail_in_reader();
-}
-
-void RecordingProcess::receive(char* bytes, std::size_t count) {
-  if (!process_.receive(bytes, count, time_left_)) die();
-}
-
-std::string RecordingProcess::reply_to(const Query& query, const std::string& place, const std::string& name) {
+std::string RecordingProcess::reply_to(const Query& query) {
   const std::lock_guard lock(query_mutex_);
-  if (!process_.runs()) die();
-  Query head = query;
-  head.place_bytes = std::uint32_t(place.size());
-  head.name_bytes = std::uint32_t(name.size());
-  std::string message(reinterpret_cast<const char*>(&head), sizeof head);
-  message += place + name;
-  time_left_ = time_limit_;
-  Reply reply;
-  if (!process_.send(message)) die();
-  receive(reinterpret_cast<char*>(&reply), sizeof reply);
-  if (reply.result == Reply::Result::no_memory) throw std::bad_alloc();
-  const bool done = reply.result == Reply::Result::done;
-  const std::uint64_t max_bytes = done && head.kind == QueryKind::block
-                                      ? head.numbers * head.count * size_of(ValueType(head.value_type))
-                                      : kMaxReply;
-  if ((!done && reply.result != Reply::Result::refused) || reply.bytes > max_bytes) die();
-  std::string content(reply.bytes, '\0');
-  receive(content.data(), content.size());
-  if (!done) throw hdf5::Failure(content.substr(0, kMaxSentence), reply.fault);
-  return content;
+  const std::uint64_t block = query.numbers * query.count * size_of(query.value_type);  // 0: no block
+  std::optional<ChildProcess::Answer> answer = process_.ask(
+      bytes_of(query), {memory_, kReadingSeconds + received_ / kBytesPerSecond}, std::max(block, kMaxReply));
+  if (!answer) fail_in_reader();
+  if (answer->result == Reply::Result::no_memory) throw std::bad_alloc();
+  if (answer->result == Reply::Result::refused) {
+    const bool is_known = answer->reason <= std::uint64_t(Fault::not_hdf5);
+    throw hdf5::Failure(answer->content.substr(0, kMaxSentence), is_known ? Fault(answer->reason) : Fault::part);
+  }
+  received_ += answer->content.size();
+  return std::move(answer->content);
 }
 
 }  // namespace hapticut

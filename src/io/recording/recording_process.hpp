@@ -16,22 +16,19 @@ namespace hapticut {
 /// call the functions; the calls run one after the other.
 class RecordingProcess final : public RecordingSource {
  public:
-  static constexpr std::chrono::seconds kMaxReplyTime{20};
-
   /// Opens a file.
   /// @param time_limit  maximum time of one reply
   /// @throws hdf5::Failure when HDF5 refuses the file, or the file crashes the program
   /// @throws Error when the program is missing
   RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
-                   std::chrono::nanoseconds time_limit = kMaxReplyTime);
+                   std::chrono::nanoseconds time_limit = ChildProcess::kMaxReplyTime);
 
  private:
-  std::string reply_to(const Query& query, const std::string& place, const std::string& name) override;
-  void receive(char* bytes, std::size_t count);
-  [[noreturn]] void die();
+  std::string reply_to(const Query& query) override;
 
-  std::chrono::nanoseconds time_limit_, time_left_{0};
   ChildProcess process_;
+  std::uint64_t memory_;        // [bytes] that the program may use
+  std::uint64_t received_ = 0;  // [bytes] of all replies
   std::mutex query_mutex_;
 };
 

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cstring>
 
-#include "io/byte_reader.hpp"
-
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] per block query
+constexpr std::uint64_t kBlock = 8 << 20;   // [bytes] per block query
+constexpr std::size_t kMaxDimensions = 32;  // of a data set
 
 template <class Number>
 std::vector<Number> numbers_of(const void* bytes, std::size_t size) {
@@ -38,28 +37,22 @@ void fail_in_reader() {
   throw hdf5::Failure("it is a damaged HDF5 file: the program that reads it crashed or took too long", Fault::damaged);
 }
 
-std::string RecordingSource::ask(QueryKind what, const std::string& place, const std::string& name) {
-  Query query;
-  query.kind = what;
-  return reply_to(query, place, name);
-}
-
 bool RecordingSource::exists(const std::string& place) {
-  return only_number<std::uint8_t>(ask(QueryKind::exists, place)) != 0;
+  return only_number<std::uint8_t>(reply_to({QueryKind::exists, place})) != 0;
 }
 bool RecordingSource::has_attribute(const std::string& place, const std::string& name) {
-  return only_number<std::uint8_t>(ask(QueryKind::has_attribute, place, name)) != 0;
+  return only_number<std::uint8_t>(reply_to({QueryKind::has_attribute, place, name})) != 0;
 }
 std::string RecordingSource::text_attribute(const std::string& place, const std::string& name) {
-  return ask(QueryKind::text_attribute, place, name);
+  return reply_to({QueryKind::text_attribute, place, name});
 }
 std::uint64_t RecordingSource::number_attribute(const std::string& place, const std::string& name) {
-  return only_number<std::uint64_t>(ask(QueryKind::number_attribute, place, name));
+  return only_number<std::uint64_t>(reply_to({QueryKind::number_attribute, place, name}));
 }
-std::string RecordingSource::text(const std::string& place) { return ask(QueryKind::text, place); }
+std::string RecordingSource::text(const std::string& place) { return reply_to({QueryKind::text, place}); }
 
 DataSetLayout RecordingSource::layout(const std::string& place) {
-  const std::string content = ask(QueryKind::layout, place);
+  const std::string content = reply_to({QueryKind::layout, place});
   const auto numbers = numbers_of<std::uint64_t>(content.data(), content.size());
   if (numbers.empty() || numbers.size() > 1 + kMaxDimensions || content.size() % sizeof(std::uint64_t) != 0)
     fail_in_reader();
@@ -74,14 +67,9 @@ void RecordingSource::rows(const std::string& place, ValueType kind, std::uint64
   if (bytes.empty()) return;
   const std::uint64_t at_once = std::max<std::uint64_t>(1, kBlock / row);
   for (std::uint64_t done = 0; done < count; done += at_once) {
-    Query query;
-    query.kind = QueryKind::block;
-    query.value_type = std::uint32_t(kind);
-    query.numbers = numbers;
-    query.first = first + done;
-    query.count = std::min(at_once, count - done);
-    const std::string block = reply_to(query, place, "");
-    if (block.size() != query.count * row) fail_in_reader();
+    const std::uint64_t now = std::min(at_once, count - done);
+    const std::string block = reply_to({QueryKind::block, place, "", kind, numbers, first + done, now});
+    if (block.size() != now * row) fail_in_reader();
     std::memcpy(bytes.data() + done * row, block.data(), block.size());
   }
 }

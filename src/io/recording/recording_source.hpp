@@ -9,7 +9,6 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/recording/recording_messages.hpp"
-#include "io/value_types.hpp"
 
 namespace hapticut {
 
@@ -65,10 +64,9 @@ class RecordingSource {
 
  protected:
   /// @return the content that `QueryKind` describes
-  virtual std::string reply_to(const Query& query, const std::string& place, const std::string& name) = 0;
+  virtual std::string reply_to(const Query& query) = 0;
 
  private:
-  [[nodiscard]] std::string ask(QueryKind what, const std::string& place, const std::string& name = "");
   template <class Number>
   [[nodiscard]] std::vector<Number> all(const std::string& place);
 

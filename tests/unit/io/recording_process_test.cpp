@@ -159,7 +159,7 @@ TEST(RecordingProcess, ThatHangsIsNotWaitedForLonger) {
   const std::filesystem::path path = recorded(folder);
   const OtherReader hangs(script(folder, "exec sleep 60"));
   EXPECT_THROW(RecordingProcess(path, std::filesystem::file_size(path), std::chrono::milliseconds(50)), hdf5::Failure);
-  EXPECT_LE(RecordingProcess::kMaxReplyTime, std::chrono::seconds(20));
+  EXPECT_LE(ChildProcess::kMaxReplyTime, std::chrono::seconds(20));
 }
 
 /// The only child of this process; 0: none.
