@@ -11,8 +11,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::uint32_t kOldestFormat = 222;  // format of 2012; older files store nodes differently
-constexpr char kDelayedLoading[] = "__delayedload";
-constexpr char kHalf[] = "_HalfFloat";
+constexpr std::string_view kDelayedLoading = "__delayedload";
 
 std::string_view read_string(ByteReader& in) { return in.read(in.read<std::uint32_t>()); }
 
@@ -90,14 +89,14 @@ void check_transform(ByteReader& in, bool nested = false) {
 
 /// "Tree_float_5_4_3_HalfFloat" -> "float".
 std::string type_of_value(std::string_view type) {
-  if (type.rfind("Tree_", 0) != 0) return std::string(type);
+  if (!type.starts_with("Tree_")) return std::string(type);
   type.remove_prefix(5);
   return std::string(type.substr(0, type.find('_')));
 }
 
 bool is_usable(std::string_view type) {
-  const bool half = type.size() > std::size(kHalf) - 1 && type.substr(type.size() - (std::size(kHalf) - 1)) == kHalf;
-  if (half) type.remove_suffix(std::size(kHalf) - 1);
+  constexpr std::string_view kHalf = "_HalfFloat";
+  if (type.ends_with(kHalf)) type.remove_suffix(kHalf.size());
   return type == "Tree_float_5_4_3" || type == "Tree_int32_5_4_3";
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <cstdlib>
 #include <sstream>
 
 #include "io/vdb/vdb_check.hpp"
@@ -36,11 +35,7 @@ class Mask {
   }
 
  private:
-  [[nodiscard]] std::uint64_t word(std::size_t at) const {
-    std::uint64_t bits;
-    std::memcpy(&bits, bytes_.data() + at, sizeof bits);
-    return bits;
-  }
+  [[nodiscard]] std::uint64_t word(std::size_t at) const { return number_in<std::uint64_t>(bytes_.substr(at)); }
 
   std::string_view bytes_;
 };
@@ -117,10 +112,9 @@ class TreeWalk {
     using namespace openvdb::io;
     const int kind = in_.read<std::uint8_t>();
     if (kind > NO_MASK_AND_ALL_VALS) damaged_vdb("values have an unknown encoding");
-    if (kind == NO_MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_ONE_INACTIVE_VAL) in_.skip(kValueSize);
-    if (kind == MASK_AND_TWO_INACTIVE_VALS) in_.skip(2 * kValueSize);
-    if (kind == MASK_AND_NO_INACTIVE_VALS || kind == MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_TWO_INACTIVE_VALS)
-      in_.skip(entries / 8);
+    constexpr std::size_t kInactiveValues[] = {0, 0, 1, 0, 1, 2, 0};  // in the order of these kinds
+    in_.skip(kInactiveValues[kind] * kValueSize);
+    if (kind >= MASK_AND_NO_INACTIVE_VALS && kind <= MASK_AND_TWO_INACTIVE_VALS) in_.skip(entries / 8);
     const bool all = (storage_.compression & COMPRESS_ACTIVE_MASK) == 0 || kind == NO_MASK_AND_ALL_VALS;
     const std::uint64_t count = all ? entries : active.count();
     if (storage_.half && count == 0) return;
