@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "unit/c/layout.h"
@@ -17,15 +18,20 @@ namespace {
 
 using namespace c_test;
 
-constexpr layout kInCpp[] = {HAPTICUT_LAYOUT(HAPTICUT_LAYOUT_OF, HAPTICUT_LAYOUT_AT)};
+using Layout = std::vector<std::pair<std::string, std::size_t>>;
+
+/// Sizes of all structs and offsets of their fields, in one of the languages.
+Layout layout_of(void (*language)(layout_user)) {
+  static Layout found;
+  found.clear();
+  language([](const char* name, std::size_t bytes) { found.emplace_back(name, bytes); });
+  return found;
+}
 
 TEST(CStructs, LieInMemoryInCAsTheyDoInCpp) {
-  ASSERT_EQ(layouts_in_c, std::size(kInCpp));
-  ASSERT_GT(layouts_in_c, 150U);
-  for (std::size_t n = 0; n < layouts_in_c; ++n) {
-    EXPECT_STREQ(layout_in_c[n].name, kInCpp[n].name);
-    EXPECT_EQ(layout_in_c[n].offset, kInCpp[n].offset) << kInCpp[n].name;
-  }
+  const Layout in_cpp = layout_of(every_layout);
+  ASSERT_GT(in_cpp.size(), 150U);
+  EXPECT_EQ(layout_of(layout_in_c), in_cpp);
 }
 
 // The structs of ABI version 1 may grow at their ends; their fields never move.
@@ -39,11 +45,11 @@ TEST(CStructs, KeepTheirPublishedSizes) {
       {"hapticut_loop_report", 1344},  {"hapticut_page", 160},           {"hapticut_sound_options", 24},
       {"hapticut_sound_input", 32},    {"hapticut_recording_report", 24}};
   std::size_t seen = 0;
-  for (const layout& one : kInCpp) {
-    if (std::strchr(one.name, '.') != nullptr) continue;
+  for (const auto& [name, bytes] : layout_of(every_layout)) {
+    if (!name.starts_with("hapticut_")) continue;  // a field
     ++seen;
-    ASSERT_TRUE(given_out.contains(one.name)) << one.name << " has " << one.offset << " bytes";
-    EXPECT_EQ(one.offset, given_out.at(one.name)) << one.name;
+    ASSERT_TRUE(given_out.contains(name)) << name << " has " << bytes << " bytes";
+    EXPECT_EQ(bytes, given_out.at(name)) << name;
   }
   EXPECT_EQ(seen, given_out.size());
 }

@@ -2,5 +2,4 @@
 /* The layout of the structs in C. */
 #include "layout.h"
 
-const struct layout layout_in_c[] = {HAPTICUT_LAYOUT(HAPTICUT_LAYOUT_OF, HAPTICUT_LAYOUT_AT)};
-const size_t layouts_in_c = sizeof layout_in_c / sizeof layout_in_c[0];
+void layout_in_c(layout_user use) { every_layout(use); }
