@@ -110,35 +110,6 @@ Span ScriptedLoop::play(const Hand& hand, const std::function<void(Pose&, double
 
 // --- the chain -------------------------------------------------------------------------------------------------------
 
-/// A mock device whose readings can be changed and whose motor commands are recorded.
-class DeviceChain::WatchedMock final : public MockDevice {
- public:
-  WatchedMock(DeviceChain& chain, MockOptions options) : MockDevice(std::move(options)), chain_(chain) {}
-  static MockOptions options_of(DeviceChain& chain) {
-    MockOptions options;
-    options.device = device_model(chain.options_.device);
-    options.rigid = chain.options_.hand.empty();
-    if (!options.rigid) options.hand = hand_model(chain.options_.hand);
-    options.path = [&chain](double time) { return chain.path_(time); };
-    return options;
-  }
-
- protected:
-  bool read(DeviceState& state) noexcept override {
-    if (!MockDevice::read(state)) return false;
-    if (chain_.spoil) chain_.spoil(state, state.time - kArming);
-    return true;
-  }
-  Wrench write(const Wrench& wrench) noexcept override {
-    Wrench given = MockDevice::write(wrench);
-    chain_.applied(given);
-    return given;
-  }
-
- private:
-  DeviceChain& chain_;
-};
-
 DeviceChain::DeviceChain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions options)
     : simulation(turned(std::move(workpiece), a_report.turn), std::move(tool),
                  with_contact_time(options.config, options.coupled)),
@@ -146,8 +117,16 @@ DeviceChain::DeviceChain(Report& a_report, Workpiece workpiece, Tool tool, Chain
            device_model(options.device).rendered_stiffness, true},
           a_report),
       report_(a_report),
-      options_(std::move(options)),
-      device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this))) {
+      options_(std::move(options)) {
+  MockOptions mock;
+  mock.device = device_model(options_.device);
+  mock.rigid = options_.hand.empty();
+  if (!mock.rigid) mock.hand = hand_model(options_.hand);
+  mock.path = [this](double time) { return path_(time); };
+  const auto read = [this](DeviceState& state) {
+    if (spoil) spoil(state, state.time - kArming);
+  };
+  device_ = std::make_unique<test::FollowedMock>(mock, read, [this](const Wrench& given) { applied(given); });
   options_.map.X_WB = Pose{report_.turn, Vec3::Zero()} * options_.map.X_WB;
   SimulationModelOptions model;
   model.map = options_.map;

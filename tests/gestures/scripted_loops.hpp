@@ -9,8 +9,8 @@
 
 #include "gestures/pieces.hpp"
 #include "gestures/scene_log.hpp"
-#include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "support/followed_mock.hpp"
 #include "support/touch_gains.hpp"
 
 /// @file
@@ -102,13 +102,12 @@ class DeviceChain {
   [[nodiscard]] const LoopSnapshot& snapshot() const { return snapshot_; }
 
  private:
-  class WatchedMock;
   DeviceCommand tick(const DeviceState& reading);
   void applied(const Wrench& wrench);
 
   Report& report_;
   ChainOptions options_;
-  std::unique_ptr<WatchedMock> device_;
+  std::unique_ptr<test::FollowedMock> device_;
   std::unique_ptr<SimulationModel> model_;
   LoopSnapshot snapshot_;
   ScriptedPath path_;

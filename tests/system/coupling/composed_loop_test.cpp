@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
+#include "support/followed_mock.hpp"
 
 namespace hapticut::composed_loop_test {
 namespace {
@@ -26,7 +26,8 @@ class Course {
         voxel_(random_.between(0.12, 0.25) * mm),
         simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // drawn in this order
         hand_(simulation_.tool()),
-        device_(*this),
+        device_(
+            rigid_touch(), [this](DeviceState& state) { read(state); }, [this](const Wrench& given) { look(given); }),
         model_(simulation_, device_, options()),
         invariants_(simulation_) {
     period_ = 1 / random_.between(500, 4000);
@@ -66,32 +67,6 @@ class Course {
   [[nodiscard]] const Margins& margins() const { return invariants_.margins; }
 
  private:
-  /// Moves the hand, changes the reading if a fault is drawn, and checks the output to the motors.
-  class WatchedMock final : public MockDevice {
-   public:
-    explicit WatchedMock(Course& course) : MockDevice(rigid_touch()), course_(course) {}
-    static MockOptions rigid_touch() {
-      MockOptions options;
-      options.device = device_model("touch");
-      return options;
-    }
-
-   protected:
-    bool read(DeviceState& state) noexcept override {
-      if (!MockDevice::read(state)) return false;
-      course_.read(state);
-      return true;
-    }
-    Wrench write(const Wrench& wrench) noexcept override {
-      Wrench given = MockDevice::write(wrench);
-      course_.look(given);
-      return given;
-    }
-
-   private:
-    Course& course_;
-  };
-
   SimulationModelOptions options() {
     SimulationModelOptions options;
     options.coupling = coupling_gains(device_.capabilities());
@@ -99,6 +74,7 @@ class Course {
     return options;
   }
 
+  /// Moves the hand, and changes the reading if a fault is drawn.
   void read(DeviceState& state) noexcept {
     hand_.move(applied_.force.norm(), period_);
     state.X_BS = hand_.X_WD();
@@ -135,7 +111,7 @@ class Course {
     return all;
   }
 
-  /// Called when the motors have the wrench and the tick is complete.
+  /// Called when the motors have the wrench and the tick is complete. Checks the output.
   void look(const Wrench& applied) noexcept {
     applied_ = applied;
     if (!std::exchange(is_under_way_, false)) return;
@@ -204,7 +180,7 @@ class Course {
   double period_ = 1e-3;  // [s]
   Simulation simulation_;
   ComposedHand hand_;
-  WatchedMock device_;
+  FollowedMock device_;
   SimulationModel model_;
   ComposedInvariants invariants_;
   LoopSnapshot snapshot_;

@@ -6,11 +6,11 @@
 #include <limits>
 #include <optional>
 
-#include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
+#include "support/followed_mock.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -27,7 +27,7 @@ class RecordedLoop {
         voxel_(random_.between(0.12, 0.25) * mm),
         simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // drawn in this order
         hand_(simulation_.tool()),
-        device_(*this) {
+        device_(rigid_touch(), [this](DeviceState& state) { read(state); }) {
     simulation_.history().reserve(2000);
   }
 
@@ -55,27 +55,6 @@ class RecordedLoop {
   [[nodiscard]] std::uint64_t held_in_contact() const { return held_in_contact_; }  // ticks
 
  private:
-  /// A device whose readings are those of the hand, sometimes with a fault.
-  class SpoiltMock final : public MockDevice {
-   public:
-    explicit SpoiltMock(RecordedLoop& loop) : MockDevice(rigid_touch()), loop_(loop) {}
-    static MockOptions rigid_touch() {
-      MockOptions options;
-      options.device = device_model("touch");
-      return options;
-    }
-
-   protected:
-    bool read(DeviceState& state) noexcept override {
-      if (!MockDevice::read(state)) return false;
-      loop_.read(state);
-      return true;
-    }
-
-   private:
-    RecordedLoop& loop_;
-  };
-
   void run(SimulationModel& model, int ticks) {
     RunOptions options;
     options.simulated_time = true;
@@ -105,6 +84,7 @@ class RecordedLoop {
     hand_.begin(snapshot.tool.status == StepStatus::ok ? Motion(below(9, random_)) : Motion::lift, random_);
   }
 
+  /// The readings are those of the hand, sometimes with a fault.
   void read(DeviceState& state) noexcept {
     hand_.move(felt_, 1e-3);
     state.X_BS = hand_.X_WD();
@@ -173,7 +153,7 @@ class RecordedLoop {
   double voxel_;
   Simulation simulation_;
   ComposedHand hand_;
-  SpoiltMock device_;
+  FollowedMock device_;
   int left_ = 0;
   bool pressed_ = false;
   double felt_ = 0;  // [N]
