@@ -7,6 +7,7 @@
 
 #include "force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
+#include "support/refusal.hpp"
 
 // The library's header has a type of this name at global scope. If our header included it, this would not compile.
 enum class uchar { red, green, blue };
@@ -19,12 +20,7 @@ using namespace test;
 class ForceDimension : public ForceDimensionTest {};
 
 std::string refusal(const ForceDimensionOptions& options) {
-  try {
-    (void)open_force_dimension(options);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::refusal([&] { return open_force_dimension(options); });
 }
 
 TEST_F(ForceDimension, OpensTheFirstDeviceAndReadsItsCapabilities) {

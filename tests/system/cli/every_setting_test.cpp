@@ -2,28 +2,19 @@
 // Every setting of every command refuses a value of another type, by flag and by key, and says what is allowed.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "cli/commands/command.hpp"
 #include "settings/settings_file.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::every_setting_test {
 namespace {
 
 using settings::Setting;
 using Kind = Setting::Kind;
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing";
-}
 
 const std::map<Kind, std::vector<std::string>>& wrong_texts() {
   static const std::map<Kind, std::vector<std::string>> texts = {
@@ -43,7 +34,7 @@ TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
       if (setting.flag.empty()) continue;
       ++flags;
       for (const std::string& text : wrong_texts().at(setting.kind))
-        EXPECT_EQ(refusal([&] { apply_flag(setting, {text}); }),
+        EXPECT_EQ(test::refusal([&] { apply_flag(setting, {text}); }),
                   setting.flag + " " + text + ": must be " + setting.allowed + ".")
             << command.name;
     }
@@ -66,7 +57,7 @@ void expect_refused_in_file(const std::vector<Setting>& all, const std::string& 
                             const std::string& prefix, const Setting& setting) {
   const std::string name = prefix + setting.key;
   const auto error_for = [&](const std::string& value) {
-    return refusal([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
+    return test::refusal([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
   };
   if (setting.kind == Kind::tables) {
     EXPECT_EQ(error_for("3"), "s.toml:2: " + name + ": must be a list of tables, each " + setting.allowed + ".");

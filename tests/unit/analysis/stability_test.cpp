@@ -31,26 +31,18 @@ ClosedLoopConfig loop_of(std::string_view device, std::string_view hand, int del
   return config;
 }
 
-ModelFactory linear_wall(double damping = 0, double filter = 0) {
-  return [=](double stiffness) {
-    LinearWall wall;
-    wall.stiffness = stiffness;
-    wall.damping = damping;
-    wall.filter = filter;
-    wall.one_sided = false;
-    return ForceModel(wall);
-  };
-}
-
-ModelFactory wall(double damping = 0, double filter = 0) {
+ModelFactory wall(double damping = 0, double filter = 0, bool one_sided = true) {
   return [=](double stiffness) {
     LinearWall w;
     w.stiffness = stiffness;
     w.damping = damping;
     w.filter = filter;
+    w.one_sided = one_sided;
     return ForceModel(w);
   };
 }
+
+ModelFactory linear_wall(double damping = 0, double filter = 0) { return wall(damping, filter, false); }
 
 void expect_near_relative(double value, double expected, double tolerance, const std::string& what) {
   EXPECT_NEAR(value / expected, 1, tolerance) << what << ": " << value << " instead of " << expected;
