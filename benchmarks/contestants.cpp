@@ -38,6 +38,19 @@ Range reachable(const Workload& w) {
   return all;
 }
 
+/// Adds the force of a voxel inside the ball.
+/// @param x  [mm] of the voxel from the ball's centre, as z and the distance r
+/// @return whether the ball removes the voxel
+bool press(const Workload& w, double radius, double x, double z, double r, TickResult& out) {
+  const double f = (radius - r) / r;
+  out.force_x -= f * x;
+  out.force_z -= f * z;
+  ++out.contact;
+  const bool removes = w.removes() && r < 0.5 * radius;
+  if (removes) ++out.removed;
+  return removes;
+}
+
 /// Base of both OpenVDB contestants: a boolean grid with leaves along the whole path of the ball.
 class VdbContestant : public Contestant {
  public:
@@ -75,14 +88,7 @@ class VdbAccessor final : public VdbContestant {
           if (r >= radius) continue;
           const openvdb::Coord ijk(i, j, k);
           if (!accessor_.isValueOn(ijk)) continue;
-          const double f = (radius - r) / r;
-          out.force_x -= f * x;
-          out.force_z -= f * z;
-          ++out.contact;
-          if (w_.removes() && r < 0.5 * radius) {
-            accessor_.setValueOff(ijk, false);
-            ++out.removed;
-          }
+          if (press(w_, radius, x, z, r, out)) accessor_.setValueOff(ijk, false);
         }
     return out;
   }
@@ -106,14 +112,7 @@ class VdbLeaf final : public VdbContestant {
             const double x = (at.x() + 0.5) * h - c.x(), y = (at.y() + 0.5) * h - c.y(), z = (at.z() + 0.5) * h - c.z();
             const double r = std::sqrt(x * x + y * y + z * z);
             if (r >= radius) continue;
-            const double f = (radius - r) / r;
-            out.force_x -= f * x;
-            out.force_z -= f * z;
-            ++out.contact;
-            if (w_.removes() && r < 0.5 * radius) {
-              it.setValueOff();
-              ++out.removed;
-            }
+            if (press(w_, radius, x, z, r, out)) it.setValueOff();
           }
         }
     return out;
@@ -154,15 +153,7 @@ class Dense final : public DenseContestant {
           const double x = (i + 0.5) * h - c.x(), y = (j + 0.5) * h - c.y(), z = (k + 0.5) * h - c.z();
           const double r2 = x * x + y * y + z * z;
           if (r2 >= radius * radius || solid[i] == 0) continue;
-          const double r = std::sqrt(r2);
-          const double f = (radius - r) / r;
-          out.force_x -= f * x;
-          out.force_z -= f * z;
-          ++out.contact;
-          if (w_.removes() && r < 0.5 * radius) {
-            solid[i] = 0;
-            ++out.removed;
-          }
+          if (press(w_, radius, x, z, std::sqrt(r2), out)) solid[i] = 0;
         }
       }
     return out;
