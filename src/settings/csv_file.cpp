@@ -67,7 +67,7 @@ bool may_mark_thousands(std::string_view number, std::size_t mark) {
 
 }  // namespace
 
-CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, const Name& setting)
+CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, const Sentence& setting)
     : name_(path.string()) {
   std::error_code error;
   auto file = std::make_unique<std::ifstream>();

@@ -21,9 +21,10 @@ namespace hapticut::settings {
 /// Empty lines, lines that begin with #, blanks around a cell and a UTF-8 byte order mark are skipped.
 class CsvFile {
  public:
-  /// @param what  the kind of file, and the setting that names it: "file of poses", `path.file`
+  /// @param what     the kind of file: "file of poses"
+  /// @param setting  what names the file: `path.file`, "hapticut calibrate"
   /// @throws Error when the file cannot be read
-  CsvFile(const std::filesystem::path& path, const std::string& what, const Name& setting);
+  CsvFile(const std::filesystem::path& path, const std::string& what, const Sentence& setting);
 
   /// Reads a text in memory.
   /// @param name  stands for the file name in messages

@@ -18,7 +18,11 @@ using detail::in_mm;
 
 /// Checks that each dimension of a head is positive.
 void require_dimensions(const std::string& head, std::initializer_list<std::pair<const char*, double>> dimensions) {
-  for (const auto& [name, value] : dimensions) require_positive(value, {Name(head), " " + std::string(name) + " [m]"});
+  for (const auto& [name, value] : dimensions) {
+    std::string words = " ";  // in steps, because GCC 12 warns wrongly about operator+
+    words.append(name).append(" [m]");
+    require_positive(value, {Name(head), words});
+  }
 }
 
 void require_less(double value, const std::string& name, double limit, const std::string& limit_name) {
