@@ -143,14 +143,15 @@ TEST(RecordingProcess, ThatIsMissingOrEndsOrLiesIsOneSentence) {
   for (const std::string& program :
        {std::string("/bin/false"), script(folder, "kill -SEGV $$"),
         // More bytes than requested, and a message of any length.
-        script(folder, "printf '" + octal({Reply::Result::done, 1ULL << 40U}) + "' >&0; sleep 9"),
-        script(folder, "printf '" + octal({Reply::Result::refused, 1ULL << 40U}) + "' >&0; sleep 9"),
-        script(folder, "printf '" + octal({Reply::Result(7), 0}) + "' >&0; sleep 9")}) {
+        script(folder, "printf '" + octal({Reply::Result::done, 0, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Reply::Result::refused, 0, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Reply::Result(7), 0, 0}) + "' >&0; sleep 9")}) {
     SCOPED_TRACE(program);
     const OtherReader other(program);
     test::expect_part(complaint_about(path), "crashed or took too long");
   }
-  const OtherReader tells(script(folder, "printf '" + octal({Reply::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
+  const OtherReader tells(
+      script(folder, "printf '" + octal({Reply::Result::refused, 0, 4}) + "a\\nb\\033' >&0; sleep 9"));
   test::expect_part(complaint_about(path), "a?b?");
 }
 
