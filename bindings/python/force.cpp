@@ -21,6 +21,33 @@ namespace {
 template <class Law>
 using LawBinding = py::class_<Law, ForceLaw, std::shared_ptr<Law>>;
 
+/// Binds a law whose constructor takes its constants.
+template <class Law>
+LawBinding<Law> bind_law(py::module_& m, const char* name) {
+  using Constants = typename Law::Constants;
+  const std::string scope = std::string(name) + "::";
+  LawBinding<Law> law(m, name, py::is_final(), doc(name));
+  bind_described<Constants>(law, "Constants", (scope + "Constants").c_str());
+  law.def(py::init<const Constants&>(), py::arg("constants"), doc(scope + name))
+      .def_property_readonly("constants", &Law::constants, py::return_value_policy::copy,
+                             "As passed to the constructor.");
+  pickled_by_constructor(law, {"constants"});
+  return law;
+}
+
+/// Binds a law with one constant, which its constructor takes.
+template <class Law>
+LawBinding<Law> bind_law_of_one_number(py::module_& m, const char* name) {
+  LawBinding<Law> law(m, name, py::is_final(), doc(name));
+  const auto constant = std::get<0>(fields_of(Of<typename Law::Constants>{}));
+  law.def(py::init<double>(), py::arg(constant.name), doc(std::string(name) + "::" + name))
+      .def_property_readonly(
+          constant.name, [member = constant.member](const Law& self) { return self.constants().*member; },
+          detail::doc_of_described(constant, name).c_str());
+  pickled_by_constructor(law, {constant.name});
+  return law;
+}
+
 void bind_laws(py::module_& m) {
   bind_enum<RemovalLaw>(m, "RemovalLaw");
   py::class_<ForceLaw, std::shared_ptr<ForceLaw>>(
@@ -36,51 +63,17 @@ void bind_laws(py::module_& m) {
   foundation.def(py::init<>()).def("__repr__", [](const Foundation&) { return "FoundationLaw()"; });
   pickled_by_constructor(foundation, {});
 
-  LawBinding<ThesisLaw> thesis(m, "ThesisLaw", py::is_final(), doc("ThesisLaw"));
-  using Thesis = ThesisLaw::Constants;
-  bind_struct<Thesis>(thesis, "Constants", "ThesisLaw::Constants",
-                      field("reference_voxel_size", &Thesis::reference_voxel_size), field("damping", &Thesis::damping),
-                      field("spin_torque", &Thesis::spin_torque), field("spin_exponent", &Thesis::spin_exponent),
-                      field("cutting_force", &Thesis::cutting_force), field("cutting_speed", &Thesis::cutting_speed));
-  thesis.def(py::init<const Thesis&>(), py::arg("constants"), doc("ThesisLaw::ThesisLaw"))
-      .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy,
-                             "As passed to the constructor.");
-  pickled_by_constructor(thesis, {"constants"});
-
-  LawBinding<ContactMechanicsLaw> mechanics(m, "ContactMechanicsLaw", py::is_final(), doc("ContactMechanicsLaw"));
-  pickled_by_constructor(mechanics, {"effective_modulus"});
-  mechanics.def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))
-      .def_property_readonly("effective_modulus", &ContactMechanicsLaw::effective_modulus,
-                             doc("ContactMechanicsLaw::effective_modulus"))
+  bind_law<ThesisLaw>(m, "ThesisLaw");
+  bind_law<DampingMatrixLaw>(m, "DampingMatrixLaw");
+  bind_law_of_one_number<ContactMechanicsLaw>(m, "ContactMechanicsLaw")
       .def("force", &ContactMechanicsLaw::force, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::force"))
       .def("energy", &ContactMechanicsLaw::energy, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::energy"))
       .def_static("depth_of", &ContactMechanicsLaw::depth_of, py::arg("head"), py::arg("volume"),
                   doc("ContactMechanicsLaw::depth_of"));
-
-  LawBinding<HertzianBurrLaw> burr(m, "HertzianBurrLaw", py::is_final(), doc("HertzianBurrLaw"));
-  pickled_by_constructor(burr, {"stiffness"});
-  burr.def(py::init<double>(), py::arg("stiffness"), doc("HertzianBurrLaw::HertzianBurrLaw"))
-      .def_property_readonly("stiffness", &HertzianBurrLaw::stiffness, doc("HertzianBurrLaw::stiffness"))
+  bind_law_of_one_number<HertzianBurrLaw>(m, "HertzianBurrLaw")
       .def("force", &HertzianBurrLaw::force, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::force"))
       .def("energy", &HertzianBurrLaw::energy, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::energy"));
-
-  LawBinding<DampingMatrixLaw> damping(m, "DampingMatrixLaw", py::is_final(), doc("DampingMatrixLaw"));
-  using Damping = DampingMatrixLaw::Constants;
-  bind_struct<Damping>(damping, "Constants", "DampingMatrixLaw::Constants", field("resistance", &Damping::resistance),
-                       field("friction", &Damping::friction));
-  damping.def(py::init<const Damping&>(), py::arg("constants"), doc("DampingMatrixLaw::DampingMatrixLaw"))
-      .def_property_readonly("constants", &DampingMatrixLaw::constants, py::return_value_policy::copy,
-                             "As passed to the constructor.");
-  pickled_by_constructor(damping, {"constants"});
-
-  LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", py::is_final(), doc("TwistDrillLaw"));
-  using Drill = TwistDrillLaw::Constants;
-  bind_struct<Drill>(drill, "Constants", "TwistDrillLaw::Constants", field("specific_energy", &Drill::specific_energy),
-                     field("max_feed_per_revolution", &Drill::max_feed_per_revolution));
-  pickled_by_constructor(drill, {"constants"});
-  drill.def(py::init<const Drill&>(), py::arg("constants"), doc("TwistDrillLaw::TwistDrillLaw"))
-      .def_property_readonly("constants", &TwistDrillLaw::constants, py::return_value_policy::copy,
-                             "As passed to the constructor.")
+  bind_law<TwistDrillLaw>(m, "TwistDrillLaw")
       .def("thrust", &TwistDrillLaw::thrust, py::arg("diameter"), py::arg("a"), py::arg("point_angle"),
            doc("TwistDrillLaw::thrust"))
       .def("torque", &TwistDrillLaw::torque, py::arg("diameter"), py::arg("a"), doc("TwistDrillLaw::torque"))

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/force_settings.hpp"
 
-#include <algorithm>
+#include <string>
+#include <tuple>
 
-#include "hapticut/core/units.hpp"
-#include "hapticut/force/laws/contact_mechanics.hpp"
-#include "hapticut/force/laws/damping_matrix.hpp"
 #include "hapticut/force/laws/foundation.hpp"
-#include "hapticut/force/laws/hertzian_burr.hpp"
-#include "hapticut/force/laws/thesis.hpp"
-#include "hapticut/force/laws/twist_drill.hpp"
 #include "settings/required.hpp"
 
 namespace hapticut::settings {
@@ -18,102 +13,38 @@ namespace {
 using Law = ForceSettings::Law;
 using S = ForceSettings;
 
-/// A constant of one force law.
-struct Constant {
-  const char* name;  // name of the key and of the flag
-  std::optional<double> S::*value;
-  Range range;
-  std::string meaning;
-  bool needed = false;
-};
-
-/// " [0.3]": the default value of a constant, in brackets.
-std::string or_else(double usual) { return " [" + format_number(usual) + "]"; }
-
-/// The constants of a law, and how the law is made.
+/// A law with constants.
+template <class L>
 struct LawKind {
   Law law;
-  const char* owner;  // name in messages
-  std::vector<Constant> constants;
-  std::shared_ptr<const ForceLaw> (*make)(const S& s);
+  const char* owner;  // in messages
+  Keys keys;          // of its constants
 };
 
-const std::vector<LawKind>& law_kinds() {
-  using Pointer = std::shared_ptr<const ForceLaw>;
-  static const ThesisLaw::Constants thesis;
-  static const DampingMatrixLaw::Constants matrix;
-  static const TwistDrillLaw::Constants drill;
-  static const std::vector<LawKind> kinds = {
-      {Law::foundation,
-       "the foundation law",
-       {},
-       [](const S&) -> Pointer { return std::make_shared<FoundationLaw>(); }},
-      {Law::thesis,
-       "the law of the thesis",
-       {{"thesis_voxel_mm", &S::thesis_voxel_mm, Range::positive(),
-         "voxel size at which its force equals that of the foundation law" +
-             or_else(thesis.reference_voxel_size / units::mm)},
-        {"thesis_damping_Ns_per_m", &S::thesis_damping_Ns_per_m, Range::not_negative(),
-         "damping coefficient of one voxel, on top of that of its material" + or_else(thesis.damping)},
-        {"thesis_spin_torque", &S::thesis_spin_torque, Range::not_negative(),
-         "lambda, ratio of the spin torque to normal force times radius" + or_else(thesis.spin_torque)},
-        {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
-         "exponent of the spindle speed in the spin torque" + or_else(thesis.spin_exponent)},
-        {"thesis_cutting_force_N", &S::thesis_cutting_force_N, Range::not_negative(),
-         "force at which a flat head of 1 mm radius with springs at its bottom begins to cut a material of relative "
-         "stiffness 1, if no reference stiffness is set; 0: it removes what it touches" +
-             or_else(thesis.cutting_force)},
-        {"thesis_cutting_rpm", &S::thesis_cutting_rpm, Range::positive(),
-         "speed at which this force is enough" + or_else(thesis.cutting_speed / units::rpm)}},
-       [](const S& s) -> Pointer {
-         ThesisLaw::Constants c;
-         if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
-         c.damping = s.thesis_damping_Ns_per_m.value_or(c.damping);
-         c.spin_torque = s.thesis_spin_torque.value_or(c.spin_torque);
-         c.spin_exponent = s.thesis_spin_exponent.value_or(c.spin_exponent);
-         c.cutting_force = s.thesis_cutting_force_N.value_or(c.cutting_force);
-         if (s.thesis_cutting_rpm) c.cutting_speed = *s.thesis_cutting_rpm * units::rpm;
-         return std::make_shared<ThesisLaw>(c);
-       }},
-      {Law::contact_mechanics,
-       "the law of contact mechanics",
-       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(),
-         "effective modulus E/(1 - nu^2) of the material", true}},
-       [](const S& s) -> Pointer { return std::make_shared<ContactMechanicsLaw>(*s.effective_modulus_Pa); }},
-      {Law::hertzian_burr,
-       "the law of the Hertzian burr",
-       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(),
-         "constant C1 of the elastic force C1 R^2 (h/R)^1.5", true}},
-       [](const S& s) -> Pointer { return std::make_shared<HertzianBurrLaw>(*s.burr_stiffness_Pa); }},
-      {Law::damping_matrix,
-       "the law of the damping matrix",
-       {{"resistance_Ns_per_m3", &S::resistance_Ns_per_m3, Range::positive(),
-         "viscous resistance of the motion, per contact area" + or_else(matrix.resistance)},
-        {"matrix_friction", &S::matrix_friction, Range::not_negative(),
-         "ratio of the sideways force, caused by the spin, to the resistance" + or_else(matrix.friction)}},
-       [](const S& s) -> Pointer {
-         DampingMatrixLaw::Constants c;
-         c.resistance = s.resistance_Ns_per_m3.value_or(c.resistance);
-         c.friction = s.matrix_friction.value_or(c.friction);
-         return std::make_shared<DampingMatrixLaw>(c);
-       }},
-      {Law::twist_drill,
-       "the law of the twist drill",
-       {{"chip_energy_J_per_m3", &S::chip_energy_J_per_m3, Range::positive(),
-         "K_s, specific energy of the chips" + or_else(drill.specific_energy)},
-        {"max_feed_per_revolution_mm", &S::max_feed_per_revolution_mm, Range::positive(),
-         "feed per revolution above which thrust and torque stay constant" +
-             or_else(drill.max_feed_per_revolution / units::mm)}},
-       [](const S& s) -> Pointer {
-         TwistDrillLaw::Constants c;
-         c.specific_energy = s.chip_energy_J_per_m3.value_or(c.specific_energy);
-         if (s.max_feed_per_revolution_mm) c.max_feed_per_revolution = *s.max_feed_per_revolution_mm * units::mm;
-         return std::make_shared<TwistDrillLaw>(c);
-       }}};
-  return kinds;
-}
+constexpr LawKind<ThesisLaw> kThesis{
+    Law::thesis,
+    "the law of the thesis",
+    {"force", "thesis", {{"reference_voxel_size", "voxel"}, {"cutting_speed", "cutting"}}, "law thesis: "}};
+constexpr LawKind<ContactMechanicsLaw> kContactMechanics{
+    Law::contact_mechanics, "the law of contact mechanics", {"force", "", {}, "law contact_mechanics: "}};
+constexpr LawKind<HertzianBurrLaw> kHertzianBurr{
+    Law::hertzian_burr, "the law of the Hertzian burr", {"force", "burr", {}, "law hertzian_burr: "}};
+constexpr LawKind<DampingMatrixLaw> kDampingMatrix{
+    Law::damping_matrix,
+    "the law of the damping matrix",
+    {"force", "", {{"friction", "matrix_friction"}}, "law damping_matrix: "}};
+constexpr LawKind<TwistDrillLaw> kTwistDrill{Law::twist_drill,
+                                             "the law of the twist drill",
+                                             {"force", "", {{"specific_energy", "chip_energy"}}, "law twist_drill: "}};
 
-std::string key_of(const Constant& constant) { return std::string("force.") + constant.name; }
+/// Calls `visit(kind, constants)` for each law with constants.
+template <class Settings, class Visit>
+void for_each_kind(Settings& s, const Visit& visit) {
+  const auto visit_each = [&]<class... L>(const LawKind<L>&... kinds) {
+    (visit(kinds, std::get<Given<typename L::Constants>>(s.constants)), ...);
+  };
+  visit_each(kThesis, kContactMechanics, kHertzianBurr, kDampingMatrix, kTwistDrill);
+}
 
 /// Friction for all materials; nullopt when none of its constants is set.
 std::optional<DryFriction> make_friction(const S& s) {
@@ -131,24 +62,24 @@ std::optional<DryFriction> make_friction(const S& s) {
 
 std::shared_ptr<const ForceLaw> make_law(const S& s) {
   const Law law = s.law.value_or(Law::foundation);
-  const LawKind& chosen = *std::ranges::find(law_kinds(), law, &LawKind::law);
-  for (const LawKind& kind : law_kinds())
-    for (const Constant& constant : kind.constants) {
-      if (&kind != &chosen)
-        refuse(s.*constant.value, key_of(constant), chosen.owner,
-               "choose " + "force.law"_name + " " + name_or_null(kind.law));
-      if (&kind == &chosen && constant.needed) (void)required(s.*constant.value, key_of(constant), chosen.owner);
-    }
-  return chosen.make(s);
+  std::string owner = "the foundation law";
+  for_each_kind(s, [&](const auto& kind, const auto&) {
+    if (kind.law == law) owner = kind.owner;
+  });
+  std::shared_ptr<const ForceLaw> made;
+  for_each_kind(s, [&]<class L>(const LawKind<L>& kind, const auto& constants) {
+    if (kind.law == law)
+      made = std::make_shared<L>(constants.make(kind.keys, owner));
+    else
+      constants.refuse(kind.keys, owner, "choose " + "force.law"_name + " " + name_or_null(kind.law));
+  });
+  return made != nullptr ? made : std::make_shared<FoundationLaw>();
 }
 
 std::vector<Setting> law_settings_of(ForceSettings& s) {
   std::vector<Setting> all = {
       choice("force.law", "--law", s.law, "force law; docs/forces.md gives the formulas [foundation]")};
-  for (const LawKind& kind : law_kinds())
-    for (const Constant& c : kind.constants)
-      all.push_back(number(key_of(c), std::string("--") + c.name, s.*c.value, c.range,
-                           std::string("law ") + name_or_null(kind.law) + ": " + c.meaning));
+  for_each_kind(s, [&](const auto& kind, auto& constants) { constants.add_settings(kind.keys, all); });
   return all;
 }
 

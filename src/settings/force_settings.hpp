@@ -4,9 +4,16 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/damping_matrix.hpp"
+#include "hapticut/force/laws/hertzian_burr.hpp"
+#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/force/laws/twist_drill.hpp"
 #include "hapticut/simulation/config.hpp"
+#include "settings/given.hpp"
 #include "settings/setting.hpp"
 
 namespace hapticut::settings {
@@ -16,12 +23,9 @@ struct ForceSettings {
   enum class Law { foundation, thesis, contact_mechanics, hertzian_burr, damping_matrix, twist_drill };
 
   std::optional<Law> law;
-  // Constants of individual laws.
-  std::optional<double> thesis_voxel_mm, thesis_damping_Ns_per_m, thesis_spin_torque, thesis_spin_exponent,
-      thesis_cutting_force_N, thesis_cutting_rpm;
-  std::optional<double> effective_modulus_Pa, burr_stiffness_Pa;
-  std::optional<double> resistance_Ns_per_m3, matrix_friction;
-  std::optional<double> chip_energy_J_per_m3, max_feed_per_revolution_mm;
+  std::tuple<Given<ThesisLaw::Constants>, Given<ContactMechanicsLaw::Constants>, Given<HertzianBurrLaw::Constants>,
+             Given<DampingMatrixLaw::Constants>, Given<TwistDrillLaw::Constants>>
+      constants;
   // Terms added to the law.
   std::optional<double> static_friction, dynamic_friction, tangential_stiffness_N_per_m;
   bool deep_contact = true;

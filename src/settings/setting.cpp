@@ -64,6 +64,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 ShownUnit shown_unit(std::string_view unit) {
   if (unit == "m") return {"mm", units::mm};
   if (unit == "rad") return {"deg", units::deg};
+  if (unit == "rad/s") return {"rpm", units::rpm};
   if (unit == "N m") return {"Nmm", units::N_mm};
   if (unit == "N m/s") return {"Nmm_per_s", units::N_mm};
   return {unit_in_names(unit), 1};
@@ -100,11 +101,13 @@ Setting numbers(std::string key, std::string flag, std::vector<double>& target, 
           }};
 }
 
-Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range, std::string meaning) {
+Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range, std::string meaning,
+               double factor) {
   std::vector<double> unused;
   Setting setting = numbers(std::move(key), std::move(flag), unused, 3, range, std::move(meaning));
-  setting.assign = [&target, range](const Value& value) {
-    const auto& given = std::get<std::vector<double>>(value);
+  setting.assign = [&target, range, factor](const Value& value) {
+    std::vector<double> given = std::get<std::vector<double>>(value);
+    for (double& one : given) one *= factor;
     if (given.size() != 3 || !all_within(range, given)) return false;
     target = Vec3(given[0], given[1], given[2]);
     return true;

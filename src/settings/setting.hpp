@@ -14,6 +14,7 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 
 /// @file
 /// Settings of the user. One list of settings serves the flags, the settings file, the help and the error messages.
@@ -73,13 +74,14 @@ template <class List, class WordOf = std::identity>
 
 namespace detail {
 
-inline double& stored(double& target) { return target; }
-inline double& stored(std::optional<double>& target) { return target.emplace(); }
+inline void store(double& target, double number) { target = number; }
+inline void store(std::optional<double>& target, double number) { target = number; }
+inline void store(std::optional<AngularSpeed>& target, double number) { target = number * units::rad_per_s; }
 
 }  // namespace detail
 
 /// A number.
-/// @tparam Target  double or std::optional<double>
+/// @tparam Target  double, or optional: double, AngularSpeed
 /// @param factor   stored value divided by given value; the range limits the stored value
 template <class Target>
 [[nodiscard]] Setting number(std::string key, std::string flag, Target& target, Range range, std::string meaning,
@@ -92,7 +94,7 @@ template <class Target>
           [&target, range, factor](const Value& value) {
             const double given = std::get<double>(value) * factor;
             if (!std::isfinite(given) || !range.contains(given)) return false;
-            detail::stored(target) = given;
+            detail::store(target, given);
             return true;
           }};
 }
@@ -104,24 +106,6 @@ struct ShownUnit {
 };
 [[nodiscard]] ShownUnit shown_unit(std::string_view unit);
 
-/// Adds a setting for every field of a struct of numbers. Key, flag, unit, range, meaning and default come from the
-/// description of the struct.
-/// @param table  table of the settings file: "effects"
-/// @param except  a member that is left out
-template <Described S>
-void add_fields(const std::string& table, S& target, double S::*except, std::vector<Setting>& settings) {
-  for_each_field<S>([&](const auto& field) {
-    if (field.member == except) return;
-    const ShownUnit shown = shown_unit(field.unit);
-    const std::string name = field.name + (shown.name.empty() ? "" : "_" + shown.name);
-    const double standard = S{}.*field.member / shown.factor;
-    settings.push_back(
-        number(table + "." + name, "--" + name, target.*field.member, field.range,
-               std::string(field.text) + " [" + (std::isinf(standard) ? "no limit" : format_number(standard)) + "]",
-               shown.factor));
-  });
-}
-
 /// A whole number within `low` ... `high`.
 [[nodiscard]] Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high,
                               std::string meaning);
@@ -131,8 +115,9 @@ void add_fields(const std::string& table, S& target, double S::*except, std::vec
                               Range range, std::string meaning);
 
 /// Three numbers.
+/// @param factor  stored value divided by given value; the range limits the stored values
 [[nodiscard]] Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range,
-                             std::string meaning);
+                             std::string meaning, double factor = 1);
 
 /// Any text that is not empty.
 [[nodiscard]] Setting text(std::string key, std::string flag, std::string& target, std::string meaning);

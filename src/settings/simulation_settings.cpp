@@ -17,9 +17,11 @@ void fill_in_thesis_mode(SimulationSettings& s) {
   if (!force.handle_torque) force.handle_torque = thesis.handle_torque;
   if (!s.quadrature && force.law == ForceSettings::Law::thesis) s.quadrature = thesis.quadrature;
   s.effects.thesis_filter = true;
-  if (const auto& vibration = thesis.effects.vibration; vibration && !s.effects.vibration_Hz) {
-    s.effects.vibration_Hz = vibration->frequency;
-    if (!s.effects.vibration_N) s.effects.vibration_N = vibration->amplitude;
+  std::optional<double>& frequency = s.effects.vibration[&Vibration::frequency];
+  if (const auto& vibration = thesis.effects.vibration; vibration && !frequency) {
+    frequency = vibration->frequency;
+    std::optional<double>& amplitude = s.effects.vibration[&Vibration::amplitude];
+    if (!amplitude) amplitude = vibration->amplitude;
   }
 }
 

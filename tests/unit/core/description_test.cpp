@@ -18,6 +18,11 @@
 #include "hapticut/device/open_haptics.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/damping_matrix.hpp"
+#include "hapticut/force/laws/hertzian_burr.hpp"
+#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/force/laws/twist_drill.hpp"
 #include "hapticut/import/volume/volume_filters.hpp"
 #include "hapticut/import/volume/volumes.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
@@ -78,8 +83,9 @@ using Structs = decltype(together(
                    PoseGateOptions, ArmingOptions, PassivityOptions, ThermalOptions, WatchdogOptions, GuardOptions,
                    RealtimeOptions, RunOptions, RealtimeLoopOptions, SimulationModelOptions, WorkspaceMapOptions,
                    CouplingGains, CouplingEnergy, DeviceModel, HandModel, PlantOptions, MockOptions, MouseOptions,
-                   OpenHapticsOptions, ForceDimensionOptions, MolarParameters, StabilitySearch, BounceTest,
-                   PressTest>{},
+                   OpenHapticsOptions, ForceDimensionOptions, MolarParameters, StabilitySearch, BounceTest, PressTest,
+                   ThesisLaw::Constants, ContactMechanicsLaw::Constants, HertzianBurrLaw::Constants,
+                   DampingMatrixLaw::Constants, TwistDrillLaw::Constants>{},
     std::declval<OfVariants>()));
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 

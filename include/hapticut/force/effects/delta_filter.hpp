@@ -16,14 +16,16 @@ namespace hapticut {
 /// a second. The torque is formed from the filtered force, as if the filter took the difference away at the head
 /// (6.2.5: "due to the output net force and cutting operation").
 struct DeltaFilter {
-  double delta = 0.5;      ///< [N] maximum change that passes unfiltered
-  double epsilon = 0.005;  ///< [N] change per step otherwise; not more than delta
+  double delta = 0.5;      ///< [N] maximum force change per step that passes unchanged
+  double epsilon = 0.005;  ///< [N] force change per step when the calculated one is larger; not more than delta
 };
 
 constexpr auto fields_of(Of<DeltaFilter>) {
   return std::tuple{
-      field("delta", &DeltaFilter::delta, "N", Range::positive(), "maximum change that passes unfiltered"),
-      field("epsilon", &DeltaFilter::epsilon, "N", Range::positive(), "change per step otherwise; not more than delta"),
+      field("delta", &DeltaFilter::delta, "N", Range::positive(),
+            "maximum force change per step that passes unchanged"),
+      field("epsilon", &DeltaFilter::epsilon, "N", Range::positive(),
+            "force change per step when the calculated one is larger; not more than delta"),
   };
 }
 

@@ -10,16 +10,18 @@ namespace hapticut {
 ///
 ///     F = m g,   T = (p_com - Ho) x F   about the handle's origin
 struct Gravity {
-  double mass = 0;                           ///< [kg] mass of the tool, less that of the device's stylus
-  Vec3 center_of_mass = Vec3::Zero();        ///< [m] centre of mass from Ho, in the handle's frame H
-  Vec3 acceleration = Vec3(0, 0, -9.80665);  ///< [m/s^2] direction and size of gravity, in W
+  double mass = 0;  ///< [kg] mass of the tool minus mass of the device's stylus; its weight acts on the hand
+  Vec3 center_of_mass = Vec3::Zero();        ///< [m] centre of this mass, from the handle's origin Ho, in its frame H
+  Vec3 acceleration = Vec3(0, 0, -9.80665);  ///< [m/s^2] gravitational acceleration, in W
 };
 
 constexpr auto fields_of(Of<Gravity>) {
   return std::tuple{
-      field("mass", &Gravity::mass, "kg", Range::not_negative(), "mass of the tool, less that of the device's stylus"),
-      field("center_of_mass", &Gravity::center_of_mass, "m", "centre of mass from Ho, in the handle's frame H"),
-      field("acceleration", &Gravity::acceleration, "m/s^2", "direction and size of gravity, in W"),
+      field("mass", &Gravity::mass, "kg", Range::not_negative(),
+            "mass of the tool minus mass of the device's stylus; its weight acts on the hand"),
+      field("center_of_mass", &Gravity::center_of_mass, "m",
+            "centre of this mass, from the handle's origin Ho, in its frame H"),
+      field("acceleration", &Gravity::acceleration, "m/s^2", "gravitational acceleration, in W"),
   };
 }
 

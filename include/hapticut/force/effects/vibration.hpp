@@ -18,20 +18,22 @@ namespace hapticut {
 /// The thesis's sin(f t) oscillates at f/2pi, and sin(2 pi f t) with 500 Hz, sampled at 1 kHz, is zero at every sample.
 /// Hence the accumulated phase, and the bound on the frequency (D9).
 struct Vibration {
-  double frequency = 150;         ///< [Hz] frequency, below 0.45 of the update rate
-  double amplitude = 0.3;         ///< [N] amplitude without a load
+  /// [Hz] frequency of a vibration along the spindle axis during cutting; below 0.45 of the update rate
+  double frequency = 150;
+  double amplitude = 0.3;         ///< [N] amplitude of the vibration without a load
   double amplitude_per_watt = 0;  ///< [N/W] growth of the amplitude with the power of the spindle
-  double max_amplitude = 0.5;     ///< [N] not below amplitude
+  double max_amplitude = 0.5;     ///< [N] upper limit of the amplitude; not below `amplitude`
 };
 
 constexpr auto fields_of(Of<Vibration>) {
   using V = Vibration;
   return std::tuple{
-      field("frequency", &V::frequency, "Hz", Range::positive(), "frequency, below 0.45 of the update rate"),
-      field("amplitude", &V::amplitude, "N", Range::not_negative(), "amplitude without a load"),
+      field("frequency", &V::frequency, "Hz", Range::positive(),
+            "frequency of a vibration along the spindle axis during cutting; below 0.45 of the update rate"),
+      field("amplitude", &V::amplitude, "N", Range::not_negative(), "amplitude of the vibration without a load"),
       field("amplitude_per_watt", &V::amplitude_per_watt, "N/W", Range::not_negative(),
             "growth of the amplitude with the power of the spindle"),
-      field("max_amplitude", &V::max_amplitude, "N", Range::not_negative(), "not below amplitude"),
+      field("max_amplitude", &V::max_amplitude, "N", Range::not_negative(), "upper limit of the amplitude"),
   };
 }
 

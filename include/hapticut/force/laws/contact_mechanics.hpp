@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/laws/lumped.hpp"
@@ -21,12 +22,16 @@ namespace hapticut {
 /// the table. A spinning head rubs under F with the materials' cutting ratio, and the power of the rubbing cuts.
 class ContactMechanicsLaw final : public LumpedLaw {
  public:
+  /// The number of the law, which has no default.
+  struct Constants {
+    double effective_modulus = 0;  ///< [Pa] effective modulus E/(1 - nu^2) of the material
+  };
+
   /// @param effective_modulus  [Pa] > 0, E* = E/(1 - nu^2)
-  /// @throws Error when it is not positive
-  explicit ContactMechanicsLaw(double effective_modulus) : modulus_(effective_modulus) {
-    require_positive(effective_modulus, "ContactMechanicsLaw::effective_modulus [Pa]");
-  }
-  [[nodiscard]] double effective_modulus() const { return modulus_; }  ///< [Pa] E*
+  /// @throws Error naming the constant, its value and the allowed range
+  explicit ContactMechanicsLaw(double effective_modulus) : ContactMechanicsLaw(Constants{effective_modulus}) {}
+  explicit ContactMechanicsLaw(const Constants& constants);
+  [[nodiscard]] const Constants& constants() const { return c_; }
 
   void require_head(const ToolHead& head) const override {
     if (head.visit([](const auto& shape) { return power_of(shape); }) == 0)
@@ -56,7 +61,7 @@ class ContactMechanicsLaw final : public LumpedLaw {
 
   /// [N] at depth d [m].
   [[nodiscard]] double force(const ToolHead& head, double d) const {
-    return head.visit([&](const auto& shape) { return force_of(shape, modulus_, d); });
+    return head.visit([&](const auto& shape) { return force_of(shape, c_.effective_modulus, d); });
   }
 
   /// [J] at depth d [m].
@@ -98,7 +103,16 @@ class ContactMechanicsLaw final : public LumpedLaw {
   }
   [[nodiscard]] static double depth_in(const auto& /*head*/, double /*volume*/) { return 0; }
 
-  double modulus_;
+  Constants c_;
 };
+
+constexpr auto fields_of(Of<ContactMechanicsLaw::Constants>) {
+  return std::tuple{field("effective_modulus", &ContactMechanicsLaw::Constants::effective_modulus, "Pa",
+                          Range::positive(), "effective modulus E/(1 - nu^2) of the material")};
+}
+
+inline ContactMechanicsLaw::ContactMechanicsLaw(const Constants& constants) : c_(constants) {
+  require_fields_within(c_, "ContactMechanicsLaw::");
+}
 
 }  // namespace hapticut

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hapticut/core/errors.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 
 namespace hapticut {
@@ -22,15 +22,12 @@ class DampingMatrixLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.
   struct Constants {
-    double resistance = 1e8;  ///< [N·s/m^3] > 0: the product of the K
-    double friction = 0.3;    ///< [1] >= 0, mu
+    double resistance = 1e8;  ///< [N s/m^3] viscous resistance of the motion per contact area, the product of the K
+    double friction = 0.3;    ///< [1] mu, ratio of the sideways force, caused by the spin, to the resistance
   };
 
   /// @throws Error naming the constant, its value and the allowed range
-  explicit DampingMatrixLaw(const Constants& constants) : c_(constants) {
-    require_positive(c_.resistance, "DampingMatrixLaw::resistance [N s/m^3]");
-    require_not_negative(c_.friction, "DampingMatrixLaw::friction [1]");
-  }
+  explicit DampingMatrixLaw(const Constants& constants);
   [[nodiscard]] const Constants& constants() const { return c_; }
 
   [[nodiscard]] LumpedForce lump(const ToolHead&, const HeadMotion& m,
@@ -53,5 +50,19 @@ class DampingMatrixLaw final : public LumpedLaw {
  private:
   Constants c_;
 };
+
+constexpr auto fields_of(Of<DampingMatrixLaw::Constants>) {
+  using C = DampingMatrixLaw::Constants;
+  return std::tuple{
+      field("resistance", &C::resistance, "N s/m^3", Range::positive(),
+            "viscous resistance of the motion per contact area, the product of the K"),
+      field("friction", &C::friction, "1", Range::not_negative(),
+            "mu, ratio of the sideways force, caused by the spin, to the resistance"),
+  };
+}
+
+inline DampingMatrixLaw::DampingMatrixLaw(const Constants& constants) : c_(constants) {
+  require_fields_within(c_, "DampingMatrixLaw::");
+}
 
 }  // namespace hapticut

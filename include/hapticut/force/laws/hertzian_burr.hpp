@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/force/laws/lumped.hpp"
@@ -24,12 +25,16 @@ namespace hapticut {
 /// slip, the removal of all laws of the library, with the same total.
 class HertzianBurrLaw final : public LumpedLaw {
  public:
+  /// The number of the law, which has no default.
+  struct Constants {
+    double stiffness = 0;  ///< [Pa] constant C1 of the elastic force C1 R^2 (h/R)^1.5
+  };
+
   /// @param stiffness  [Pa] > 0, C1
-  /// @throws Error when it is not positive
-  explicit HertzianBurrLaw(double stiffness) : stiffness_(stiffness) {
-    require_positive(stiffness, "HertzianBurrLaw::stiffness [Pa]");
-  }
-  [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [Pa] C1
+  /// @throws Error naming the constant, its value and the allowed range
+  explicit HertzianBurrLaw(double stiffness) : HertzianBurrLaw(Constants{stiffness}) {}
+  explicit HertzianBurrLaw(const Constants& constants);
+  [[nodiscard]] const Constants& constants() const { return c_; }
 
   void require_head(const ToolHead& head) const override {
     if (head.ball() == nullptr)
@@ -55,13 +60,22 @@ class HertzianBurrLaw final : public LumpedLaw {
   }
 
   /// [N] at depth h [m] of a burr of radius R [m].
-  [[nodiscard]] double force(double R, double h) const { return stiffness_ * R * R * std::pow(h / R, 1.5); }
+  [[nodiscard]] double force(double R, double h) const { return c_.stiffness * R * R * std::pow(h / R, 1.5); }
 
   /// [J] Integral of the force over h.
   [[nodiscard]] double energy(double R, double h) const { return force(R, h) * h / 2.5; }
 
  private:
-  double stiffness_;
+  Constants c_;
 };
+
+constexpr auto fields_of(Of<HertzianBurrLaw::Constants>) {
+  return std::tuple{field("stiffness", &HertzianBurrLaw::Constants::stiffness, "Pa", Range::positive(),
+                          "constant C1 of the elastic force C1 R^2 (h/R)^1.5")};
+}
+
+inline HertzianBurrLaw::HertzianBurrLaw(const Constants& constants) : c_(constants) {
+  require_fields_within(c_, "HertzianBurrLaw::");
+}
 
 }  // namespace hapticut

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hapticut/core/errors.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/stiffness.hpp"
@@ -51,25 +51,21 @@ class ThesisLaw final : public ForceLaw {
  public:
   /// The numbers of the law.
   struct Constants {
-    double reference_voxel_size = 1e-4;  ///< [m] > 0, l0
-    double damping = 0;                  ///< [N·s/m] >= 0 of one voxel of any material, b
-    double spin_torque = 0.3;            ///< [1] >= 0, lambda
-    double spin_exponent = 0;            ///< [1] m
-    /// [N] >= 0, F_c: with this force a flat head of 1 mm radius, springs at its bottom only, begins to cut a material
-    /// of stiffness 1; 0: all that is touched goes
+    /// [m] l0, voxel size at which its force equals that of the foundation law
+    double reference_voxel_size = 1e-4;
+    /// [N s/m] b, damping coefficient of one voxel, on top of that of its material
+    double damping = 0;
+    /// [1] lambda, ratio of the spin torque to normal force times radius
+    double spin_torque = 0.3;
+    double spin_exponent = 0;  ///< [1] m, exponent of the spindle speed in the spin torque
+    /// [N] F_c, force at which a flat head of 1 mm radius with springs at its bottom begins to cut a material of
+    /// relative stiffness 1, if no reference stiffness is set; 0: it removes what it touches
     double cutting_force = 0.5;
-    AngularSpeed cutting_speed = 10'000 * units::rpm;  ///< [rad/s] > 0, omega_c: at this speed
+    AngularSpeed cutting_speed = 10'000 * units::rpm;  ///< [rad/s] omega_c, speed at which this force is enough
   };
 
   /// @throws Error naming the constant, its value and the allowed range
-  explicit ThesisLaw(const Constants& constants) : c_(constants) {
-    require_positive(c_.reference_voxel_size, "ThesisLaw::reference_voxel_size [m]");
-    require_not_negative(c_.damping, "ThesisLaw::damping [N s/m]");
-    require_not_negative(c_.spin_torque, "ThesisLaw::spin_torque [1]");
-    require_between(c_.spin_exponent, -10, 10, "ThesisLaw::spin_exponent [1]");
-    require_not_negative(c_.cutting_force, "ThesisLaw::cutting_force [N]");
-    require_positive(c_.cutting_speed, "ThesisLaw::cutting_speed [rad/s]");
-  }
+  explicit ThesisLaw(const Constants& constants);
 
   [[nodiscard]] const Constants& constants() const { return c_; }
 
@@ -152,5 +148,26 @@ class ThesisLaw final : public ForceLaw {
 
   Constants c_;
 };
+
+constexpr auto fields_of(Of<ThesisLaw::Constants>) {
+  using C = ThesisLaw::Constants;
+  return std::tuple{
+      field("reference_voxel_size", &C::reference_voxel_size, "m", Range::positive(),
+            "l0, voxel size at which its force equals that of the foundation law"),
+      field("damping", &C::damping, "N s/m", Range::not_negative(),
+            "b, damping coefficient of one voxel, on top of that of its material"),
+      field("spin_torque", &C::spin_torque, "1", Range::not_negative(),
+            "lambda, ratio of the spin torque to normal force times radius"),
+      field("spin_exponent", &C::spin_exponent, "1", Range::between(-10, 10),
+            "m, exponent of the spindle speed in the spin torque"),
+      field("cutting_force", &C::cutting_force, "N", Range::not_negative(),
+            "F_c, force at which a flat head of 1 mm radius with springs at its bottom begins to cut a material of "
+            "relative stiffness 1, if no reference stiffness is set; 0: it removes what it touches"),
+      field("cutting_speed", &C::cutting_speed, "rad/s", Range::positive(),
+            "omega_c, speed at which this force is enough"),
+  };
+}
+
+inline ThesisLaw::ThesisLaw(const Constants& constants) : c_(constants) { require_fields_within(c_, "ThesisLaw::"); }
 
 }  // namespace hapticut

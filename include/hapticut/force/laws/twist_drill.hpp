@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/laws/lumped.hpp"
@@ -27,15 +28,12 @@ class TwistDrillLaw final : public LumpedLaw {
  public:
   /// The numbers of the law.
   struct Constants {
-    double specific_energy = 1e8;           ///< [J/m^3] > 0, K_s
-    double max_feed_per_revolution = 1e-3;  ///< [m] > 0, maximum of a, for a spindle that turns too slowly to chip
+    double specific_energy = 1e8;           ///< [J/m^3] K_s, specific energy of the chips
+    double max_feed_per_revolution = 1e-3;  ///< [m] feed per revolution above which thrust and torque stay constant
   };
 
   /// @throws Error naming the constant, its value and the allowed range
-  explicit TwistDrillLaw(const Constants& constants) : c_(constants) {
-    require_positive(c_.specific_energy, "TwistDrillLaw::specific_energy [J/m^3]");
-    require_positive(c_.max_feed_per_revolution, "TwistDrillLaw::max_feed_per_revolution [m]");
-  }
+  explicit TwistDrillLaw(const Constants& constants);
   [[nodiscard]] const Constants& constants() const { return c_; }
 
   void require_head(const ToolHead& head) const override {
@@ -92,5 +90,18 @@ class TwistDrillLaw final : public LumpedLaw {
 
   Constants c_;
 };
+
+constexpr auto fields_of(Of<TwistDrillLaw::Constants>) {
+  using C = TwistDrillLaw::Constants;
+  return std::tuple{
+      field("specific_energy", &C::specific_energy, "J/m^3", Range::positive(), "K_s, specific energy of the chips"),
+      field("max_feed_per_revolution", &C::max_feed_per_revolution, "m", Range::positive(),
+            "feed per revolution above which thrust and torque stay constant"),
+  };
+}
+
+inline TwistDrillLaw::TwistDrillLaw(const Constants& constants) : c_(constants) {
+  require_fields_within(c_, "TwistDrillLaw::");
+}
 
 }  // namespace hapticut
