@@ -187,35 +187,9 @@ void bind_commands(py::module_& m) {
 }
 
 void bind_messages(py::module_& m) {
-  using T = ToolSnapshot;
-  const auto bits = [](StepStatus T::*status) {
-    return [status](const T& snapshot) { return std::uint32_t(snapshot.*status); };
-  };
-  bind_result<TickEffort>(m, "TickEffort", member("parts", &TickEffort::parts),
-                          member("newton_steps", &TickEffort::newton_steps),
-                          member("level_of_detail", &TickEffort::level_of_detail));
-  auto tool_class = bind_part_of_result<T>(
-      m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
-      member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
-      member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
-      member("contact_point_W", &T::contact_point_W), member("spindle_speed", &T::spindle_speed),
-      member("steps", &T::steps), member("effort", &T::effort), member("max_effort", &T::max_effort),
-      member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks), member("undoing", &T::undoing),
-      member("redoing", &T::redoing), member("force_held", &T::force_held), member("touched", &T::touched),
-      member("workpiece", &T::workpiece));
-  tool_class.def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
-      .def_property_readonly("status_seen", bits(&T::status_seen), doc("ToolSnapshot::status_seen"));
-  pickled_by_members(tool_class, &T::force, &T::torque, &T::removed_volume, &T::dissipated, &T::contact_depth,
-                     &T::contact_voxels, &T::contact_point_W, &T::spindle_speed, &T::status, &T::status_seen, &T::steps,
-                     &T::effort, &T::max_effort, &T::undo_marks, &T::redo_marks, &T::undoing, &T::redoing,
-                     &T::force_held, &T::touched, &T::workpiece);
-  using S = LoopSnapshot;
-  bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
-                 member("output", &S::output), member("max_commanded", &S::max_commanded),
-                 member("max_applied", &S::max_applied), member("arming", &S::arming),
-                 member("commands_dropped", &S::commands_dropped), member("commands_refused", &S::commands_refused),
-                 member("blocks_waiting", &S::blocks_waiting), member("blocks_outside", &S::blocks_outside),
-                 member("X_WT", &S::X_WT), member("tool", &S::tool));
+  bind_described_result<TickEffort>(m, "TickEffort");
+  bind_described_result<ToolSnapshot>(m, "ToolSnapshot");
+  bind_described_result<LoopSnapshot>(m, "LoopSnapshot");
 }
 
 void bind_interlock(py::module_& m) {

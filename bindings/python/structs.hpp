@@ -297,9 +297,15 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
   py::class_<S> binding(parent, name, doc(name));
   std::vector<const char*> names;
   for_each_field<S>([&](const auto& field) {
-    binding.def_property_readonly(
-        field.name, [member = field.member](const S& s) -> const auto& { return s.*member; },
-        py::return_value_policy::copy, detail::doc_of_described(field, name).c_str());
+    using T = typename std::remove_cvref_t<decltype(field)>::Type;
+    const std::string text = detail::doc_of_described(field, name);
+    if constexpr (Bits<T>)
+      binding.def_property_readonly(
+          field.name, [member = field.member](const S& s) { return std::uint32_t(s.*member); }, text.c_str());
+    else
+      binding.def_property_readonly(
+          field.name, [member = field.member](const S& s) -> const T& { return s.*member; },
+          py::return_value_policy::copy, text.c_str());
     names.push_back(field.name);
   });
   binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });

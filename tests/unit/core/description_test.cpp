@@ -28,6 +28,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/loop/device_tick.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/loop/snapshot.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "support/refusal.hpp"
 
@@ -79,13 +80,13 @@ using OfVariants =
 using Structs = decltype(together(
     testing::Types<Material, RayHandle, LHandle, Spindle, DryFriction, Gravity, Vibration, DeltaFilter, AxisMask,
                    OutputLimits, Effects, StepInput, Contact, SpindleState, EnergyLedger, StepResult, ContactProbe,
-                   StageTimes, SimulationConfig, DeviceCapabilities, DeviceState, DeviceOutput, DeviceTick,
-                   PoseGateOptions, ArmingOptions, PassivityOptions, ThermalOptions, WatchdogOptions, GuardOptions,
-                   RealtimeOptions, RunOptions, RealtimeLoopOptions, SimulationModelOptions, WorkspaceMapOptions,
-                   CouplingGains, CouplingEnergy, DeviceModel, HandModel, PlantOptions, MockOptions, MouseOptions,
-                   OpenHapticsOptions, ForceDimensionOptions, MolarParameters, StabilitySearch, BounceTest, PressTest,
-                   ThesisLaw::Constants, ContactMechanicsLaw::Constants, HertzianBurrLaw::Constants,
-                   DampingMatrixLaw::Constants, TwistDrillLaw::Constants>{},
+                   StageTimes, SimulationConfig, DeviceCapabilities, DeviceState, DeviceOutput, DeviceTick, TickEffort,
+                   ToolSnapshot, LoopSnapshot, PoseGateOptions, ArmingOptions, PassivityOptions, ThermalOptions,
+                   WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
+                   SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters,
+                   StabilitySearch, BounceTest, PressTest, ThesisLaw::Constants, ContactMechanicsLaw::Constants,
+                   HertzianBurrLaw::Constants, DampingMatrixLaw::Constants, TwistDrillLaw::Constants>{},
     std::declval<OfVariants>()));
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
