@@ -9,6 +9,37 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 
+namespace hapticut {
+
+/// The fields that C has from LoopSnapshot, ToolSnapshot and DeviceState.
+constexpr auto fields_of(Of<hapticut_loop_state>) {
+  using L = hapticut_loop_state;
+  return std::tuple{HAPTICUT_C_FIELD(L, status),
+                    HAPTICUT_C_FIELD(L, tick),
+                    HAPTICUT_C_FIELD(L, arming),
+                    HAPTICUT_C_FIELD(L, fault),
+                    HAPTICUT_C_FIELD(L, buttons),
+                    HAPTICUT_C_FIELD(L, status_seen),
+                    HAPTICUT_C_FIELD(L, time),
+                    HAPTICUT_C_FIELD(L, X_BS),
+                    HAPTICUT_C_FIELD(L, X_WT),
+                    HAPTICUT_C_FIELD(L, force),
+                    HAPTICUT_C_FIELD(L, torque),
+                    HAPTICUT_C_FIELD(L, spindle_speed),
+                    HAPTICUT_C_FIELD(L, removed_volume),
+                    HAPTICUT_C_FIELD(L, dissipated),
+                    HAPTICUT_C_FIELD(L, contact_depth),
+                    HAPTICUT_C_FIELD(L, contact_voxels),
+                    HAPTICUT_C_FIELD(L, undo_marks),
+                    HAPTICUT_C_FIELD(L, redo_marks),
+                    HAPTICUT_C_FIELD(L, commands_dropped),
+                    HAPTICUT_C_FIELD(L, commands_refused),
+                    HAPTICUT_C_FIELD(L, contact_point_W),
+                    HAPTICUT_C_FIELD(L, touched)};
+}
+
+}  // namespace hapticut
+
 namespace hapticut::c {
 namespace {
 
@@ -96,34 +127,15 @@ std::uint32_t flag(bool on, hapticut_loop_flag bit) noexcept { return on ? std::
 
 void put_snapshot(const LoopSnapshot& seen, hapticut_loop_state& own) noexcept {
   const ToolSnapshot& tool = seen.tool;
-  own.status = std::uint32_t(tool.status);
-  own.tick = seen.tick;
-  own.arming = std::uint32_t(seen.arming);
-  own.fault = std::uint32_t(seen.device.fault);
+  put_fields(seen, own);
+  put_fields(seen.device, own);
+  put_fields(tool, own);
   own.flags = flag(seen.device.valid, HAPTICUT_LOOP_READING_VALID) |
               flag(tool.contact_voxels > 0, HAPTICUT_LOOP_TOUCHING) | flag(tool.undoing, HAPTICUT_LOOP_UNDOING) |
               flag(tool.redoing, HAPTICUT_LOOP_REDOING) | flag(tool.force_held, HAPTICUT_LOOP_FORCE_HELD);
-  own.buttons = seen.device.buttons;
   own.output_changes = std::uint32_t(seen.output.changes);
-  own.status_seen = std::uint32_t(tool.status_seen);
-  own.time = seen.device.time;
-  put(seen.device.X_BS, own.X_BS);
-  put(seen.X_WT, own.X_WT);
-  put(tool.force, own.force);
-  put(tool.torque, own.torque);
   put(seen.output.applied.force, own.applied_force);
   put(seen.output.applied.torque, own.applied_torque);
-  own.spindle_speed = tool.spindle_speed;
-  own.removed_volume = tool.removed_volume;
-  own.dissipated = tool.dissipated;
-  own.contact_depth = tool.contact_depth;
-  own.contact_voxels = std::uint32_t(tool.contact_voxels);
-  put(tool.contact_point_W, own.contact_point_W);
-  own.undo_marks = std::uint32_t(tool.undo_marks);
-  own.redo_marks = std::uint32_t(tool.redo_marks);
-  put(tool.touched, own.touched);
-  own.commands_dropped = seen.commands_dropped;
-  own.commands_refused = seen.commands_refused;
 }
 
 }  // namespace

@@ -8,8 +8,23 @@
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 
+namespace hapticut {
+
+constexpr auto fields_of(Of<hapticut_energy_ledger>) {
+  using L = hapticut_energy_ledger;
+  return std::tuple{HAPTICUT_C_FIELD(L, hand_work), HAPTICUT_C_FIELD(L, motor_work), HAPTICUT_C_FIELD(L, elastic),
+                    HAPTICUT_C_FIELD(L, cutting),   HAPTICUT_C_FIELD(L, crushed),    HAPTICUT_C_FIELD(L, released),
+                    HAPTICUT_C_FIELD(L, damping),   HAPTICUT_C_FIELD(L, rubbing),    HAPTICUT_C_FIELD(L, anchored),
+                    HAPTICUT_C_FIELD(L, sliding),   HAPTICUT_C_FIELD(L, credited),   HAPTICUT_C_FIELD(L, entered),
+                    HAPTICUT_C_FIELD(L, turnover)};
+}
+
+}  // namespace hapticut
+
 namespace hapticut::c {
 namespace {
+
+static_assert(kHasEachField<EnergyLedger, hapticut_energy_ledger>, "C needs the new term, at the end of its ledger");
 
 constexpr std::size_t kBlocksAtOnce = 1024;  // blocks at once in an undo or redo between steps
 
@@ -122,20 +137,8 @@ int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledg
   return within(IdleSimulation(simulation), [&](const auto& use) {
     const EnergyLedger& energy = use->simulation.last_result().energy;
     hapticut_energy_ledger own{};
-    own.hand_work = energy.hand_work;
-    own.motor_work = energy.motor_work;
-    own.elastic = energy.elastic;
-    own.cutting = energy.cutting;
-    own.crushed = energy.crushed;
-    own.released = energy.released;
-    own.damping = energy.damping;
-    own.rubbing = energy.rubbing;
-    own.anchored = energy.anchored;
-    own.sliding = energy.sliding;
-    own.credited = energy.credited;
-    own.entered = energy.entered;
+    put_fields(energy, own);
     own.imbalance = energy.imbalance();
-    own.turnover = energy.turnover;
     write_struct(own, ledger);
   });
 }

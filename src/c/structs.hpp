@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "c/failure.hpp"
 #include "hapticut/c/hapticut.h"
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/workpiece/material_set.hpp"
 
@@ -96,6 +99,13 @@ inline void put(const Vec3& vector, double* to) noexcept {
   for (int axis = 0; axis < 3; ++axis) to[axis] = vector[axis];
 }
 
+/// A number, a set of bits or a state.
+template <class From, class To>
+requires((std::is_arithmetic_v<From> || std::is_enum_v<From>)&&std::is_arithmetic_v<To>) void put(From number,
+                                                                                                  To& to) noexcept {
+  to = To(number);
+}
+
 inline void put(const MaterialSet& set, std::uint64_t* to) noexcept {
   std::copy(set.words.begin(), set.words.end(), to);
 }
@@ -105,5 +115,39 @@ inline void put(const Pose& pose, hapticut_pose& to) noexcept {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) to.rotation[3 * row + column] = pose.rotation(row, column);
 }
+
+/// The place of a name in the description of S; kFieldsOf<S> if S has no such field.
+template <Described S>
+[[nodiscard]] consteval std::size_t place_of(std::string_view name) {
+  std::size_t place = 0, found = kFieldsOf<S>;
+  for_each_field<S>([&](const auto& field) {
+    if (field.name == name) found = place;
+    ++place;
+  });
+  return found;
+}
+
+/// Puts each field of a C++ struct into the field of the same name of the interface, if the interface has it.
+/// @realtime no allocation, no lock
+template <Described From, Described To>
+void put_fields(const From& from, To& to) noexcept {
+  const auto put_one = [&]<std::size_t kOne>(std::integral_constant<std::size_t, kOne>) {
+    constexpr auto kField = std::get<kOne>(fields_of(Of<From>{}));
+    constexpr std::size_t kPlace = place_of<To>(kField.name);
+    if constexpr (kPlace < kFieldsOf<To>) put(from.*kField.member, to.*std::get<kPlace>(fields_of(Of<To>{})).member);
+  };
+  [&]<std::size_t... kN>(std::index_sequence<kN...>) { (put_one(std::integral_constant<std::size_t, kN>{}), ...); }
+  (std::make_index_sequence<kFieldsOf<From>>());
+}
+
+/// Whether the interface has a field for each field of a C++ struct.
+template <Described From, Described To>
+inline constexpr bool kHasEachField = []<std::size_t... kN>(std::index_sequence<kN...>) {
+  return ((place_of<To>(std::get<kN>(fields_of(Of<From>{})).name) < kFieldsOf<To>)&&...);
+}
+(std::make_index_sequence<kFieldsOf<From>>());
+
+/// A field of the interface that is named as in C++, for its `fields_of`.
+#define HAPTICUT_C_FIELD(Struct, name) ::hapticut::field(#name, &Struct::name, "as in C++")
 
 }  // namespace hapticut::c

@@ -6,10 +6,12 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hapticut/loop/snapshot.hpp"
 #include "unit/c/layout.h"
 #include "unit/c/scenes.hpp"
 
@@ -26,6 +28,19 @@ Layout layout_of(void (*language)(layout_user)) {
   found.clear();
   language([](const char* name, std::size_t bytes) { found.emplace_back(name, bytes); });
   return found;
+}
+
+/// The names of the fields of a struct, which follow its own in the layout.
+std::set<std::string> fields_in_c(const std::string& type) {
+  std::set<std::string> fields;
+  bool inside = false;
+  for (const auto& [name, bytes] : layout_of(layout_in_c)) {
+    if (name.starts_with("hapticut_"))
+      inside = name == type;
+    else if (inside)
+      fields.insert(name);
+  }
+  return fields;
 }
 
 TEST(CStructs, LieInMemoryInCAsTheyDoInCpp) {
@@ -52,6 +67,24 @@ TEST(CStructs, KeepTheirPublishedSizes) {
     EXPECT_EQ(bytes, given_out.at(name)) << name;
   }
   EXPECT_EQ(seen, given_out.size());
+}
+
+// A new field of a snapshot goes to the end of hapticut_loop_state, or into this list.
+TEST(CStructs, HaveEachFieldOfASnapshotExceptThese) {
+  const std::set<std::string> left_out = {
+      "device",         "output",   "tool",    "max_commanded", "max_applied", "blocks_waiting", "velocity",
+      "blocks_outside", "sequence", "epoch",   "temperature",   "valid",       "steps",          "effort",
+      "max_effort",     "undoing",  "redoing", "force_held",    "workpiece"};
+  const std::set<std::string> in_c = fields_in_c("hapticut_loop_state");
+  const auto expect_fields = [&]<class S>(Of<S>) {
+    for_each_field<S>([&](const auto& field) {
+      const bool is_in_c = in_c.contains(field.name);
+      EXPECT_NE(is_in_c, left_out.contains(field.name)) << field.name;
+    });
+  };
+  expect_fields(Of<LoopSnapshot>{});
+  expect_fields(Of<ToolSnapshot>{});
+  expect_fields(Of<DeviceState>{});
 }
 
 /// Checks what a function writes into a struct of a caller that has a shorter or longer version of it.
