@@ -118,6 +118,15 @@ set(HAPTICUT_PACKAGE_NEEDS_IO "\"${HAPTICUT_PACKAGE_NEEDS_IO}\"")
 list(JOIN _needs "\" \"" HAPTICUT_PACKAGE_NEEDS_IMPORT)
 set(HAPTICUT_PACKAGE_NEEDS_IMPORT "\"${HAPTICUT_PACKAGE_NEEDS_IMPORT}\"")
 list(JOIN HAPTICUT_ITK_MODULES " " HAPTICUT_ITK_MODULES)
+# A driver in drivers/open_haptics is the component openhaptics.
+set(_drivers "")
+foreach(_driver IN LISTS HAPTICUT_DRIVERS)
+  get_filename_component(_name "${_driver}" NAME)
+  string(REPLACE "_" "" _name "${_name}")
+  list(APPEND _drivers "${_name}")
+endforeach()
+list(JOIN _drivers "|" HAPTICUT_DRIVER_PATTERN)
+list(JOIN _drivers ", " HAPTICUT_DRIVER_COMPONENTS)
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/hapticut-config.cmake.in"
   "${PROJECT_BINARY_DIR}/hapticut-config.cmake" INSTALL_DESTINATION "${HAPTICUT_CMAKE_DIR}"
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)

@@ -28,6 +28,9 @@ fast=true
 full=false
 install=true
 jobs=$(nproc)
+drivers=(drivers/*/sdk.cmake)
+drivers=("${drivers[@]%/sdk.cmake}")
+drivers=("${drivers[@]#drivers/}")
 while [ $# -gt 0 ]; do
   case $1 in
     --full)
@@ -172,7 +175,7 @@ address() {
 # Only tests of data exchange between threads; the library is built without its optional parts.
 threads() {
   check "configure: threads" cmake --preset threads &&
-    check "build: threads" build threads -t test_realtime test_loop test_islands test_device test_force_dimension test_open_haptics test_device_contract test_safety test_view &&
+    check "build: threads" build threads -t test_realtime test_loop test_islands test_device "${drivers[@]/#/test_}" test_device_contract test_safety test_view &&
     run_tests threads threads
 }
 
@@ -196,7 +199,7 @@ package() {
   if $fast; then rest=(-L slow); else build_release || return; fi
   run_tests package release -L package "${rest[@]}"
   check "configure: shared" configure shared &&
-    check "build: shared" build shared -t src/all apps/page/all apps/cli/all examples/all open_haptics_under_test force_dimension_under_test &&
+    check "build: shared" build shared -t src/all apps/page/all apps/cli/all examples/all "${drivers[@]/%/_under_test}" &&
     run_tests shared shared
 }
 

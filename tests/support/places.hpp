@@ -9,12 +9,11 @@
 /// places.cpp of the build folder, so that everything else compiles the same in every clone.
 namespace hapticut::test {
 
-extern const char* const kSourceFolder;      // source of this clone
-extern const char* const kDataFolder;        // HAPTICUT_TEST_DATA
-extern const char* const kProgram;           // hapticut; this and all below: empty if not built
-extern const char* const kProgramWithTouch;  // with the adapter of OpenHaptics and its stand-in
-extern const char* const kProgramWithOmega;  // with the adapter of Force Dimension and its stand-in
-extern const char* const kCLibrary;          // libhapticut_c.so
+extern const char* const kSourceFolder;  // source of this clone
+extern const char* const kDataFolder;    // HAPTICUT_TEST_DATA
+extern const char* const kProgramWith;   // and the folder of a driver: hapticut with its adapter and its stand-in
+extern const char* const kProgram;       // hapticut; this and the next: empty if not built
+extern const char* const kCLibrary;      // libhapticut_c.so
 
 /// Path of a file of the repository: "docs/forces.md".
 inline std::filesystem::path source_path(const std::string& name) {

@@ -62,15 +62,15 @@ TEST_F(Loop, RunsInRealTimeAndReportsHowLateItWokeUp) {
 
 TEST_F(Loop, DrivesADeviceWhereTheProgramWasBuiltWithItsSdk) {
   struct Made {
-    const char *program, *device, *sdk;
+    const char *driver, *device, *sdk;
     double peak_force;
   };
-  for (const Made& made : {Made{test::kProgramWithTouch, "openhaptics", "3D Systems OpenHaptics", 3.3},
-                           Made{test::kProgramWithOmega, "forcedimension:omega.6", "the Force Dimension SDK", 12}}) {
+  for (const Made& made : {Made{"open_haptics", "openhaptics", "3D Systems OpenHaptics", 3.3},
+                           Made{"force_dimension", "forcedimension:omega.6", "the Force Dimension SDK", 12}}) {
     SCOPED_TRACE(made.device);
     const std::string loop = "loop " + std::string(made.device) + " ";
-    const Outcome outcome =
-        run_program(folder, loop + "--seconds 0.3 --json " + path("loop.json") + " " + kCoarse, made.program);
+    const Outcome outcome = run_program(folder, loop + "--seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                                        std::string(test::kProgramWith) + made.driver);
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     const nlohmann::json report = read_json(folder / "loop.json");
     EXPECT_EQ(report["device"]["peak_force_N"], made.peak_force);
