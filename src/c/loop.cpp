@@ -75,19 +75,6 @@ struct Number {
   }
 };
 
-template <hapticut_command_kind kKind, class Command>
-constexpr bool kIsKindOf = std::is_same_v<std::variant_alternative_t<kKind - 1, LoopCommand>, Command>;
-static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_SPINDLE_SPEED, commands::SetSpindleSpeed>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_OPEN_CLUTCH, commands::OpenClutch>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_CLOSE_CLUTCH, commands::CloseClutch>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_SCALE, commands::SetScale>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_UNDO_MARK, commands::SetUndoMark>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_UNDO, commands::Undo>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_REDO, commands::Redo>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_HOLD_FORCE, commands::HoldForce>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_REMOVAL, commands::SetRemoval>);
-static_assert(kIsKindOf<HAPTICUT_COMMAND_SET_FORCE_MASK, commands::SetForceMask>);
-
 LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
   LoopCommand command;
   const Number number{given.value, removal};

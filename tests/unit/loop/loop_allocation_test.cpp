@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <random>
 #include <variant>
 
 #include "experiments/setup/cutting.hpp"
@@ -12,6 +13,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
+#include "support/random_commands.hpp"
 #include "support/scripted_loop.hpp"
 
 namespace hapticut::loop_allocation_test {
@@ -124,44 +126,26 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockForAnyCommand) {
     options.region = parts.model.region();
     RealtimeLoop loop(*parts.device, watched, options);
     // Part of the commands is in the queue before the first tick; more follow while the loop runs.
-    auto next = [&, n = 0]() mutable -> LoopCommand {
-      const auto radius = [&] { return UndoingLoop::kRadius * (0.5 + 0.1 * (n % 10)); };
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    auto next = [&, n = 0, described = std::size_t(0)]() mutable -> LoopCommand {
+      const double radius = UndoingLoop::kRadius * (0.5 + 0.1 * (n % 10));
+      const Spindle spindle{3000 * units::rad_per_s};
       switch (++n % 16) {
         case 0:
-          return commands::SetSpindleSpeed{2000 * units::rad_per_s};
-        case 1:
-          return commands::OpenClutch{};
-        case 2:
-          return commands::CloseClutch{};
-        case 3:
-          return commands::SetScale{n % 2 == 0 ? 1.0 : 0.9};
+          return parts.model.prepare_tool(Tool(SphereHead{radius}, RayHandle{0}, spindle));
         case 4:
-          return commands::SetUndoMark{};
-        case 5:
-          return parts.model.prepare_tool(Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
-        case 6:
-          return parts.model.prepare_tool(
-              Tool(round_head(2 * radius()), RayHandle{0}, Spindle{3000 * units::rad_per_s}));
-        case 7:
-          return parts.model.prepare_materials(MaterialTable({test::plain_material()}));
+          return parts.model.prepare_tool(Tool(round_head(2 * radius), RayHandle{0}, spindle));
         case 8:
-          return commands::SetFriction{DryFriction{0.4, 0.3, 1000}};
-        case 9:
-          return commands::SetEffects{};
-        case 10:
-          return commands::SetForceMask{{{true, true, n % 3 == 0}, {true, true, true}}};
-        case 11:
-          return commands::SetRemoval{n % 2 == 0 ? RemovalLaw::none : RemovalLaw::constant_energy};
+          return parts.model.prepare_materials(MaterialTable({test::plain_material()}));
         case 12:
-          return commands::HoldForce{n % 3 == 0};
-        case 13:
           return parts.model.prepare_workpiece(
               build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
-              Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
-        case 14:
-          return commands::Undo{};
+              Tool(SphereHead{radius}, RayHandle{0}, spindle));
         default:
-          return commands::Redo{};
+          return test::random_command(described++ % test::kDescribedCommands, between);
       }
     };
     for (int n = 0; n < 64; ++n) ASSERT_TRUE(loop.send(next()));

@@ -18,6 +18,7 @@
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/random_commands.hpp"
 
 namespace hapticut::random_commands_test {
 namespace {
@@ -107,31 +108,13 @@ void send_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
       material.specific_cutting_energy = number(1e8, 1e9);
       return model.prepare_materials(MaterialTable({material}));
     }
-    switch (dice % 12) {
-      case 0:
-        return commands::SetSpindleSpeed{number(-5000, 5000) * units::rad_per_s};
-      case 1:
-        return commands::OpenClutch{};
-      case 2:
-      case 3:
-        return commands::CloseClutch{};
-      case 4:
-        return commands::SetScale{number(0.5, 1.5)};
-      case 5:
-        return commands::SetUndoMark{};
-      case 6:
-        return dice % 10 == 0 ? LoopCommand(commands::Undo{}) : commands::SetFriction{};
-      case 7:
-        return dice % 10 < 2 ? LoopCommand(commands::Redo{}) : commands::SetFriction{DryFriction{0.4, 0.3, 1000}};
-      case 8:
-        return commands::SetEffects{};
-      case 9:
-        return commands::SetForceMask{{{random() % 8 != 0, true, random() % 8 != 0}, {true, true, true}}};
-      case 10:
-        return commands::SetRemoval{random() % 4 == 0 ? RemovalLaw::none : RemovalLaw::constant_energy};
-      default:
-        return commands::HoldForce{random() % 4 == 0};
-    }
+    LoopCommand command = test::random_command(dice % test::kDescribedCommands, number);
+    const bool opens = std::holds_alternative<commands::OpenClutch>(command);
+    const bool restores =
+        std::holds_alternative<commands::Undo>(command) || std::holds_alternative<commands::Redo>(command);
+    // Most of the time the tool follows the hand and cuts.
+    if ((opens && random() % 2 == 0) || (restores && random() % 10 != 0)) return commands::CloseClutch{};
+    return command;
   };
 
   std::map<VoxelIndex, ChangedBlock> picture;
