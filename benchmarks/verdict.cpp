@@ -99,7 +99,7 @@ Times times_of(const Scene& scene) {
     hand += velocity.linear * dt;
     if (coupling) {
       const CoupledResult& felt = coupling->step(Pose::from_translation(hand), velocity, dt);
-      steps = felt.parts, newtons = felt.newton_steps, pressed = felt.coupling.force.z();
+      steps = felt.sub_ticks, newtons = felt.newton_steps, pressed = felt.coupling.force.z();
       const double tool = felt.X_WH.translation.z();
       depth = -bottom - tool;
       lowest = depth > kDepth ? hand.z() : tool - kPress / coupling->gains().stiffness;

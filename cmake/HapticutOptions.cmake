@@ -95,8 +95,8 @@ set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_F
 # Libraries that need only the core and are found with it.
 set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat islands sound analysis)
 
-# Optional parts of hapticut::import; the target exists with and without them.
-set(HAPTICUT_PARTS_OF_IMPORT ITK ASSIMP)
+# Optional components of hapticut::import; the target exists with and without them.
+set(HAPTICUT_COMPONENTS_OF_IMPORT ITK ASSIMP)
 
 # The component without which a component is off.
 set(HAPTICUT_BASE_OF_IMPORT IO)

@@ -14,7 +14,7 @@
 #                          addresses and undefined behaviour; also compiles library, program, examples and benchmarks
 #                 threads  the tests of data exchange between threads, with the thread sanitizer
 #                 lint     clang-tidy on every source of the library
-#                 package  the package in external projects, with each part off, as shared libraries with clang++, for ARM
+#                 package  the package in external projects, with each component off, as shared libraries with clang++, for ARM
 #                 python   the Python package installed by pip, and its tests
 #                 fuzz     20 000 damaged files, and 20 s of the fuzzer of each format
 #   --no-install  do not install packages
@@ -172,7 +172,7 @@ address() {
     check "composed ticks: address" build/address/tests/system/test_coupling '--gtest_filter=Composed*'
 }
 
-# Only tests of data exchange between threads; the library is built without its optional parts.
+# Only tests of data exchange between threads; the library is built without its optional components.
 threads() {
   check "configure: threads" cmake --preset threads &&
     check "build: threads" build threads -t test_realtime test_loop test_islands test_device "${drivers[@]/#/test_}" test_device_contract test_safety test_view &&

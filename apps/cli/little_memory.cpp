@@ -34,7 +34,7 @@ bool is_no_memory(const std::exception_ptr& exception) {
   return false;
 }
 
-/// Whether crash handlers stop a device, see device/run_slots.cpp.
+/// Whether crash handlers stop a device, see device/running_loops.cpp.
 bool a_device_runs() {
   struct sigaction on_abort {};
   return sigaction(SIGABRT, nullptr, &on_abort) == 0 && on_abort.sa_handler != SIG_DFL;

@@ -54,7 +54,7 @@ std::vector<Check> section() {
           kStiffness, [&](double rho) { return c.depth(rho, depth); }, reach);
       const Convergence errors = converge(0.08 * mm, [&](double l, const Vec3& phase) {
         Simulation simulation(box_at_phase(half_space(reach, depth, l), l, phase), Tool(c.head), static_config());
-        return hold_well(simulation, c.origin_at(depth)).force.z() / expected - 1;
+        return rest_ok_at(simulation, c.origin_at(depth)).force.z() / expected - 1;
       });
       if (std::holds_alternative<FlatHead>(c.head.shape()))
         rimmed.add(errors, [&](double l) { return 0.7 * std::pow(l / reach, 1.5) + 0.4 * std::pow(l / depth, 2); });
@@ -128,7 +128,7 @@ struct Transported {
     const Mat3 R_WT = rotation_from_vector(kPi * vector(1));
     const Pose X_WT = {R_WT, Vec3(0, 0, 0.7 * size.z() - 0.5) * mm - R_WT * Vec3(0.5 * (box.min + box.max))};
     const Pose X_WH = X_WT * at_hand.tool().X_HT().inverse();
-    const StepResult felt = hold_well(at_hand, X_WH), direct = hold_well(at_head, X_WT);
+    const StepResult felt = rest_ok_at(at_hand, X_WH), direct = rest_ok_at(at_head, X_WT);
     if (!(direct.force.norm() > 0)) throw Error("a head of C19 touches nothing.");
 
     const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;

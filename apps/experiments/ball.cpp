@@ -42,7 +42,7 @@ std::vector<Check> force() {
     const double expected = forms::cap_force(kStiffness, kR, depth), constant = error_of_cap(depth);
     const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
       Simulation simulation = ball(depth, l, phase);
-      return (hold_well(simulation, center_at(depth)).force - Vec3(0, 0, expected)).norm() / expected;
+      return (rest_ok_at(simulation, center_at(depth)).force - Vec3(0, 0, expected)).norm() / expected;
     });
     error.add(c, second_order(1.2 * constant, depth));
     off.add(c.error[2] / (constant * std::pow(c.size[2] / depth, 2)) - 1, 0.3);
@@ -63,7 +63,7 @@ double error_on(const Vec3& normal, double voxel) {
                                   [](const Vec3&) { return MaterialId(1); }};
     Simulation simulation(build_body(body, voxel, MaterialTable({plain_material()})), Tool(SphereHead{kR}),
                           static_config());
-    const double force = hold_well(simulation, Vec3(surface + normal * (kR - depth))).force.dot(normal);
+    const double force = rest_ok_at(simulation, Vec3(surface + normal * (kR - depth))).force.dot(normal);
     square += std::pow(force / forms::cap_force(kStiffness, kR, depth) - 1, 2) / kShifts;
   }
   return std::sqrt(square);
@@ -92,9 +92,9 @@ std::vector<Check> torque() {
       const Pose X_WT = {rotation_from_vector(Vec3(0.3, -0.8, 0.5)), center_at(depth)};
       Simulation on_handle = ball(depth, l, phase(1), bent), straight = ball(depth, l, phase(1));
       const Pose X_WH = X_WT * on_handle.tool().X_HT().inverse();
-      const StepResult& felt = hold_well(on_handle, X_WH);
+      const StepResult& felt = rest_ok_at(on_handle, X_WH);
       const double force = felt.force.norm();
-      at_center.add(hold_well(straight, X_WT).torque.norm(), kRounding * force * kR);
+      at_center.add(rest_ok_at(straight, X_WT).torque.norm(), kRounding * force * kR);
       at_hand.add((felt.torque - forms::ball_torque(X_WT.translation - X_WH.translation, felt.force)).norm(),
                   kRounding * force * 13 * mm);
     }
@@ -105,7 +105,7 @@ std::vector<Check> torque() {
 /// Derivative of the force from five depths 0.1 R apart. It is exact for C1, a quartic, so only voxels cause errors.
 double stiffness_at(Simulation& simulation, double depth) {
   const double h = 0.1 * kR;
-  const auto force = [&](double d) { return hold_well(simulation, center_at(d)).force.z(); };
+  const auto force = [&](double d) { return rest_ok_at(simulation, center_at(d)).force.z(); };
   return (8 * (force(depth + h) - force(depth - h)) - (force(depth + 2 * h) - force(depth - 2 * h))) / (12 * h);
 }
 
@@ -143,7 +143,7 @@ std::vector<Check> energy() {
     error.add(converge(kCoarsest,
                        [&](double l, const Vec3& phase) {
                          Simulation simulation = ball(depth, l, phase);
-                         return hold_well(simulation, center_at(depth)).energy.elastic / expected - 1;
+                         return rest_ok_at(simulation, center_at(depth)).energy.elastic / expected - 1;
                        }),
               second_order(1.2 * constant, depth));
   }
@@ -180,9 +180,9 @@ std::vector<Check> damping() {
     error.add(converge(kCoarsest,
                        [&](double l, const Vec3& phase) {
                          Simulation simulation = ball(depth, l, phase, RayHandle{0}, damped());
-                         const double still = hold_well(simulation, center_at(depth)).force.z();
+                         const double still = rest_ok_at(simulation, center_at(depth)).force.z();
                          const Twist down = {Vec3(0, 0, -kSpeed), Vec3::Zero()};
-                         const double moving = hold_well(simulation, center_at(depth), down).force.z();
+                         const double moving = rest_ok_at(simulation, center_at(depth), down).force.z();
                          return (moving - still) / damping_force(depth) - 1;
                        }),
               second_order(0.3, depth));

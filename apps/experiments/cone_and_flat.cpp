@@ -33,7 +33,7 @@ std::vector<Check> cone() {
     const auto press = [&](double l, const Vec3& phase) {
       Simulation simulation(box_at_phase(half_space(kHeight * std::tan(angle), depth, l), l, phase),
                             Tool(ConeHead{angle, kHeight}), static_config());
-      return hold_well(simulation, Vec3(0, 0, -depth)).force;
+      return rest_ok_at(simulation, Vec3(0, 0, -depth)).force;
     };
     // A full voxel has the spring of its centre, without -l^2/24 of its Laplacian: 1/(2 tan(a)^2) (l/d)^2. The parts at
     // the surface, assumed to lie across n, return (1 - sin a)/sin(a) of this; their fills add a little.
@@ -51,7 +51,7 @@ std::vector<Check> cone() {
 Vec3 press_flat(FlatRule rule, double depth, double l, const Vec3& phase) {
   Simulation simulation(box_at_phase(half_space(kR, depth, l), l, phase), Tool(FlatHead{kR, kTall, rule}),
                         static_config());
-  return hold_well(simulation, Vec3(0, 0, -depth)).force;
+  return rest_ok_at(simulation, Vec3(0, 0, -depth)).force;
 }
 
 std::vector<Check> flat() {
@@ -111,7 +111,7 @@ struct Wall {
   [[nodiscard]] StepResult press(FlatRule rule, double l, const Vec3& phase, double handle_length = 0) const {
     Simulation simulation(box_at_phase(box(l), l, phase), Tool(FlatHead{kR, kTall, rule}, RayHandle{handle_length}),
                           static_config());
-    return hold_well(simulation, Vec3(0, 0, handle_length));
+    return rest_ok_at(simulation, Vec3(0, 0, handle_length));
   }
 };
 
@@ -180,7 +180,7 @@ std::vector<Check> edge() {
       box.max.x() = x0;
       Simulation simulation(box_at_phase(box, l, phase), Tool(FlatHead{kR, kHeight, FlatRule::bottom_only}),
                             static_config());
-      return StepResult(hold_well(simulation, Vec3(0, 0, -d)));
+      return StepResult(rest_ok_at(simulation, Vec3(0, 0, -d)));
     };
     // The rim has the error of lattice points, as in C5. The covered area is as small as a fifth of the disk.
     const auto bound = [d](double covered) {

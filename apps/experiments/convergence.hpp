@@ -16,11 +16,11 @@ namespace hapticut::experiments {
 
 using test::box_at_phase;
 using test::half_space;
-using test::hold_well;
 using test::kPhases;
 using test::MaterialAt;
 using test::materials_of_stiffness;
 using test::phase;
+using test::rest_ok_at;
 
 /// Errors at three sizes of the voxels, or of another refined quantity. Each size is half of the one before.
 struct Convergence {

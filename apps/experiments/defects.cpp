@@ -41,7 +41,7 @@ struct PressedBall {
     Simulation simulation(
         build_block({Vec3(-1.2 * mm, -1.2 * mm, -block_height), Vec3(1.2 * mm, 1.2 * mm, 0)}, voxel, material),
         Tool(SphereHead{kR}), config);
-    return hold(simulation, Pose::from_translation(Vec3(0, 0, kR - depth)), {Vec3(0, 0, speed), Vec3::Zero()})
+    return rest_at(simulation, Pose::from_translation(Vec3(0, 0, kR - depth)), {Vec3(0, 0, speed), Vec3::Zero()})
         .force.z();
   }
 };
@@ -277,7 +277,7 @@ std::vector<Check> pop_through() {
     double at_radius = 0, least = 1e9, last = 0;
     for (int step = 0; step <= 160; ++step) {
       const double height = kR - 0.01 * kR * step;
-      last = hold(simulation, Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, height))).force.z();
+      last = rest_at(simulation, Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, height))).force.z();
       if (step == 100) at_radius = last;
       if (step >= 100) least = std::min(least, last);
     }

@@ -22,7 +22,7 @@ StepResult pressed(const std::shared_ptr<const ForceLaw>& law, const ToolHead& h
   config.law = law;
   const Box box = half_space(head.max_radius(), depth, kVoxel);
   Simulation simulation(box_at_phase(box, kVoxel, Vec3(0.3, 0.6, 0.2)), Tool(head), config);
-  return hold_well(simulation, Vec3(0, 0, -depth - head.bounding_box().min.z()));
+  return rest_ok_at(simulation, Vec3(0, 0, -depth - head.bounding_box().min.z()));
 }
 
 // With voxels of an eighth of the depth on a misaligned grid, a volume error of 2 % gives a force error of up to 3 %

@@ -14,7 +14,7 @@ const Vec3 kCenter(0, 0, kR - kDepth);
 
 double force_at(Workpiece workpiece) {
   Simulation simulation(std::move(workpiece), Tool(SphereHead{kR}), static_config());
-  return hold_well(simulation, kCenter).force.z();
+  return rest_ok_at(simulation, kCenter).force.z();
 }
 
 /// [N] Force by C10. @param second  [1] relative stiffness below the first layer; 0: air
@@ -78,7 +78,7 @@ Convergence into_grade(const Vec3& slope, const Press& press) {
   const Vec3 expected = forms::graded_cap_force(kStiffness, kStiffness * slope, kR, kDepth);
   return converge(kCoarsest, [&](double l, const Vec3& phase) {
     Simulation simulation(press(l, phase), Tool(SphereHead{kR}), static_config());
-    return (hold_well(simulation, kCenter).force - expected).norm() / expected.norm();
+    return (rest_ok_at(simulation, kCenter).force - expected).norm() / expected.norm();
   });
 }
 

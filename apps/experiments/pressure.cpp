@@ -190,7 +190,7 @@ struct PoseError {
 
 PoseError error_at(Simulation& simulation, const Pose& X_WT, const Wrench& expected_T, double reach) {
   const Pose X_WH = X_WT * simulation.tool().X_HT().inverse();
-  const StepResult& felt = hold_well(simulation, X_WH);
+  const StepResult& felt = rest_ok_at(simulation, X_WH);
   const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
   const Vec3 expected_torque_H = expected_T.torque + p_HoTo_W.cross(expected_T.force);
   const Vec3 torque_T = felt.torque - p_HoTo_W.cross(felt.force);

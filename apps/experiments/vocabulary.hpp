@@ -14,9 +14,9 @@ namespace hapticut::experiments {
 
 namespace forms = closed_forms;
 using test::feed;
-using test::hold;
 using test::kStiffness;
 using test::plain_material;
+using test::rest_at;
 using test::static_config;
 using test::SteadyState;
 using units::deg;

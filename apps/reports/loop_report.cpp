@@ -112,7 +112,7 @@ Json to_json(const LoopReport& r) {
       {"status_seen", status},
       {"touched", touched},
       {"max_per_tick",
-       {{"parts", r.seen.last.tool.max_effort.parts},
+       {{"sub_ticks", r.seen.last.tool.max_effort.sub_ticks},
         {"newton_steps", r.seen.last.tool.max_effort.newton_steps},
         {"level_of_detail", r.seen.last.tool.max_effort.level_of_detail}}},
       {"removed_volume_mm3", r.seen.last.tool.removed_volume / units::mm3},
@@ -144,7 +144,8 @@ std::string to_table(const LoopReport& r) {
   table.add("compute",
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
   const TickEffort& effort = r.seen.last.tool.max_effort;
-  table.add("maximum per tick", std::to_string(effort.parts) + (effort.parts == 1 ? " part, " : " parts, ") +
+  table.add("maximum per tick", std::to_string(effort.sub_ticks) +
+                                    (effort.sub_ticks == 1 ? " sub-tick, " : " sub-ticks, ") +
                                     std::to_string(effort.newton_steps) + " Newton steps, level of detail " +
                                     std::to_string(effort.level_of_detail));
   table.add("removed", rounded(r.seen.last.tool.removed_volume / units::mm3) + " mm^3 in " +

@@ -56,7 +56,7 @@ py::tuple pickled_simulation(PythonSimulation& self) {
 }
 
 std::shared_ptr<PythonSimulation> simulation_from(const py::tuple& state) {
-  detail::require_parts(state, 6, "the simulation");
+  detail::require_items(state, 6, "the simulation");
   if (const auto build = state[0].cast<std::string>(); build != this_build())
     throw Error(
         "the simulation was pickled by hapticut " + build + ", but this is " + this_build() +
@@ -97,7 +97,7 @@ py::tuple pickled_result(const PythonStepResult& self) {
 }
 
 PythonStepResult result_from(const py::tuple& state) {
-  detail::require_parts(state, kFieldsOf<StepResult>, "the result");
+  detail::require_items(state, kFieldsOf<StepResult>, "the result");
   StepResult result;
   std::size_t i = 0;
   for_each_field<StepResult>([&](const auto& field) {
@@ -123,7 +123,7 @@ void bind_copies(py::module_& m) {
             return py::make_tuple(py::bytes(bytes));
           },
           [](const py::tuple& state) {
-            detail::require_parts(state, 1, "the workpiece");
+            detail::require_items(state, 1, "the workpiece");
             auto bytes = state[0].cast<std::string>();
             return make_released([&] { return workpiece_from(std::move(bytes)); });
           }));

@@ -58,7 +58,7 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
         return detail::attributes_of(self, {"values", "spacing", "X_WG", "padding"});
       },
       [](const py::tuple& state) {
-        detail::require_parts(state, 4, "the volume");
+        detail::require_items(state, 4, "the volume");
         V v = volume_from<Value>(state[0], state[1].cast<Vec3>(), state[2].cast<Pose>());
         v.padding = state[3].cast<std::size_t>();
         return v;

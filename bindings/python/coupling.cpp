@@ -45,17 +45,17 @@ py::tuple pickled_coupled(const PythonCoupledResult& self) {
   const CoupledResult& r = self.result;
   std::vector<std::pair<VoxelIndex, MaterialId>> voxels;
   for (const RemovedVoxel& voxel : self.voxels) voxels.emplace_back(voxel.index, voxel.material);
-  return py::make_tuple(r.hand, r.coupling, r.X_WH, r.V_WH, r.removed_volume, r.parts, r.newton_steps,
+  return py::make_tuple(r.hand, r.coupling, r.X_WH, r.V_WH, r.removed_volume, r.sub_ticks, r.newton_steps,
                         r.level_of_detail, r.status, r.energy, voxels, self.changed, r.changed_blocks.complete);
 }
 
 PythonCoupledResult coupled_from(const py::tuple& state) {
-  detail::require_parts(state, 13, "the result");
+  detail::require_items(state, 13, "the result");
   CoupledResult result;
   std::size_t i = 0;
   const auto read = [&](auto& value) { value = state[i++].cast<std::remove_reference_t<decltype(value)>>(); };
   const auto read_all = [&](auto&... values) { (read(values), ...); };
-  read_all(result.hand, result.coupling, result.X_WH, result.V_WH, result.removed_volume, result.parts,
+  read_all(result.hand, result.coupling, result.X_WH, result.V_WH, result.removed_volume, result.sub_ticks,
            result.newton_steps, result.level_of_detail, result.status, result.energy);
   std::vector<std::pair<VoxelIndex, MaterialId>> voxels;
   std::vector<VoxelIndex> changed;
@@ -78,7 +78,7 @@ void for_each_field_of_row(const CoupledResult& result, double time, const Visit
   visit("V_WH", result.V_WH);
   visit("removed_voxels", result.removed_voxels);
   visit("removed_volume", result.removed_volume);
-  visit("parts", result.parts);
+  visit("sub_ticks", result.sub_ticks);
   visit("newton_steps", result.newton_steps);
   visit("level_of_detail", result.level_of_detail);
   visit("energy", result.energy);
@@ -138,7 +138,7 @@ void bind_coupled_result(py::module_& m) {
           "changed_blocks",
           [](const R& r) { return py::make_tuple(block_origins(r.changed), r.result.changed_blocks.complete); },
           "Changes of the tick: (n, 3) int32 first voxels of the changed blocks, and whether the list is complete.")
-      .def_property_readonly("parts", of_result(&CoupledResult::parts), doc("CoupledResult::parts"))
+      .def_property_readonly("sub_ticks", of_result(&CoupledResult::sub_ticks), doc("CoupledResult::sub_ticks"))
       .def_property_readonly("newton_steps", of_result(&CoupledResult::newton_steps),
                              doc("CoupledResult::newton_steps"))
       .def_property_readonly("level_of_detail", of_result(&CoupledResult::level_of_detail),

@@ -57,7 +57,7 @@ void bind_laws(py::module_& m) {
       "It runs in the 1 kHz loop, so a custom law is a C++ class; Python selects a law and its constants.")
       .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
-      .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));
+      .def("tethers_deep_ball", &ForceLaw::tethers_deep_ball, doc("ForceLaw::tethers_deep_ball"));
   using Foundation = FoundationLaw;
   LawBinding<Foundation> foundation(m, "FoundationLaw", py::is_final(), doc("FoundationLaw"));
   foundation.def(py::init<>()).def("__repr__", [](const Foundation&) { return "FoundationLaw()"; });

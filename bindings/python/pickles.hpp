@@ -21,8 +21,8 @@ namespace py = pybind11;
 
 namespace detail {
 
-/// @throws Error unless a pickled state has as many parts as this version writes
-inline void require_parts(const py::tuple& state, std::size_t count, const char* what) {
+/// @throws Error unless a pickled state has as many items as this version writes
+inline void require_items(const py::tuple& state, std::size_t count, const char* what) {
   if (state.size() != count)
     throw Error(std::string(what) +
                 " was pickled by another version of hapticut; pickle it again with this version, or keep workpieces as "
@@ -56,7 +56,7 @@ void pickled_by_members(py::class_<S>& binding, Members S::*... members) {
       "__deepcopy__", [](const S& s, const py::dict&) { return S(s); }, py::arg("memo"));
   binding.def(py::pickle([members...](const S& s) { return py::make_tuple(s.*members...); },
                          [members...](const py::tuple& state) {
-                           detail::require_parts(state, sizeof...(Members), "the object");
+                           detail::require_items(state, sizeof...(Members), "the object");
                            S s{};
                            std::size_t i = 0;
                            ((s.*members = state[i++].template cast<Members>()), ...);
@@ -71,9 +71,9 @@ void pickled_by_bytes(py::class_<S>& binding) {
   binding.def(
       py::pickle([](const S& s) { return py::make_tuple(py::bytes(reinterpret_cast<const char*>(&s), sizeof s)); },
                  [](const py::tuple& state) {
-                   detail::require_parts(state, 1, "the object");
+                   detail::require_items(state, 1, "the object");
                    const std::string bytes = state[0].cast<std::string>();
-                   detail::require_parts(state, bytes.size() == sizeof(S) ? 1 : 0, "the object");
+                   detail::require_items(state, bytes.size() == sizeof(S) ? 1 : 0, "the object");
                    alignas(S) std::byte copy[sizeof(S)];
                    std::memcpy(copy, bytes.data(), sizeof(S));
                    return S(*reinterpret_cast<const S*>(copy));

@@ -47,7 +47,7 @@ void bind_whole_surface(py::module_& m) {
             return detail::attributes_of(self, {"mesh", "normals", "materials"});
           },
           [](const py::tuple& state) {
-            detail::require_parts(state, 3, "the surface");
+            detail::require_items(state, 3, "the surface");
             const std::span<const double> normals = numbers_of(state[1], "normals", {-1, 3});
             W surface{state[0].cast<TriangleMesh>(), std::vector<Vec3>(normals.size() / 3),
                       state[2].cast<std::vector<MaterialId>>()};

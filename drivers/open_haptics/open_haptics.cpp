@@ -67,7 +67,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
   void scale_output(double scale) noexcept override;
 
  private:
-  enum class Phase : std::uint8_t { running, ending, done };
+  enum class RunState : std::uint8_t { running, ending, done };
   enum class Ending : std::uint8_t { done, silent, never_began };
 
   HDCallbackCode tick() noexcept override;
@@ -85,7 +85,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
 
   // State of a run. Only the driver's thread accesses it, except the atomics.
   Servo* servo_ = nullptr;
-  std::atomic<Phase> phase_{Phase::done};
+  std::atomic<RunState> run_state_{RunState::done};
   std::atomic<std::uint64_t> ticks_{0};
   double period_ = 1e-3, begin_ = 0, last_time_ = 0;
   int fading_ticks_ = 0;
@@ -184,7 +184,7 @@ bool OpenHapticsDevice::render() noexcept {
   check_calibration();
   scheduler.release_driver();
   Wrench wrench = servo_->tick(state);
-  if (servo_->should_end()) phase_.store(Phase::ending, std::memory_order_relaxed);
+  if (servo_->should_end()) run_state_.store(RunState::ending, std::memory_order_relaxed);
   const bool has_driver = scheduler.acquire_driver();
   if (has_driver) hdMakeCurrentDevice(connection_.handle());
   // If another thread has released the hand meanwhile, this force is too old.
@@ -203,7 +203,7 @@ HDCallbackCode OpenHapticsDevice::tick() noexcept {
   const HHD handle = connection_.handle();
   hdMakeCurrentDevice(handle);
   hdBeginFrame(handle);
-  if (phase_.load(std::memory_order_relaxed) == Phase::running) {
+  if (run_state_.load(std::memory_order_relaxed) == RunState::running) {
     has_driver = render();
   } else {
     const Wrench wrench = servo_->fading_force(fading_ticks_++);
@@ -221,7 +221,7 @@ HDCallbackCode OpenHapticsDevice::tick() noexcept {
   if (has_driver) scheduler.release_driver();
   if (!last) return HD_CALLBACK_CONTINUE;
   servo_->finish();
-  phase_.store(Phase::done, std::memory_order_release);
+  run_state_.store(RunState::done, std::memory_order_release);
   return HD_CALLBACK_DONE;
 }
 
@@ -248,7 +248,7 @@ void OpenHapticsDevice::begin(Servo& servo, const RunOptions& options) {
     drain();
   });
   connection_.enable_force(true);
-  phase_.store(Phase::running, std::memory_order_release);
+  run_state_.store(RunState::running, std::memory_order_release);
 }
 
 // Waits for the last tick, or until the driver was silent for too long.
@@ -257,10 +257,10 @@ OpenHapticsDevice::Ending OpenHapticsDevice::wait_for_end() {
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
   Clock::time_point heard = Clock::now();
   std::uint64_t last = 0;
-  while (phase_.load(std::memory_order_acquire) != Phase::done) {
+  while (run_state_.load(std::memory_order_acquire) != RunState::done) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::uint64_t now = ticks_.load(std::memory_order_acquire);
-    const bool ending = phase_.load(std::memory_order_acquire) == Phase::ending;
+    const bool ending = run_state_.load(std::memory_order_acquire) == RunState::ending;
     if (now != last) {
       last = now;
       heard = Clock::now();

@@ -61,43 +61,43 @@ bool runs_along(const TriangleMesh& mesh, const Connections& connections, std::u
   return false;
 }
 
-/// Numbers the connected parts.  @return the number of each triangle's part
-std::vector<std::uint32_t> parts_in(const Connections& connections) {
+/// Numbers the connected components.  @return the number of each triangle's component
+std::vector<std::uint32_t> components_in(const Connections& connections) {
   constexpr auto kNone = std::uint32_t(-1);
-  std::vector<std::uint32_t> part(connections.neighbours.size(), kNone), queue;
+  std::vector<std::uint32_t> component(connections.neighbours.size(), kNone), queue;
   std::uint32_t count = 0;
-  for (std::uint32_t first = 0; first < part.size(); ++first) {
-    if (part[first] != kNone) continue;
-    part[first] = count;
+  for (std::uint32_t first = 0; first < component.size(); ++first) {
+    if (component[first] != kNone) continue;
+    component[first] = count;
     queue = {first};
     for (std::size_t n = 0; n < queue.size(); ++n)
       for (const NeighbourTriangle& next : connections.neighbours[queue[n]])
-        if (part[next.triangle] == kNone) {
-          part[next.triangle] = count;
+        if (component[next.triangle] == kNone) {
+          component[next.triangle] = count;
           queue.push_back(next.triangle);
         }
     ++count;
   }
-  return part;
+  return component;
 }
 
-/// A part that is open at a side.
+/// A component that is open at a side.
 struct OpenEnd {
-  std::uint32_t part;
+  std::uint32_t component;
   bool upwards;
   [[nodiscard]] bool operator==(const OpenEnd&) const = default;
 };
 
 using OpenEnds = std::vector<std::vector<OpenEnd>>;  // at each loose side
 
-/// The parts that are open at each loose side: two triangles of one part that run in opposite ways close it.
+/// The components that are open at each loose side: two triangles of one component that run in opposite ways close it.
 OpenEnds open_ends_of(const TriangleMesh& mesh, const Connections& connections,
-                      const std::vector<std::uint32_t>& part) {
+                      const std::vector<std::uint32_t>& component) {
   OpenEnds ends(connections.loose.size());
   for (std::size_t s = 0; s < ends.size(); ++s)
     for (const std::uint32_t t : connections.loose[s].triangles) {
-      const OpenEnd end{part[t], runs_along(mesh, connections, t, connections.loose[s])};
-      const auto counterpart = std::ranges::find(ends[s], OpenEnd{end.part, !end.upwards});
+      const OpenEnd end{component[t], runs_along(mesh, connections, t, connections.loose[s])};
+      const auto counterpart = std::ranges::find(ends[s], OpenEnd{end.component, !end.upwards});
       if (counterpart != ends[s].end())
         ends[s].erase(counterpart);
       else
@@ -106,9 +106,9 @@ OpenEnds open_ends_of(const TriangleMesh& mesh, const Connections& connections,
   return ends;
 }
 
-/// Joins each open part to another that closes all its open ends at sides of several parts, small parts first.
-/// @return the number of the joined part of each part
-std::vector<std::uint32_t> joined_parts(OpenEnds& ends, const std::vector<std::size_t>& triangles) {
+/// Joins each open component to another that closes all its open ends at sides of several components, small ones first.
+/// @return the number of the joined component of each component
+std::vector<std::uint32_t> joined_components(OpenEnds& ends, const std::vector<std::size_t>& triangles) {
   struct Place {
     std::size_t side;
     bool upwards;
@@ -116,7 +116,7 @@ std::vector<std::uint32_t> joined_parts(OpenEnds& ends, const std::vector<std::s
   std::vector<std::vector<Place>> places(triangles.size());
   for (std::size_t s = 0; s < ends.size(); ++s)
     for (const OpenEnd& end : ends[s])
-      if (ends[s].size() > 1) places[end.part].push_back({s, end.upwards});
+      if (ends[s].size() > 1) places[end.component].push_back({s, end.upwards});
   std::vector<std::uint32_t> order(triangles.size()), parent(triangles.size());
   std::iota(order.begin(), order.end(), 0U);
   std::iota(parent.begin(), parent.end(), 0U);
@@ -126,20 +126,20 @@ std::vector<std::uint32_t> joined_parts(OpenEnds& ends, const std::vector<std::s
     return p;
   };
   const auto has = [&](const Place& at, const OpenEnd& end) { return std::ranges::count(ends[at.side], end) > 0; };
-  for (const std::uint32_t part : order) {
-    std::vector<Place>& open = places[part];
-    std::erase_if(open, [&](const Place& at) { return !has(at, {part, at.upwards}); });
+  for (const std::uint32_t component : order) {
+    std::vector<Place>& open = places[component];
+    std::erase_if(open, [&](const Place& at) { return !has(at, {component, at.upwards}); });
     if (open.empty()) continue;
     for (const OpenEnd& candidate : ends[open.front().side]) {
-      const std::uint32_t other = candidate.part;
+      const std::uint32_t other = candidate.component;
       const auto continues = [&](const Place& at) { return has(at, {other, !at.upwards}); };
-      if (root_of(other) == part || !std::ranges::all_of(open, continues)) continue;
+      if (root_of(other) == component || !std::ranges::all_of(open, continues)) continue;
       for (const Place& at : open)
-        for (const OpenEnd& end : {OpenEnd{part, at.upwards}, OpenEnd{other, !at.upwards}}) {
+        for (const OpenEnd& end : {OpenEnd{component, at.upwards}, OpenEnd{other, !at.upwards}}) {
           const auto found = std::ranges::find(ends[at.side], end);
           if (found != ends[at.side].end()) ends[at.side].erase(found);
         }
-      parent[part] = other;
+      parent[component] = other;
       break;
     }
   }
@@ -200,19 +200,19 @@ Connections connections_in(const TriangleMesh& mesh) {
 
 std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Connections& connections) {
   if (mesh.triangles.empty()) return {};
-  const std::vector<std::uint32_t> part = parts_in(connections);
-  std::vector<std::size_t> triangles(*std::ranges::max_element(part) + std::size_t(1), 0);
-  for (const std::uint32_t p : part) ++triangles[p];
-  OpenEnds ends = open_ends_of(mesh, connections, part);
-  const std::vector<std::uint32_t> joined = joined_parts(ends, triangles);
+  const std::vector<std::uint32_t> component = components_in(connections);
+  std::vector<std::size_t> triangles(*std::ranges::max_element(component) + std::size_t(1), 0);
+  for (const std::uint32_t p : component) ++triangles[p];
+  OpenEnds ends = open_ends_of(mesh, connections, component);
+  const std::vector<std::uint32_t> joined = joined_components(ends, triangles);
   std::vector<Piece> pieces(triangles.size());
-  for (std::uint32_t t = 0; t < part.size(); ++t) {
-    Piece& piece = pieces[joined[part[t]]];
+  for (std::uint32_t t = 0; t < component.size(); ++t) {
+    Piece& piece = pieces[joined[component[t]]];
     piece.triangles.push_back(t);
     piece.six_volumes += six_volumes_of(mesh, t);
   }
   for (const std::vector<OpenEnd>& side : ends)
-    for (const OpenEnd& end : side) pieces[joined[end.part]].closed = false;
+    for (const OpenEnd& end : side) pieces[joined[end.component]].closed = false;
   std::erase_if(pieces, [](const Piece& piece) { return piece.triangles.empty(); });
   for (Piece& piece : pieces) find_ends(mesh, piece);
   return pieces;

@@ -13,22 +13,22 @@
 /// Meaning of the samples of a volume: labels, or ranges of grey values. VolumeFiller defines the interface of a field.
 namespace hapticut {
 
-/// The parts of a voxel that belong to each material.
-class MaterialParts {
+/// The shares of a voxel that belong to each material.
+class MaterialShares {
  public:
-  void add(MaterialId material, float part) {
-    parts_[material] += part;
+  void add(MaterialId material, float share) {
+    shares_[material] += share;
     low_ = std::min(low_, material);
     high_ = std::max(high_, material);
   }
-  /// The material with the largest part, not kEmpty; the first of several equal parts.
+  /// The material with the largest share, not kEmpty; the first of several equal shares.
   [[nodiscard]] MaterialId largest() const {
-    const auto begin = parts_.begin() + std::max(low_, MaterialId(1)), end = parts_.begin() + high_ + 1;
-    return MaterialId(std::max_element(begin, end) - parts_.begin());
+    const auto begin = shares_.begin() + std::max(low_, MaterialId(1)), end = shares_.begin() + high_ + 1;
+    return MaterialId(std::max_element(begin, end) - shares_.begin());
   }
 
  private:
-  ByMaterial<float> parts_{};
+  ByMaterial<float> shares_{};
   MaterialId low_ = 255, high_ = 1;  // the range in use
 };
 
@@ -36,7 +36,7 @@ class MaterialParts {
 class LabelField {
  public:
   using Sample = std::uint16_t;
-  using Tally = MaterialParts;
+  using Tally = MaterialShares;
   struct Extent {
     MaterialId low = 255, high = 0;
   };
@@ -58,13 +58,13 @@ class LabelField {
     float variation = 0;
     const float membership =
         cell.interpolate([&](Sample label) { return material_of_[label] != kEmpty ? 1.0F : 0.0F; }, variation);
-    const float part = covered_fraction(membership - 0.5F, variation, membership >= 0.5F);
-    if (part == 0) return 0;
+    const float share = covered_fraction(membership - 0.5F, variation, membership >= 0.5F);
+    if (share == 0) return 0;
     const auto [x, y, z] = cell.weight;
     for (unsigned n = 0; n < 8; ++n)
       tally.add(material_of_[cell.corner[n]],
-                part * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
-    return part;
+                share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
+    return share;
   }
   template <class CellAt>
   [[nodiscard]] MaterialId material(const Tally& tally, const Vec3&, const CellAt&) const {
@@ -86,8 +86,8 @@ class GreyField {
  public:
   using Sample = float;
   struct Tally {
-    MaterialParts materials;
-    double covered = 0, value = 0;  ///< sums of the parts, and of part times grey value
+    MaterialShares materials;
+    double covered = 0, value = 0;  ///< sums of the shares, and of share times grey value
   };
   struct Extent {
     float low = std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
@@ -157,12 +157,12 @@ class GreyField {
     const float value = cell.interpolate([](Sample v) { return v; }, variation);
     const Run& run = run_of(value);
     const float depth = std::min(value - run.low, run.high - value);
-    const float part = covered_fraction(run.solid ? depth : -depth, variation, run.solid);
-    if (part == 0) return 0;
-    if (!graded_) tally.materials.add(nearest_material(run, value), part);
-    tally.covered += double(part);
-    tally.value += double(part) * double(value);
-    return part;
+    const float share = covered_fraction(run.solid ? depth : -depth, variation, run.solid);
+    if (share == 0) return 0;
+    if (!graded_) tally.materials.add(nearest_material(run, value), share);
+    tally.covered += double(share);
+    tally.value += double(share) * double(value);
+    return share;
   }
   template <class CellAt>
   [[nodiscard]] MaterialId material(const Tally& tally, const Vec3& place, const CellAt& cell_at) const {

@@ -197,10 +197,10 @@ class VolumeFiller {
         for (int a = 0; a < subsamples_; ++a) {
           const PointOnAxis& x = points[0][voxel[0] * subsamples_ + a];
           if (!x.inside) continue;
-          const double part = double(field_.count(cell_at(rows, x, y, z), tally));
-          if (part == 0) continue;
-          covered += part;
-          moment += part * Vec3(a, b, c);
+          const double share = double(field_.count(cell_at(rows, x, y, z), tally));
+          if (share == 0) continue;
+          covered += share;
+          moment += share * Vec3(a, b, c);
         }
       }
     const double fill = covered / (subsamples_ * subsamples_ * subsamples_);

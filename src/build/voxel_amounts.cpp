@@ -15,28 +15,28 @@ namespace {
 
 using Amounts = ByMaterial<double>;
 
-/// [samples] Part of each sample of an axis between two places.
-std::vector<double> parts_between(double low, double high, int count) {
-  std::vector<double> parts(std::size_t(count), 0.0);
+/// [samples] Share of each sample of an axis between two places.
+std::vector<double> shares_between(double low, double high, int count) {
+  std::vector<double> shares(std::size_t(count), 0.0);
   for (int n = 0; n < count; ++n)
-    parts[std::size_t(n)] = std::clamp(std::min(high, n + 0.5) - std::max(low, n - 0.5), 0.0, 1.0);
-  return parts;
+    shares[std::size_t(n)] = std::clamp(std::min(high, n + 0.5) - std::max(low, n - 0.5), 0.0, 1.0);
+  return shares;
 }
 
 /// [samples] Amount of each material within the box of the voxels.
 Amounts amounts_of_labels(const LabelVolume& volume, const std::vector<MaterialId>& material_of,
                           const IndexBox& samples, const std::array<Vec3, 2>& voxels) {
-  std::array<std::vector<double>, 3> parts;
+  std::array<std::vector<double>, 3> shares;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    parts[axis] = parts_between(voxels[0][int(axis)], voxels[1][int(axis)], volume.dims[axis]);
+    shares[axis] = shares_between(voxels[0][int(axis)], voxels[1][int(axis)], volume.dims[axis]);
   const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
   const auto add_slices = [&](const tbb::blocked_range<int>& slices, Amounts amounts) {
     for (int k = slices.begin(); k != slices.end(); ++k)
       for (int j = samples.min[1]; j <= samples.max[1]; ++j) {
-        const double part = parts[2][std::size_t(k)] * parts[1][std::size_t(j)];
+        const double share = shares[2][std::size_t(k)] * shares[1][std::size_t(j)];
         const std::uint16_t* row = &volume.at(0, j, k);
         for (int i = samples.min[0]; i <= samples.max[0]; ++i)
-          amounts[material_of[row[i]]] += part * parts[0][std::size_t(i)];
+          amounts[material_of[row[i]]] += share * shares[0][std::size_t(i)];
       }
     return amounts;
   };

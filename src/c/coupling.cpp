@@ -80,7 +80,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     put(tick.hand.torque, own.torque);
     own.removed_volume = tick.removed_volume;
     own.removed_voxels = tick.removed_voxels.size();
-    own.sub_steps = std::uint32_t(tick.parts);
+    own.sub_steps = std::uint32_t(tick.sub_ticks);
     put(tick.X_WH, own.X_WH);
     put(tick.first_touched, own.first_touched);
     write_struct(own, result);

@@ -17,8 +17,8 @@ constexpr std::uint32_t kClosing = 1U << 31;  // bit of Slot::users
 
 struct Slot {
   std::atomic<hapticut_handle> handle{0};
-  std::atomic<std::uint32_t> users{0};  // number of threads that hold the slot
-  std::shared_ptr<Object> object;       // changes only while no thread holds the slot
+  std::atomic<std::uint32_t> users{0};  // number of threads that have pinned the slot
+  std::shared_ptr<Object> object;       // changes only while no thread has pinned the slot
 };
 
 struct Table {
@@ -89,7 +89,7 @@ hapticut_handle add_object(Kind kind, std::shared_ptr<Object> object) {
   return handle;
 }
 
-const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int& code) noexcept {
+const std::shared_ptr<Object>* pin_slot(hapticut_handle handle, Kind kind, int& code) noexcept {
   if (kind_of(handle) != kind || handle == 0) {
     code = fail_stale(handle, kind);
     return nullptr;
@@ -104,13 +104,13 @@ const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int&
   return &slot.object;
 }
 
-void release_slot(hapticut_handle handle) noexcept { slot_of(handle).users.fetch_sub(1, std::memory_order_release); }
+void unpin_slot(hapticut_handle handle) noexcept { slot_of(handle).users.fetch_sub(1, std::memory_order_release); }
 
 int release_object(hapticut_handle handle) noexcept {
   if (handle == 0 || kind_of(handle) == Kind::none) return fail_stale(handle, Kind::none);
   Slot& slot = slot_of(handle);
   std::uint32_t users = 0;
-  // A thread with a stale handle holds the slot for a moment; a thread in a call holds it longer.
+  // A thread with a stale handle pins the slot for a moment, a thread in a call for longer.
   for (int tries = 0; !slot.users.compare_exchange_strong(users, kClosing, std::memory_order_acq_rel); users = 0) {
     if (slot.handle.load(std::memory_order_acquire) != handle) return fail_stale(handle, Kind::none);
     if (++tries == 100) return fail(HAPTICUT_ERROR_BUSY, "Another thread is in a call with this handle; try again.");

@@ -49,22 +49,22 @@ class Object {
 /// Releases a handle, and its object if no other object needs it.
 int release_object(hapticut_handle handle) noexcept;
 
-/// Finds an object and holds its slot.  @return null when the handle is not of this kind; `code` and its sentence are
+/// Finds an object and pins its slot.  @return null when the handle is not of this kind; `code` and its sentence are
 /// set
 /// @realtime no allocation, no lock, when it succeeds
-[[nodiscard]] const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int& code) noexcept;
-void release_slot(hapticut_handle handle) noexcept;
+[[nodiscard]] const std::shared_ptr<Object>* pin_slot(hapticut_handle handle, Kind kind, int& code) noexcept;
+void unpin_slot(hapticut_handle handle) noexcept;
 
 /// Represents a thread in a call: the object stays alive, and no other thread is in the same lane.
-/// @realtime like hold_slot
+/// @realtime like pin_slot
 template <class T>
 class Use {
  public:
   explicit Use(hapticut_handle handle, Lane lane = Lane::first) noexcept : handle_(handle), lane_(lane) {
-    shared_ = hold_slot(handle, T::kKind, code_);
+    shared_ = pin_slot(handle, T::kKind, code_);
     if (shared_ == nullptr) return;
     if (!(*shared_)->enter(lane)) {
-      release_slot(handle);
+      unpin_slot(handle);
       shared_ = nullptr;
       code_ = fail(HAPTICUT_ERROR_BUSY, "Another thread is in a call with this handle; try again.");
     }
@@ -72,7 +72,7 @@ class Use {
   ~Use() {
     if (shared_ == nullptr) return;
     (*shared_)->leave(lane_);
-    release_slot(handle_);
+    unpin_slot(handle_);
   }
   Use(const Use&) = delete;
   Use& operator=(const Use&) = delete;

@@ -103,10 +103,10 @@ int send(LoopObject& object, LoopCommand&& command) {
 template <class Ask>
 int request(hapticut_loop loop, Ask&& ask) noexcept {
   int code = HAPTICUT_OK;
-  const std::shared_ptr<Object>* held = hold_slot(loop, Kind::loop, code);
-  if (held == nullptr) return code;
-  ask(static_cast<LoopObject*>(held->get())->loop.requests());
-  release_slot(loop);
+  const std::shared_ptr<Object>* pinned = pin_slot(loop, Kind::loop, code);
+  if (pinned == nullptr) return code;
+  ask(static_cast<LoopObject*>(pinned->get())->loop.requests());
+  unpin_slot(loop);
   return HAPTICUT_OK;
 }
 

@@ -182,10 +182,10 @@ int hapticut_loop_start(hapticut_simulation simulation, hapticut_device device, 
 int hapticut_loop_is_running(hapticut_loop loop, int* running) {
   if (running == nullptr) return fail(HAPTICUT_ERROR_ARGUMENT, "running is a null pointer; it must not be null.");
   int code = HAPTICUT_OK;
-  const std::shared_ptr<Object>* held = hold_slot(loop, Kind::loop, code);
-  if (held == nullptr) return code;
-  *running = static_cast<LoopObject*>(held->get())->loop.is_running() ? 1 : 0;
-  release_slot(loop);
+  const std::shared_ptr<Object>* pinned = pin_slot(loop, Kind::loop, code);
+  if (pinned == nullptr) return code;
+  *running = static_cast<LoopObject*>(pinned->get())->loop.is_running() ? 1 : 0;
+  unpin_slot(loop);
   return HAPTICUT_OK;
 }
 

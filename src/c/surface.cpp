@@ -14,7 +14,7 @@
 namespace hapticut::c {
 namespace {
 
-constexpr std::size_t kMaxHeld = 4096;   // pages
+constexpr std::size_t kMaxLent = 4096;   // pages
 constexpr std::size_t kMaxBlocks = 256;  // [blocks] received in one call, so that a call is short
 
 class SurfaceObject final : public Object {
@@ -32,33 +32,33 @@ class SurfaceObject final : public Object {
     owner.retire(std::move(feed));
   }
 
-  struct Held {
+  struct LentPage {
     std::uint64_t ticket = 0;  // 0: free
     SurfacePage page;
   };
 
   /// A free page, whose memory is reused.
-  Held& free_page() {
+  LentPage& free_page() {
     const auto found = std::find_if(pages.begin(), pages.end(), [](const auto& one) { return one->ticket == 0; });
     if (found != pages.end()) return **found;
-    if (pages.size() == kMaxHeld)
+    if (pages.size() == kMaxLent)
       throw Refusal(HAPTICUT_ERROR_FULL, "4096 pages of this surface are held; call hapticut_surface_release_page.");
-    return *pages.emplace_back(std::make_unique<Held>());
+    return *pages.emplace_back(std::make_unique<LentPage>());
   }
 
   const std::shared_ptr<SimulationObject> simulation;
   std::shared_ptr<ChangeFeed> feed;
   SurfaceStream stream;
   const IndexBox bounds;
-  std::vector<std::unique_ptr<Held>> pages;
+  std::vector<std::unique_ptr<LentPage>> pages;
   std::uint64_t tickets = 0;
 };
 
-void put_page(const SurfaceObject::Held& held, const GridFrame& frame, hapticut_page& own) {
+void put_page(const SurfaceObject::LentPage& lent, const GridFrame& frame, hapticut_page& own) {
   static_assert(sizeof(SurfaceVertex) == sizeof(hapticut_vertex) &&
                 offsetof(SurfaceVertex, material) == offsetof(hapticut_vertex, material) &&
                 offsetof(SurfaceVertex, normal) == offsetof(hapticut_vertex, normal));
-  const SurfacePage& page = held.page;
+  const SurfacePage& page = lent.page;
   own.vertex_count = std::uint32_t(page.vertices.size());
   own.index_count = std::uint32_t(page.indices.size());
   std::copy(page.origin.begin(), page.origin.end(), own.origin);
@@ -67,7 +67,7 @@ void put_page(const SurfaceObject::Held& held, const GridFrame& frame, hapticut_
   own.indices = page.indices.data();
   put(Pose{frame.X_WV.rotation, frame.center(page.origin)}, own.X_WP);
   own.step = frame.voxel_size / SurfaceVertex::kStepsPerVoxel;
-  own.ticket = held.ticket;
+  own.ticket = lent.ticket;
 }
 
 }  // namespace
@@ -95,11 +95,11 @@ int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
     for (std::size_t n = 0; n < kMaxBlocks && use->feed->receive(block); ++n)
       if (!use->stream.update(block.origin, block.material.data(), block.fill.data()))
         throw Error("The workpiece has grown beyond this surface; open another surface.");
-    SurfaceObject::Held& held = use->free_page();
-    if (!use->stream.next_page(held.page)) return HAPTICUT_NOTHING;
-    held.ticket = ++use->tickets;
+    SurfaceObject::LentPage& lent = use->free_page();
+    if (!use->stream.next_page(lent.page)) return HAPTICUT_NOTHING;
+    lent.ticket = ++use->tickets;
     hapticut_page own{};
-    put_page(held, use->stream.frame(), own);
+    put_page(lent, use->stream.frame(), own);
     write_struct(own, page);
     return HAPTICUT_OK;
   });

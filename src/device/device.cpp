@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/at_end.hpp"
-#include "device/run_slots.hpp"
+#include "device/running_loops.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/triple_buffer.hpp"
 
@@ -33,7 +33,7 @@ struct Device::Latest {
 Device::Device(std::string name, DeviceCapabilities capabilities)
     : name_(std::move(name)), capabilities_(std::move(capabilities)), latest_(std::make_unique<Latest>()) {}
 
-Device::~Device() { HAPTICUT_ASSERT(phase_ == Phase::idle); }
+Device::~Device() { HAPTICUT_ASSERT(run_state_ == RunState::idle); }
 
 DeviceState Device::state() const {
   const std::lock_guard lock(latest_->readers);
@@ -65,10 +65,10 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     throw Error("Device::run"_name + " needs a callback; pass a function from DeviceState to DeviceCommand.");
   require_fields_within(asked, "RunOptions::");
   require_within(asked.guard.period, range_of(&GuardOptions::period), "GuardOptions::period [s]");
-  Phase idle = Phase::idle;
-  if (!phase_.compare_exchange_strong(idle, Phase::beginning))
+  RunState idle = RunState::idle;
+  if (!run_state_.compare_exchange_strong(idle, RunState::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
-  const AtEnd idle_again([this] { phase_.store(Phase::idle); });
+  const AtEnd idle_again([this] { run_state_.store(RunState::idle); });
   RunOptions options = asked;
   options.guard.period = choose_period(asked.guard.period);
   {
@@ -77,21 +77,21 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   }
   const AtEnd off_again([this] { guard_->stop(); });
   requests_.forget_stop();  // only here: from now on other threads see the run and may stop it
-  phase_.store(Phase::running, std::memory_order_release);
+  run_state_.store(RunState::running, std::memory_order_release);
   const bool crashes = options.stop_on_crash && !options.simulated_time;  // no hand feels the force in simulated time
-  const int slot_number = run_slots::acquire(crashes);
-  if (slot_number < 0)
-    throw Error("More than " + std::to_string(run_slots::kSlots) +
+  const int loop_number = running_loops::acquire(crashes);
+  if (loop_number < 0)
+    throw Error("More than " + std::to_string(running_loops::kMaxLoops) +
                 " devices would be running at once in this process; stop one first.");
-  if (options.stop_on_signals) run_slots::catch_signals();
-  if (crashes) run_slots::catch_crashes();
+  if (options.stop_on_signals) running_loops::catch_signals();
+  if (crashes) running_loops::catch_crashes();
   const AtEnd process_again([&] {
-    run_slots::give_back(slot_number);
-    if (crashes) run_slots::release_crashes();
-    if (options.stop_on_signals) run_slots::release_signals();
+    running_loops::give_back(loop_number);
+    if (crashes) running_loops::release_crashes();
+    if (options.stop_on_signals) running_loops::release_signals();
   });
   Servo servo(*this, *guard_, callback, options);
-  servo.slot_ = slot_number;
+  servo.loop_number_ = loop_number;
   servo.report_.period = options.guard.period;
   if (options.guard.period != asked.guard.period)
     servo.warn("The device \"" + name_ + "\" imposes its own period: " + format_number(asked.guard.period) +
@@ -103,11 +103,11 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     if (!options.simulated_time)
       watchdog = std::make_unique<WatchdogThread>(
           Watchdog(options.guard.watchdog, options.guard.period), guard_->heartbeat(),
-          [this, &slot = run_slots::slot(slot_number)](Watchdog::Verdict verdict, double scale) {
+          [this, &loop = running_loops::loop(loop_number)](Watchdog::Verdict verdict, double scale) {
             // A loop that does not handle an emergency stop may have crashed itself: its force is not faded out.
-            if (slot.emergency.load(std::memory_order_acquire)) scale = 0;
+            if (loop.emergency.load(std::memory_order_acquire)) scale = 0;
             scale_output(scale);
-            if (scale <= 0) slot.quiet.store(true, std::memory_order_release);
+            if (scale <= 0) loop.quiet.store(true, std::memory_order_release);
             guard_->report_silence(verdict, scale);
           });
     servo.report_.end = drive(servo, options);
@@ -134,8 +134,8 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   else if (const double waited = began - last_began_; in_real_time_ && waited > guard_.period())
     guard_.report_wait(waited);  // a driver that has its own clock may catch up
   last_began_ = began;
-  run_slots::Slot& slot = run_slots::slot(slot_);
-  if (slot.emergency.exchange(false, std::memory_order_acq_rel)) device_.emergency_stop();
+  running_loops::RunningLoop& loop = running_loops::loop(loop_number_);
+  if (loop.emergency.exchange(false, std::memory_order_acq_rel)) device_.emergency_stop();
 
   const DeviceState& state = guard_.admit(reading);
   if (guard_.repeats()) {
@@ -154,7 +154,7 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error)
     report_lost(reading.fault);
   Wrench wrench = guard_.limit(command_.wrench, command_.contact);
-  slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
+  loop.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
   publish(state);
   report_.compute.add(monotonic_time() - began);
   return wrench;
@@ -172,7 +172,7 @@ void Servo::publish(const DeviceState& state) noexcept {
 
 bool Servo::should_end() const noexcept {
   return callback_ended_ || time_is_up_ || lost_ || exception_ || device_.requests_.stop_wanted() ||
-         run_slots::slot(slot_).stop.load(std::memory_order_acquire);
+         running_loops::loop(loop_number_).stop.load(std::memory_order_acquire);
 }
 
 const char* Servo::why_it_ended() const noexcept {
@@ -182,7 +182,7 @@ const char* Servo::why_it_ended() const noexcept {
 
 Wrench Servo::fading_force(int n) noexcept {
   guard_.keep_alive();
-  const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
+  const bool emergency = device_.requests_.emergency() || running_loops::loop(loop_number_).emergency.load();
   const bool may_fade = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
   if (!may_fade) return {};
   const double scale = 1 - double(n + 1) / std::max(1.0, std::round(kFadeOut / guard_.period()));

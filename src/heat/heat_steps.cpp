@@ -37,11 +37,11 @@ void HeatField::advance(double dt) {
   require_within(dt, Range::not_negative(), "HeatField::advance: dt [s]");
   refresh_changed();
   if (rate_ == 0) rate_ = max_rate();
-  const auto parts = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
-  for (std::uint64_t n = 0; n < parts; ++n) {
+  const auto sub_steps = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
+  for (std::uint64_t n = 0; n < sub_steps; ++n) {
     look_for_interruption();
-    step(dt / double(parts));
-    count_dose(dt / double(parts));
+    step(dt / double(sub_steps));
+    count_dose(dt / double(sub_steps));
   }
 }
 

@@ -41,28 +41,28 @@ namespace hapticut {
 /// The lines that begin with # at the start of a text.
 [[nodiscard]] std::string_view leading_comments(std::string_view text);
 
-/// The parts of a list between commas.
-[[nodiscard]] inline std::vector<std::string> parts_of(std::string_view list) {
-  std::vector<std::string> parts;
+/// The items of a list between commas.
+[[nodiscard]] inline std::vector<std::string> items_of(std::string_view list) {
+  std::vector<std::string> items;
   for (std::size_t at = 0; at < list.size();) {
     const std::size_t end = std::min(list.find(',', at), list.size());
-    parts.emplace_back(list.substr(at, end - at));
+    items.emplace_back(list.substr(at, end - at));
     at = end + 1;
   }
-  return parts;
+  return items;
 }
 
-/// Appends a part to a list.
-inline void append_part(std::string& list, std::string_view part, std::string_view separator = ",") {
+/// Appends an item to a list.
+inline void append_item(std::string& list, std::string_view item, std::string_view separator = ",") {
   if (!list.empty()) list += separator;
-  list += part;
+  list += item;
 }
 
 /// Words separated by blanks.
 template <class Words>
 [[nodiscard]] std::string in_one_line(const Words& words) {
   std::string line;
-  for (const std::string_view word : words) append_part(line, word, " ");
+  for (const std::string_view word : words) append_item(line, word, " ");
   return line;
 }
 

@@ -41,7 +41,7 @@ class JoinedSets {
 /// Pieces that were one body before belong to one group; one piece of each group stays.
 class IslandSearch {
  public:
-  using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // voxels of a piece, by number of the block
+  using PieceBlocks = std::vector<std::pair<std::size_t, BlockMask>>;  // voxels of a piece, by number of the block
 
   explicit IslandSearch(const IslandFinder& finder) : finder_(finder) {}
 
@@ -56,8 +56,8 @@ class IslandSearch {
       ++groups_[groups_.root(group)].open;
       grow(piece);
       enqueue(piece);
-      for (const Part& part : found_[block])  // parts of other groups must still be met
-        if (!(one & part.voxels).empty()) seeds = seeds.without(part.voxels);
+      for (const PieceInBlock& found : found_[block])  // those of other groups must still be met
+        if (!(one & found.voxels).empty()) seeds = seeds.without(found.voxels);
     }
   }
 
@@ -82,23 +82,23 @@ class IslandSearch {
   [[nodiscard]] BlockMask found_in(std::size_t block) const {
     BlockMask all = {};
     if (const auto here = found_.find(block); here != found_.end())
-      for (const Part& part : here->second) all = all | part.voxels;
+      for (const PieceInBlock& found : here->second) all = all | found.voxels;
     return all;
   }
 
   /// The closed pieces, except the one of each group that stays.
-  [[nodiscard]] std::vector<Parts> islands() {
-    std::unordered_map<std::size_t, Parts> parts;
+  [[nodiscard]] std::vector<PieceBlocks> islands() {
+    std::unordered_map<std::size_t, PieceBlocks> blocks_of;
     for (const auto& [block, here] : found_)
-      for (const Part& part : here) parts[pieces_.root(part.piece)].emplace_back(block, part.voxels);
-    for (auto& [piece, all] : parts) std::ranges::sort(all);
+      for (const PieceInBlock& found : here) blocks_of[pieces_.root(found.piece)].emplace_back(block, found.voxels);
+    for (auto& [piece, all] : blocks_of) std::ranges::sort(all);
     std::unordered_map<std::size_t, std::size_t> stays;  // piece of each group
-    for (const auto& [piece, all] : parts) {
+    for (const auto& [piece, all] : blocks_of) {
       const auto [known, first] = stays.try_emplace(groups_.root(pieces_[piece].group), piece);
-      if (!first && is_preferred(piece, known->second, parts)) known->second = piece;
+      if (!first && is_preferred(piece, known->second, blocks_of)) known->second = piece;
     }
-    std::vector<Parts> islands;
-    for (auto& [piece, all] : parts) {
+    std::vector<PieceBlocks> islands;
+    for (auto& [piece, all] : blocks_of) {
       const Piece& of = pieces_[piece];
       const std::size_t group = groups_.root(of.group);
       if (!of.open && !of.fixed && (groups_[group].lost_fixed || stays[group] != piece))
@@ -122,7 +122,7 @@ class IslandSearch {
     bool fixed = false;       // a piece of it is fixed
     bool lost_fixed = false;  // perhaps none is
   };
-  struct Part {
+  struct PieceInBlock {
     BlockMask voxels;  // joined inside the block
     std::size_t piece;
   };
@@ -141,23 +141,24 @@ class IslandSearch {
     return pieces_[piece].voxels > group.closed;
   }
 
-  [[nodiscard]] bool is_preferred(std::size_t a, std::size_t b, std::unordered_map<std::size_t, Parts>& parts) {
+  [[nodiscard]] bool is_preferred(std::size_t a, std::size_t b,
+                                  std::unordered_map<std::size_t, PieceBlocks>& blocks_of) {
     const Piece &of_a = pieces_[a], &of_b = pieces_[b];
     if (of_a.fixed != of_b.fixed) return of_a.fixed;
     if (of_a.open != of_b.open) return of_a.open;
     if (of_a.voxels != of_b.voxels) return of_a.voxels > of_b.voxels;
-    return parts[a] < parts[b];
+    return blocks_of[a] < blocks_of[b];
   }
 
   /// Grows a piece by one block.
   void grow(std::size_t piece) {
     auto [block, bits] = pieces_[piece].frontier.back();
     pieces_[piece].frontier.pop_back();
-    std::vector<Part>& here = found_[block];
-    for (Part& part : here)
-      if (!(bits & part.voxels).empty()) {
-        bits = bits.without(part.voxels);
-        piece = join(piece, pieces_.root(part.piece));
+    std::vector<PieceInBlock>& here = found_[block];
+    for (PieceInBlock& found : here)
+      if (!(bits & found.voxels).empty()) {
+        bits = bits.without(found.voxels);
+        piece = join(piece, pieces_.root(found.piece));
       }
     bits = bits.joined(finder_.solid_[block]);
     if (!bits.empty()) {
@@ -225,7 +226,7 @@ class IslandSearch {
   const IslandFinder& finder_;
   JoinedSets<Piece> pieces_;
   JoinedSets<Group> groups_;
-  std::unordered_map<std::size_t, std::vector<Part>> found_;  // by number of the block
+  std::unordered_map<std::size_t, std::vector<PieceInBlock>> found_;  // by number of the block
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting_;
 };
 

@@ -173,14 +173,14 @@ std::vector<Island> IslandFinder::find() {
   }
   search.grow_until_settled();
   std::vector<Island> islands;
-  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(extract(parts));
+  for (const IslandSearch::PieceBlocks& blocks : search.islands()) islands.push_back(extract(blocks));
   return islands;
 }
 
 /// Makes an island of a piece, with the blocks around it that may hold its skin, and treats it as removed.
-Island IslandFinder::extract(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
+Island IslandFinder::extract(const std::vector<std::pair<std::size_t, BlockMask>>& blocks) {
   std::map<std::size_t, BlockMask> all;
-  for (const auto& [block, voxels] : parts) {
+  for (const auto& [block, voxels] : blocks) {
     solid_[block] = solid_[block].without(voxels);
     all[block] = all[block] | voxels;
     const VoxelIndex origin = blocks_.origin_of(block);
@@ -207,7 +207,7 @@ std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions
     search.grow_all();
   }
   std::vector<Island> islands;
-  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.extract(parts));
+  for (const IslandSearch::PieceBlocks& blocks : search.islands()) islands.push_back(finder.extract(blocks));
   return islands;
 }
 

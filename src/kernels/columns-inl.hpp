@@ -124,13 +124,13 @@ struct Columns {
 };
 
 /// ContactSums of one vector of lanes.
-struct PressSums {
+struct ContactVectors {
   Vec of[ContactSums::kTerms];
   Vec depth;  // [m] maximum
   int voxels = 0;
   int whole = 0;  // whole ones among them, not counted in kFill
 
-  HWY_INLINE PressSums() : depth(broadcast(0.0F)) {
+  HWY_INLINE ContactVectors() : depth(broadcast(0.0F)) {
     for (Vec& sum : of) sum = broadcast(0.0F);
   }
   HWY_INLINE void add(int term, Wide value) { of[term] = of[term] + value.v; }

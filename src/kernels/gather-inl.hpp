@@ -32,14 +32,14 @@ class Gather {
         firsts_(steps_, Eigen::Vector3f::Zero()),
         middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)),
         job_(job) {
-    for (std::size_t part = 0; part < kParts; ++part) {
-      const Vec lane = hn::Iota(Floats(), float(part * kWidth));
+    for (std::size_t vector = 0; vector < kVectors; ++vector) {
+      const Vec lane = hn::Iota(Floats(), float(vector * kWidth));
       const Vec j = hn::IfThenElseZero(lane >= broadcast(8.0F), broadcast(1.0F));
       const Vec k = hn::NegMulAdd(j, broadcast(8.0F), lane);
       const auto offset = [&](int axis) HWY_ATTR {
         return hn::MulAdd(j, broadcast(steps_(axis, 1)), k * broadcast(steps_(axis, 2)));
       };
-      lane_offsets_[part] = {offset(0), offset(1), offset(2)};
+      lane_offsets_[vector] = {offset(0), offset(1), offset(2)};
     }
   }
 
@@ -76,17 +76,17 @@ class Gather {
     static_assert(Springs::kCentral);  // because its bound is exact, also for a negative margin
     const Eigen::Vector3f base = first_voxel(block);
     std::uint32_t done = 0;
-    Place lanes[kParts];
+    Place lanes[kVectors];
     first_strip(base, lanes);
-    for (std::uint32_t rest = strips_within(base, deep) & strips_of_phase(block); rest != 0; rest &= rest - 1) {
+    for (std::uint32_t rest = strips_within(base, deep) & strips_of_subset(block); rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       if (block.solid != nullptr && (block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff) != 0xffff) continue;
-      Place r[kParts];
+      Place r[kVectors];
       Mask within = hn::FirstN(Floats(), kWidth);
-      for (std::size_t part = 0; part < kParts; ++part) {
-        r[part] = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
-                   lanes[part].z + broadcast(firsts_.z[strip])};
-        within = hn::And(within, deep.hits(r[part].x, r[part].y, r[part].z).m);
+      for (std::size_t vector = 0; vector < kVectors; ++vector) {
+        r[vector] = {lanes[vector].x + broadcast(firsts_.x[strip]), lanes[vector].y + broadcast(firsts_.y[strip]),
+                     lanes[vector].z + broadcast(firsts_.z[strip])};
+        within = hn::And(within, deep.hits(r[vector].x, r[vector].y, r[vector].z).m);
       }
       if (!hn::AllTrue(Floats(), within)) continue;
       done |= 1U << strip;
@@ -120,19 +120,20 @@ class Gather {
   template <class Found>
   HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
-    const std::uint32_t near = strips_within(base, strips_near_) & solid_strips(block) & strips_of_phase(block) & ~done;
+    const std::uint32_t near =
+        strips_within(base, strips_near_) & solid_strips(block) & strips_of_subset(block) & ~done;
     const std::uint32_t inner = strips_within(base, strips_inside_);
-    Place lanes[kParts];
+    Place lanes[kVectors];
     first_strip(base, lanes);
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       const auto solid =
           block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
-      for (std::size_t part = 0; part < kParts; ++part) {
-        const unsigned bits = solid >> (part * kWidth) & kAllLanes;
-        const int voxel = strip * kStripLanes + int(part * kWidth);
-        const Place r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
-                         lanes[part].z + broadcast(firsts_.z[strip])};
+      for (std::size_t vector = 0; vector < kVectors; ++vector) {
+        const unsigned bits = solid >> (vector * kWidth) & kAllLanes;
+        const int voxel = strip * kStripLanes + int(vector * kWidth);
+        const Place r = {lanes[vector].x + broadcast(firsts_.x[strip]), lanes[vector].y + broadcast(firsts_.y[strip]),
+                         lanes[vector].z + broadcast(firsts_.z[strip])};
         const unsigned hit = (inner >> strip & 1U) != 0 ? bits : bits & bits_of(near_.hits(r.x, r.y, r.z).m);
         if (hit != 0) found(voxel, r, hit);
       }
@@ -140,10 +141,10 @@ class Gather {
   }
 
   /// Positions of the voxels of a strip that begins at the block's first voxel.
-  HWY_INLINE void first_strip(const Eigen::Vector3f& base, Place (&lanes)[kParts]) const {
-    for (std::size_t part = 0; part < kParts; ++part)
-      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
-                     lane_offsets_[part].z + broadcast(base.z())};
+  HWY_INLINE void first_strip(const Eigen::Vector3f& base, Place (&lanes)[kVectors]) const {
+    for (std::size_t vector = 0; vector < kVectors; ++vector)
+      lanes[vector] = {lane_offsets_[vector].x + broadcast(base.x()), lane_offsets_[vector].y + broadcast(base.y()),
+                       lane_offsets_[vector].z + broadcast(base.z())};
   }
 
   [[nodiscard]] HWY_INLINE Eigen::Vector3f first_voxel(const BlockView& block) const {
@@ -179,17 +180,17 @@ class Gather {
     return strips;
   }
 
-  [[nodiscard]] HWY_INLINE std::uint32_t strips_of_phase(const BlockView& block) const {
+  [[nodiscard]] HWY_INLINE std::uint32_t strips_of_subset(const BlockView& block) const {
     if (job_.level_of_detail <= 1) return ~0U;
     std::uint32_t strips = 0;
     for (int strip = 0; strip < kStrips; ++strip)
-      strips |= std::uint32_t(job_.has_phase(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
+      strips |= std::uint32_t(job_.in_subset(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
     return strips;
   }
 
   const Bound near_;                         // bound on centres of voxels that may reach into the head
   const Bound strips_near_, strips_inside_;  // bounds on middles of strips with such voxels, and with no others
-  Place lane_offsets_[kParts];               // [m] offsets of the lanes of a strip, from the strip's first voxel
+  Place lane_offsets_[kVectors];             // [m] offsets of the lanes of a strip, from the strip's first voxel
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
   const ContactJob& job_;

@@ -14,9 +14,9 @@
 #include "hapticut/tool/head.hpp"
 
 /// The stages that work on one block, in the widest vector instructions of the machine, which are chosen when the
-/// program starts. They compute the same as the scalar functions of the public headers, within rounding: press_blocks
-/// as FoundationLaw::evaluate, the others as those of their names. The scalar functions are the reference in the tests,
-/// and they run when the library was built without Highway.
+/// program starts. They compute the same as the scalar functions of the public headers, within rounding:
+/// evaluate_blocks as FoundationLaw::evaluate, the others as those of their names. The scalar functions are the
+/// reference in the tests, and they run when the library was built without Highway.
 ///
 ///     a block: 8 x 8 x 8 voxels        a slab: the 64 voxels of one i; in memory k goes fastest, then j, then i
 ///
@@ -43,18 +43,18 @@
 /// Voxels are found strip by strip: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with NEON. A
 /// row is the unit of the kernels for laws at points, whose vectors have at most eight lanes.
 ///
-///     blocks -> Gather -> ReachedVoxels -> Press::collect -> Columns -> Stages::run                         -> sums
+///     blocks -> Gather -> ReachedVoxels -> BlockEvaluator -> Columns -> Stages::run                         -> sums
 ///               strips near the head,      in contact:       numbers    material, motion, 2. crushing,         new
 ///               voxels in it               springs, section  by column  3. chips, 4. springs, 5. recession,    fills
 ///                                                                       6. decay, 7. energies, forces
-///                                            '-> Whole: wholly inside a head that stands and removes nothing -> sums
+///                                            '-> WholeVoxels: in a head that stands and removes nothing -> sums
 ///                                                 (a ball's go there from Gather)
 ///
 /// Reading order. First the law, which contains the formulas and their reasons: force/laws/foundation.hpp, and the
 /// texts in hapticut/formulas that it includes; the kernels include the same. Then the main path:
 ///
 ///     kernels.hpp               input and output of the kernels
-///     press-inl.hpp             the main path: from blocks to the columns
+///     blocks-inl.hpp            the main path: from blocks to the columns
 ///     gather-inl.hpp            which voxels of a block may be inside the head
 ///     stages-inl.hpp            the default law on the columns, step by step
 ///     columns-inl.hpp           the columns, and the sums in vectors
@@ -111,20 +111,20 @@ struct ContactJob {
   const ContactMaterials& materials;
   bool damped;                   ///< some material has damping
   unsigned level_of_detail = 1;  ///< n: only one n-th of the strips is evaluated
-  unsigned phase = 0;            ///< which of them
+  unsigned subset = 0;           ///< number of the subset, 0 ... n-1
   bool writes_fills = true;      ///< false: nobody needs the new fills and changes
 
-  /// Whether a strip is evaluated in this phase. Strips alternate by diagonal planes.
+  /// Whether a strip is in the subset that is evaluated. Strips alternate by diagonal planes.
   /// @param origin  of the block
   /// @param slab    0 ... 7, index of the strip along i
   /// @param strip   0 ... 3, index along j
-  [[nodiscard]] bool has_phase(const VoxelIndex& origin, int slab, int strip) const {
-    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + phase) % level_of_detail == 0;
+  [[nodiscard]] bool in_subset(const VoxelIndex& origin, int slab, int strip) const {
+    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + subset) % level_of_detail == 0;
   }
 };
 
 /// Result of all blocks of a sub-step.
-struct ContactOutcome {
+struct ContactTotals {
   Resultant resultant;
   LawEnergies energies;
 };
@@ -133,9 +133,9 @@ struct ContactOutcome {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : ContactOutcome {  // the scalar reference sums the results
-  ByMaterial<double> removed = {};     ///< [voxels] filled volume that was removed, by MaterialId
-  double helped = 0;                   ///< [J] LawTotals::helped
+struct ContactSums : ContactTotals {  // the scalar reference sums the results
+  ByMaterial<double> removed = {};    ///< [voxels] filled volume that was removed, by MaterialId
+  double helped = 0;                  ///< [J] LawTotals::helped
 };
 struct StiffnessSums {  // likewise
   Stiffness sum = Stiffness::Zero();
@@ -156,7 +156,7 @@ struct FrictionSums {  // likewise
 namespace hapticut::kernels {
 
 /// One block to evaluate: its content, the target of its new fills, and its changes.
-struct PressTask {
+struct BlockTask {
   BlockView block;
   float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`; null with
                                 ///< ContactJob::writes_fills = false
@@ -167,15 +167,15 @@ struct PressTask {
 
 /// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` together, as stages over columns of samples. The step
 /// runs this kernel unless it has another law.
-/// @param sums       of the sub-step, to add to; `outcome_of` converts them
+/// @param sums       of the sub-step, to add to; `totals_of` converts them
 /// @param stiffness  sums to add to; null: not needed
 /// @param friction   sums to add to, of a standing head; null: not needed
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                  StiffnessSums* stiffness = nullptr, FrictionSums* friction = nullptr) noexcept;
+void evaluate_blocks(const ContactJob& job, std::span<BlockTask> tasks, ContactSums& sums,
+                     StiffnessSums* stiffness = nullptr, FrictionSums* friction = nullptr) noexcept;
 
 /// Converts the sums of a sub-step to its result. With a level of detail, the evaluated voxels stand for all; the
 /// removed volume is exact.
 /// @param voxel_volume  [m^3]
-[[nodiscard]] ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
+[[nodiscard]] ContactTotals totals_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 
 }  // namespace hapticut::kernels

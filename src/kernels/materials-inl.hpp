@@ -22,7 +22,7 @@ class ColumnMaterials {
  public:
   HWY_INLINE ColumnMaterials(const ContactJob& job, Columns& columns) : c_(columns), job_(job) {}
 
-  HWY_NOINLINE void set(std::span<PressTask> tasks) {
+  HWY_NOINLINE void set(std::span<BlockTask> tasks) {
     count_ = 0;
     if (c_.one_material != kEmpty)
       list(c_.one_material);
@@ -59,14 +59,14 @@ class ColumnMaterials {
   static constexpr std::size_t kConstants = C::kMaterial - C::kStiffness;
 
   /// Looks up the material of each voxel.
-  HWY_NOINLINE void list_all(std::span<PressTask> tasks) {
-    ByMaterial<bool> met = {};
+  HWY_NOINLINE void list_all(std::span<BlockTask> tasks) {
+    ByMaterial<bool> seen = {};
     for (int n = 0; n < c_.count; ++n) {
       const auto at = unsigned(c_.index[n]);
       const BlockView& block = tasks[at / kBlockVoxels].block;
       const MaterialId id = block.material == nullptr ? block.uniform_material : block.material[at % kBlockVoxels];
       c_.of[C::kMaterial][n] = float(id);
-      if (!std::exchange(met[id], true)) list(id);
+      if (!std::exchange(seen[id], true)) list(id);
     }
   }
   void list(MaterialId id) {

@@ -20,32 +20,32 @@ using Vec = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
 using RowWide = formulas::WideOf<Floats>;
 constexpr std::size_t kWidth = hn::MaxLanes(Floats());
-constexpr std::size_t kParts = kLanes / kWidth;
+constexpr std::size_t kVectors = kLanes / kWidth;
 
 HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }
 
-/// Lanes `part * kWidth ...` of the eight bits of a row.
-HWY_INLINE Mask mask_of(unsigned bits, std::size_t part) {
-  std::uint8_t shifted[8] = {std::uint8_t(bits >> (part * kWidth))};  // Highway may read eight bytes
+/// Lanes `vector * kWidth ...` of the eight bits of a row.
+HWY_INLINE Mask mask_of(unsigned bits, std::size_t vector) {
+  std::uint8_t shifted[8] = {std::uint8_t(bits >> (vector * kWidth))};  // Highway may read eight bytes
   return hn::LoadMaskBits(Floats(), shifted);
 }
 
-HWY_INLINE unsigned bits_of(Mask mask, std::size_t part) {
+HWY_INLINE unsigned bits_of(Mask mask, std::size_t vector) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(Floats(), mask, bits);
-  return unsigned(bits[0]) << (part * kWidth);
+  return unsigned(bits[0]) << (vector * kWidth);
 }
 
 /// One running sum per lane of a row.
 struct LaneSum {
-  Vec part[kParts];
+  Vec vector[kVectors];
   HWY_INLINE LaneSum() {
-    for (Vec& v : part) v = hn::Zero(Floats());
+    for (Vec& v : vector) v = hn::Zero(Floats());
   }
   /// The lanes added up in double precision, from the first to the last.
   HWY_INLINE double total() const {
     alignas(64) float lanes[kLanes];
-    for (std::size_t p = 0; p < kParts; ++p) hn::Store(part[p], Floats(), lanes + p * kWidth);
+    for (std::size_t p = 0; p < kVectors; ++p) hn::Store(vector[p], Floats(), lanes + p * kWidth);
     double sum = 0;
     for (const float lane : lanes) sum += double(lane);
     return sum;
@@ -78,10 +78,10 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
     if (solid == 0) continue;
     const Eigen::Vector3f start = base + steps.col(0) * float(row >> 3) + steps.col(1) * float(row & 7);
     unsigned inside = 0;
-    for (std::size_t part = 0; part < kParts; ++part) {
-      const int voxel = row * kLanes + int(part * kWidth);
-      const std::size_t n = std::size_t(out.rows) * kLanes + part * kWidth;
-      const Vec k = hn::Iota(d, float(part * kWidth));
+    for (std::size_t vector = 0; vector < kVectors; ++vector) {
+      const int voxel = row * kLanes + int(vector * kWidth);
+      const std::size_t n = std::size_t(out.rows) * kLanes + vector * kWidth;
+      const Vec k = hn::Iota(d, float(vector * kWidth));
       Vec x = hn::MulAdd(k, broadcast(steps(0, 2)), broadcast(start.x()));
       Vec y = hn::MulAdd(k, broadcast(steps(1, 2)), broadcast(start.y()));
       Vec z = hn::MulAdd(k, broadcast(steps(2, 2)), broadcast(start.z()));
@@ -99,9 +99,9 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
         z = shifted(z, 2);
       }
       const formulas::SpatialSpring<RowWide> spring = springs.at(x, y, z);
-      const Mask may_be_inside = hn::And(bound.hits(x, y, z).m, mask_of(solid, part));
+      const Mask may_be_inside = hn::And(bound.hits(x, y, z).m, mask_of(solid, vector));
       const Mask is_inside = hn::And((spring.depth > 0).m, may_be_inside);
-      inside |= bits_of(is_inside, part);
+      inside |= bits_of(is_inside, vector);
       const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(d, block.fill + voxel);
       hn::Store(x, d, &out.x[n]);
       hn::Store(y, d, &out.y[n]);
@@ -131,30 +131,30 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest, normal, area;
   LaneSum push_x, push_y, push_z, moment_x, moment_y, moment_z;
   for (int row = 0; row < b.rows; ++row)
-    for (std::size_t part = 0; part < kParts; ++part) {
-      const std::size_t n = std::size_t(row) * kLanes + part * kWidth;
+    for (std::size_t vector = 0; vector < kVectors; ++vector) {
+      const std::size_t n = std::size_t(row) * kLanes + vector * kWidth;
       const Vec fx = hn::Load(d, &b.force_x[n]), fy = hn::Load(d, &b.force_y[n]), fz = hn::Load(d, &b.force_z[n]);
       const Vec x = hn::Load(d, &b.x[n]), y = hn::Load(d, &b.y[n]), z = hn::Load(d, &b.z[n]);
-      force_x.part[part] = force_x.part[part] + fx;
-      force_y.part[part] = force_y.part[part] + fy;
-      force_z.part[part] = force_z.part[part] + fz;
-      torque_x.part[part] = torque_x.part[part] + hn::MulSub(y, fz, z * fy);
-      torque_y.part[part] = torque_y.part[part] + hn::MulSub(z, fx, x * fz);
-      torque_z.part[part] = torque_z.part[part] + hn::MulSub(x, fy, y * fx);
-      fill.part[part] = fill.part[part] + hn::Load(d, &b.fill[n]);
+      force_x.vector[vector] = force_x.vector[vector] + fx;
+      force_y.vector[vector] = force_y.vector[vector] + fy;
+      force_z.vector[vector] = force_z.vector[vector] + fz;
+      torque_x.vector[vector] = torque_x.vector[vector] + hn::MulSub(y, fz, z * fy);
+      torque_y.vector[vector] = torque_y.vector[vector] + hn::MulSub(z, fx, x * fz);
+      torque_z.vector[vector] = torque_z.vector[vector] + hn::MulSub(x, fy, y * fx);
+      fill.vector[vector] = fill.vector[vector] + hn::Load(d, &b.fill[n]);
       const Vec nx = hn::Load(d, &b.normal_x[n]), ny = hn::Load(d, &b.normal_y[n]), nz = hn::Load(d, &b.normal_z[n]);
       const Vec along = hn::MulAdd(fx, nx, hn::MulAdd(fy, ny, fz * nz));
-      normal.part[part] = normal.part[part] + along;
-      push_x.part[part] = hn::MulAdd(along, nx, push_x.part[part]);
-      push_y.part[part] = hn::MulAdd(along, ny, push_y.part[part]);
-      push_z.part[part] = hn::MulAdd(along, nz, push_z.part[part]);
-      moment_x.part[part] = hn::NegMulAdd(along, x, moment_x.part[part]);
-      moment_y.part[part] = hn::NegMulAdd(along, y, moment_y.part[part]);
-      moment_z.part[part] = hn::NegMulAdd(along, z, moment_z.part[part]);
+      normal.vector[vector] = normal.vector[vector] + along;
+      push_x.vector[vector] = hn::MulAdd(along, nx, push_x.vector[vector]);
+      push_y.vector[vector] = hn::MulAdd(along, ny, push_y.vector[vector]);
+      push_z.vector[vector] = hn::MulAdd(along, nz, push_z.vector[vector]);
+      moment_x.vector[vector] = hn::NegMulAdd(along, x, moment_x.vector[vector]);
+      moment_y.vector[vector] = hn::NegMulAdd(along, y, moment_y.vector[vector]);
+      moment_z.vector[vector] = hn::NegMulAdd(along, z, moment_z.vector[vector]);
       const Vec smooth = hn::Load(d, &b.smooth[n]),
                 scale = hn::IfThenElse(smooth > hn::Zero(d), broadcast(float(kSmoothScale)), broadcast(1.0F));
-      area.part[part] = hn::MulAdd(scale, hn::Load(d, &b.exposed[n]), area.part[part]);
-      deepest.part[part] = hn::Max(deepest.part[part], hn::Load(d, &b.depth[n]));
+      area.vector[vector] = hn::MulAdd(scale, hn::Load(d, &b.exposed[n]), area.vector[vector]);
+      deepest.vector[vector] = hn::Max(deepest.vector[vector], hn::Load(d, &b.depth[n]));
     }
   total.wrench_T.force += Vec3(force_x.total(), force_y.total(), force_z.total());
   total.wrench_T.torque += Vec3(torque_x.total(), torque_y.total(), torque_z.total());
@@ -164,7 +164,7 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   total.push_T += Vec3(push_x.total(), push_y.total(), push_z.total());
   total.moment_T += Vec3(moment_x.total(), moment_y.total(), moment_z.total());
   total.area += area.total();
-  for (const Vec& v : deepest.part) total.depth = std::max(total.depth, double(hn::GetLane(hn::MaxOfLanes(d, v))));
+  for (const Vec& v : deepest.vector) total.depth = std::max(total.depth, double(hn::GetLane(hn::MaxOfLanes(d, v))));
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -9,14 +9,14 @@
 namespace hapticut::kernels {
 namespace {
 
-/// Leaves out strips that are not evaluated in this phase.
-BlockView with_phase(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
+/// Leaves out the strips of other subsets.
+BlockView of_subset(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
   BlockView view = block;
   solid = block.solid_voxels();
   for (int slab = 0; slab < kBlockEdge; ++slab) {
     std::uint64_t& word = solid.words[std::size_t(slab)];
     for (int strip = 0; strip < kBlockVoxels / kBlockEdge / BlockChange::kStrip; ++strip)
-      if (!job.has_phase(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
+      if (!job.in_subset(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
   }
   view.solid = solid.words.data();
   return view;
@@ -28,12 +28,12 @@ ContactBlock& scratch() noexcept {
   return contact;
 }
 
-void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, StiffnessSums* stiffness,
-                 FrictionSums* friction) noexcept {
+void evaluate_block(const ContactJob& job, BlockTask& task, ContactSums& sums, StiffnessSums* stiffness,
+                    FrictionSums* friction) noexcept {
   ContactBlock& contact = scratch();
   task.change = {};
   BlockMask solid;
-  const BlockView block = job.level_of_detail > 1 ? with_phase(job, task.block, solid) : task.block;
+  const BlockView block = job.level_of_detail > 1 ? of_subset(job, task.block, solid) : task.block;
   contact.min_width = job.motion.min_width;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, contact);
   if (contact.samples == 0) return;
@@ -60,20 +60,20 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapticut::sum_resultant(block, total); }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
-                  FrictionSums* friction) noexcept {
-  for (PressTask& task : tasks) press_block(job, task, sums, stiffness, friction);
+void evaluate_blocks(const ContactJob& job, std::span<BlockTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                     FrictionSums* friction) noexcept {
+  for (BlockTask& task : tasks) evaluate_block(job, task, sums, stiffness, friction);
 }
 
 ReachedVoxels find_voxels(const ContactJob& job, const BlockView& block, float /*motion*/, std::uint16_t*) noexcept {
   scratch().min_width = job.motion.min_width;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, scratch());
-  return {nullptr, scratch().samples};  // press_blocks samples again
+  return {nullptr, scratch().samples};  // evaluate_blocks samples again
 }
 
-ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {
+ContactTotals totals_of(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {
   const double weight = job.level_of_detail;
-  ContactOutcome all = sums;
+  ContactTotals all = sums;
   all.resultant.wrench_T.force *= weight;
   all.resultant.wrench_T.torque *= weight;
   all.resultant.voxels *= int(job.level_of_detail);

@@ -17,8 +17,8 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                    ContactBlock& out);
-void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
-                 FrictionSums* friction);
+void EvaluateBlocks(const ContactJob& job, std::span<BlockTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                    FrictionSums* friction);
 ReachedVoxels FindVoxels(const ContactJob& job, const BlockView& block, float motion, std::uint16_t* out);
 void SumResultant(const ContactBlock& block, Resultant& total);
 
@@ -29,7 +29,7 @@ HWY_AFTER_NAMESPACE();
 namespace hapticut::kernels {
 
 HWY_EXPORT(SampleContact);
-HWY_EXPORT(PressBlocks);
+HWY_EXPORT(EvaluateBlocks);
 HWY_EXPORT(FindVoxels);
 HWY_EXPORT(SumResultant);
 
@@ -41,9 +41,9 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
 }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
-                  FrictionSums* friction) noexcept {
-  HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness, friction);
+void evaluate_blocks(const ContactJob& job, std::span<BlockTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                     FrictionSums* friction) noexcept {
+  HWY_DYNAMIC_DISPATCH(EvaluateBlocks)(job, tasks, sums, stiffness, friction);
 }
 
 ReachedVoxels find_voxels(const ContactJob& job, const BlockView& block, float motion, std::uint16_t* out) noexcept {
@@ -55,11 +55,11 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 
-ContactOutcome outcome_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+ContactTotals totals_of(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   using Term = ContactSums::Term;
   const double weight = job.level_of_detail;
   const auto total = [&](Term term) { return weight * sums.total(term) * voxel_volume; };
-  ContactOutcome all;
+  ContactTotals all;
   Resultant& resultant = all.resultant;
   resultant.wrench_T.force = -Vec3(total(Term::kForceX), total(Term::kForceY), total(Term::kForceZ));
   resultant.wrench_T.torque = -Vec3(total(Term::kTorqueX), total(Term::kTorqueY), total(Term::kTorqueZ));

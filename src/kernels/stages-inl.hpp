@@ -48,7 +48,7 @@ class Stages {
   }
 
   /// Evaluates the collected voxels: all, or those of a chunk.
-  HWY_NOINLINE void run(std::span<PressTask> tasks, int count) {
+  HWY_NOINLINE void run(std::span<BlockTask> tasks, int count) {
     const int left = c_.count - count;
     c_.count = count;
     c_.pad();
@@ -59,7 +59,7 @@ class Stages {
     crushed_ = crushes_ && some_are_deep();
     if (crushed_) crush();
     if (cuts_ && chips_) take_chips();
-    press_springs();
+    compress_springs();
     if (cuts_) {
       recede();
       decay();
@@ -76,7 +76,7 @@ class Stages {
       c_.clear();
   }
 
-  [[nodiscard]] HWY_INLINE PressSums& sums() { return sums_; }
+  [[nodiscard]] HWY_INLINE ContactVectors& sums() { return sums_; }
   HWY_INLINE void flush() const { sums_.flush(totals_); }
 
  private:
@@ -152,7 +152,7 @@ class Stages {
   }
 
   // 4. Springs of the part.
-  HWY_NOINLINE void press_springs() {
+  HWY_NOINLINE void compress_springs() {
     Wide fill = 0, area = 0, deepest = 0;
     for (int n = 0; n < c_.count; n += kStep) {
       const Part kept = this->kept(n);
@@ -185,17 +185,17 @@ class Stages {
 
   // 6. Decay of the fill.
   HWY_NOINLINE void decay() {
-    Wide cutting = 0, credited = 0, refused = 0, helped = 0;
+    Wide cutting = 0, credited = 0, rounded_off = 0, helped = 0;
     for (int n = 0; n < c_.count; n += kStep) {
       const Wide fill = c_.get(kept_.fill, n), price = c_.get(C::kPrice, n), energy = c_.get(C::kCutEnergy, n);
       const auto p = formulas::PartDecay<Wide>::of(fill, {0, c_.get(C::kReceded, n), c_.get(C::kRate, n), price});
       c_.put(C::kLeft, n, p.left), c_.put(C::kSpring, n, c_.get(C::kRubbing, n) + p.cut);
       const auto cost = formulas::PartCost<Wide>::of(fill, p, energy, price);
-      credited = credited + cost.credited, refused = refused + cost.refused;
+      credited = credited + cost.credited, rounded_off = rounded_off + cost.rounded_off;
       cutting = cutting + cost.cutting, helped = helped + cost.helped;
     }
     sums_.add(Term::kCutting, cutting), sums_.add(Term::kCredited, credited);
-    sums_.add(Term::kRubbing, refused), sums_.add(Term::kHelped, helped);
+    sums_.add(Term::kRubbing, rounded_off), sums_.add(Term::kHelped, helped);
   }
 
   // 7. Energies before and after.
@@ -279,7 +279,7 @@ class Stages {
   }
 
   /// Writes the new fills to the blocks, with the changes that follow.
-  HWY_NOINLINE void write_fills(std::span<PressTask> tasks) {
+  HWY_NOINLINE void write_fills(std::span<BlockTask> tasks) {
     const float* after = c_.of[C::kLeft];
     for (int n = 0; n < c_.count; n += kStep) {
       const Wide left = c_.get(C::kLeft, n);
@@ -288,7 +288,7 @@ class Stages {
       const int end = std::min(n + kStep, c_.count);
       for (int first = n, next = n; first < end; first = next) {
         const unsigned block = unsigned(c_.index[first]) / kBlockVoxels;
-        PressTask& task = tasks[block];
+        BlockTask& task = tasks[block];
         const bool in_place = task.fill_after == task.block.fill;
         for (; next < end && unsigned(c_.index[next]) / kBlockVoxels == block; ++next) {
           const unsigned voxel = unsigned(c_.index[next]) % kBlockVoxels;
@@ -311,7 +311,7 @@ class Stages {
   }
 
   /// Copies the fills of a strip that is written for the first time.
-  HWY_INLINE static void begin_strip(PressTask& task, unsigned strip) {
+  HWY_INLINE static void begin_strip(BlockTask& task, unsigned strip) {
     if ((task.change.strips >> strip & 1U) != 0) return;
     task.change.strips |= 1U << strip;
     const int first = int(strip) * kStripLanes;
@@ -332,7 +332,7 @@ class Stages {
   FrictionVectors* const friction_;    // likewise
   ColumnMaterials materials_;
   const bool spins_, chips_;
-  PressSums sums_;
+  ContactVectors sums_;
   KeptColumns kept_ = {C::kTop, C::kHeight, C::kFill};  // columns of the part that crushing left
   bool cuts_ = false, crushes_ = false;
   bool crushed_ = false;  // some voxel of these columns was

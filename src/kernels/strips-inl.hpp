@@ -31,7 +31,7 @@ using Floats = hn::CappedTag<float, kStripLanes>;
 using Vec = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
 constexpr std::size_t kWidth = hn::MaxLanes(Floats());
-constexpr std::size_t kParts = kStripLanes / kWidth;
+constexpr std::size_t kVectors = kStripLanes / kWidth;
 constexpr unsigned kAllLanes = (1U << kWidth) - 1;
 
 HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }

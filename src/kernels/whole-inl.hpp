@@ -19,10 +19,10 @@ namespace strips {
 /// of a cube is that of its centre, and the mean of its square is larger by l^2/12. They cost a third of the stages,
 /// and inside a ball, where they are evaluated strip by strip as they are found, a quarter.
 template <class Springs>
-class Whole {
+class WholeVoxels {
  public:
-  HWY_INLINE Whole(const Springs& springs, const ContactJob& job, Stages& stages, const Eigen::Matrix3f& axes,
-                   StiffnessVectors* stiffness, FrictionVectors* friction)
+  HWY_INLINE WholeVoxels(const Springs& springs, const ContactJob& job, Stages& stages, const Eigen::Matrix3f& axes,
+                         StiffnessVectors* stiffness, FrictionVectors* friction)
       : springs_(springs),
         job_(job),
         m_(job.motion),
@@ -36,8 +36,8 @@ class Whole {
   /// Evaluates the voxels of a block that are so inside a ball.
   /// @param out  [ReachedVoxels::kCapacity]
   /// @return the others that may be inside
-  HWY_INLINE ReachedVoxels press(const Gather<Springs>& gather, const BlockView& block, std::uint16_t* out) {
-    const std::uint32_t done = press_strips(gather, block);
+  HWY_INLINE ReachedVoxels evaluate_block(const Gather<Springs>& gather, const BlockView& block, std::uint16_t* out) {
+    const std::uint32_t done = evaluate_strips(gather, block);
     return gather.find_skimmed(
         block, out, done, [&](int voxel, const Place& r, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
           const Mask near = deep_.hits(r.x, r.y, r.z).m;
@@ -45,14 +45,14 @@ class Whole {
           const MaterialId* ids = block.material == nullptr ? &block.uniform_material : block.material + voxel;
           if (block.material != nullptr && !all_are(ids, ids[0])) return lanes;
           const Wide fill = block.fill == nullptr ? Wide(1) : Wide(hn::LoadU(Floats(), block.fill + voxel));
-          return bits_of(press_lanes(ids[0], r, springs_.at(r.x, r.y, r.z), fill, hn::And(near, mask_of(lanes)))) |
+          return bits_of(evaluate_lanes(ids[0], r, springs_.at(r.x, r.y, r.z), fill, hn::And(near, mask_of(lanes)))) |
                  (lanes & ~bits_of(near));
         });
   }
 
   /// Evaluates the strips of a block of one material that are so inside a ball.
   /// @return bit n: strip n was evaluated
-  HWY_INLINE std::uint32_t press_strips(const Gather<Springs>& gather, const BlockView& block) {
+  HWY_INLINE std::uint32_t evaluate_strips(const Gather<Springs>& gather, const BlockView& block) {
     static_assert(Springs::kCentral);
     if (job_.damped || m_.lead > 0 || stiffness_ != nullptr || friction_ != nullptr) return 0;
     if (block.material != nullptr || block.fill != nullptr) return 0;
@@ -74,8 +74,8 @@ class Whole {
   /// @param id      material of all of them
   /// @param listed  which lanes have a voxel
   /// @return the lanes that are left
-  HWY_INLINE Mask press_lanes(MaterialId id, const Place& r, const formulas::SpatialSpring<Wide>& spring, Wide fill,
-                              Mask listed) {
+  HWY_INLINE Mask evaluate_lanes(MaterialId id, const Place& r, const formulas::SpatialSpring<Wide>& spring, Wide fill,
+                                 Mask listed) {
     const Wide advance = rate_of(r, spring.radial, spring.axial, m_.velocity, m_.angular_velocity) * m_.duration;
     Mask deep = hn::And(listed, (fill >= 1 && spring.depth > abs(advance) + deep_enough_).m);
     if constexpr (Springs::kSmooth) deep = hn::AndNot((spring.smooth > 0).m, deep);
@@ -123,7 +123,7 @@ class Whole {
       const Wide lever = push * (axial - r.z * radial);
       torque_x = torque_x + lever * r.y, torque_y = torque_y - lever * r.x;
     }
-    HWY_INLINE void add_to(PressSums& sums) const {
+    HWY_INLINE void add_to(ContactVectors& sums) const {
       using Term = ContactSums::Term;
       sums.add(Term::kForceX, force), sums.add(Term::kMomentX, moment);
       sums.add(Term::kTorqueX, torque_x), sums.add(Term::kTorqueY, torque_y);

@@ -96,7 +96,7 @@ void BlockOutbox::keep_marked(const Workpiece& workpiece, std::uint32_t workpiec
 
 void BlockOutbox::keep(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t number) {
   const BlockView block = workpiece.block(blocks_.origin_of(number));
-  Kept kept = {number, ++version_, workpiece_number, block.uniform_material, nullptr};
+  DeferredBlock kept = {number, ++version_, workpiece_number, block.uniform_material, nullptr};
   if (block.material != nullptr || block.fill != nullptr) {
     kept.content = std::make_unique<ChangedBlock>();
     block.copy_to(kept.content->material, kept.content->fill);
@@ -108,7 +108,7 @@ void BlockOutbox::keep(const Workpiece& workpiece, std::uint32_t workpiece_numbe
 
 void BlockOutbox::mark_kept() {
   const std::lock_guard lock(keeping_);
-  for (const Kept& kept : kept_) mark(blocks_.origin_of(kept.number));
+  for (const DeferredBlock& kept : kept_) mark(blocks_.origin_of(kept.number));
   kept_.clear();
   any_kept_ = false;
 }
@@ -118,7 +118,7 @@ bool BlockOutbox::receive(ChangedBlock& block) {
   if (!any_kept_) return false;
   const std::lock_guard lock(keeping_);
   if (kept_.empty()) return false;
-  const Kept& kept = kept_.front();
+  const DeferredBlock& kept = kept_.front();
   if (kept.content) {
     block = *kept.content;
   } else {

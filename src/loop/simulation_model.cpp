@@ -81,7 +81,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   if (restoring_ != Restoring::none) {
     restore_blocks(state);
   } else if (!state.valid || !map_.engaged()) {
-    hold_tool();
+    park_tool();
   } else {
     update_spindle(state);
     const Wrench felt = move_tool(state, dt);
@@ -105,7 +105,7 @@ void SimulationModel::restore_blocks(const DeviceState& state) noexcept {
 SimulationModel::~SimulationModel() { simulation_->spindle().hold(false); }
 
 /// The pose of the hand is unknown, or the clutch is open: the tool keeps its pose and cuts nothing.
-void SimulationModel::hold_tool() noexcept {
+void SimulationModel::park_tool() noexcept {
   feel_nothing(StepStatus::ok);
   interlock_.interrupt();
   if (coupling_) coupling_->park(VirtualCoupling::Rejoin::near);
@@ -131,7 +131,7 @@ Wrench SimulationModel::follow_hand(const Pose& X_WD, const Twist& V_WD, double 
     X_WH_ = result.X_WH;
     tool_.removed_volume += result.removed_volume;
     tool_.status = result.status;
-    tool_.effort = {result.parts, result.newton_steps, result.level_of_detail};
+    tool_.effort = {result.sub_ticks, result.newton_steps, result.level_of_detail};
     return result.hand;
   }
   const StepResult& result = simulation_->step(X_WD, V_WD, dt);
@@ -148,7 +148,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   const double motor_before = simulation_->last_result().energy.motor_work;
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   tool_.status_seen |= tool_.status;
-  tool_.max_effort = {std::max(tool_.max_effort.parts, tool_.effort.parts),
+  tool_.max_effort = {std::max(tool_.max_effort.sub_ticks, tool_.effort.sub_ticks),
                       std::max(tool_.max_effort.newton_steps, tool_.effort.newton_steps),
                       std::max(tool_.max_effort.level_of_detail, tool_.effort.level_of_detail)};
   if (simulation_->steps() == steps) {  // no step: the parked tool waits for the hand

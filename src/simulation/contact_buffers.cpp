@@ -24,8 +24,8 @@ double thin_up_to(const ToolHead& head, double voxel_size) {
 
 WorstCase worst_case_of(std::size_t max_voxels, std::size_t max_blocks, const SimulationConfig& config) noexcept {
   const std::size_t budget = config.voxel_budget == 0 ? max_voxels : config.voxel_budget;
-  const std::size_t parts = (max_voxels + budget - 1) / budget;
-  return {max_blocks, std::min(max_voxels, budget), config.max_sweep, int(parts), 1};
+  const std::size_t levels = (max_voxels + budget - 1) / budget;
+  return {max_blocks, std::min(max_voxels, budget), config.max_sweep, int(levels), 1};
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void ContactStages::exchange_buffers(Buffers& buffers) noexcept {
   std::swap(changed_, buffers.changed);
   std::swap(near_, buffers.near);
   std::swap(emptied_, buffers.emptied);
-  phase_ = 0;
+  subset_ = 0;
 }
 
 WorstCase ContactStages::Buffers::worst_case(const SimulationConfig& config) const noexcept {

@@ -50,7 +50,7 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   exchange_buffers(buffers);
 }
 
-/// Number of parts into which the voxels inside the head must be divided to stay within the budget. The voxels are
+/// Number of subsets into which the voxels inside the head must be divided to stay within the budget. The voxels are
 /// counted only when the blocks hold more than the budget.
 int ContactStages::level_of_detail(std::span<const FoundBlock> blocks, const kernels::ContactJob& job) const noexcept {
   if (voxel_budget_ == 0 || max_voxels_ <= voxel_budget_) return 1;
@@ -73,16 +73,16 @@ std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) 
 
 Encounter ContactStages::press_and_cut(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                        RemovalRecord& removal) noexcept {
-  return meet(blocks, at, &removal, Asked::force);
+  return evaluate(blocks, at, &removal, Asked::force);
 }
 
-Encounter ContactStages::press(std::span<const FoundBlock> blocks, const HeadPlacement& at, Asked asked) noexcept {
-  return meet(blocks, at, nullptr, asked);
+Encounter ContactStages::probe(std::span<const FoundBlock> blocks, const HeadPlacement& at, Asked asked) noexcept {
+  return evaluate(blocks, at, nullptr, asked);
 }
 
 /// @param removal  null: no block is changed
-Encounter ContactStages::meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
-                              Asked asked) noexcept {
+Encounter ContactStages::evaluate(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+                                  Asked asked) noexcept {
   Encounter encounter;
   if (!law_->is_foundation()) {
     encounter = ask_law(blocks, at, removal);
@@ -138,8 +138,8 @@ Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const H
       if (job.level_of_detail == 1) tasks_[count - 1].reached = block.reached;
       if (keeps && block.fill == nullptr && ++fresh >= room) break;  // each may take a block of the reserve
     }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, asked == Asked::stiffness ? &stiffness : nullptr,
-                          rubs ? &friction : nullptr);
+    kernels::evaluate_blocks(job, std::span(tasks_).first(count), sums,
+                             asked == Asked::stiffness ? &stiffness : nullptr, rubs ? &friction : nullptr);
     if (keeps)
       for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change, tasks_[n].fill_after);
     first += count;
@@ -165,14 +165,14 @@ kernels::ContactJob ContactStages::job_at(const HeadPlacement& at) noexcept {
           materials_.with(at.cutting_share),
           materials_.max_damping() > 0,
           1,
-          phase_};
+          subset_};
 }
 
 Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept {
-  const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, voxel_volume_);
+  const kernels::ContactTotals totals = kernels::totals_of(job, sums, voxel_volume_);
   Encounter encounter;
-  encounter.resultant = outcome.resultant;
-  encounter.energies = outcome.energies;
+  encounter.resultant = totals.resultant;
+  encounter.energies = totals.energies;
   encounter.level_of_detail = int(job.level_of_detail);
   return encounter;
 }
@@ -272,7 +272,7 @@ void ContactStages::list_change(const VoxelIndex& origin) noexcept {
 void ContactStages::remove_emptied(RemovalRecord& removal) noexcept {
   for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece_, removal);
   emptied_.clear();
-  ++phase_;
+  ++subset_;
 }
 
 std::size_t ContactStages::undo(std::size_t max_blocks) noexcept {
@@ -282,12 +282,12 @@ std::size_t ContactStages::undo(std::size_t max_blocks) noexcept {
     if (!origin) break;
     list_change(*origin);
   } while (++undone < max_blocks);
-  phase_ = 0;
+  subset_ = 0;
   return undone;
 }
 
 bool ContactStages::redo(std::size_t max_blocks) noexcept {
-  phase_ = 0;
+  subset_ = 0;
   std::size_t redone = 0;
   do {
     const auto origin = workpiece_.redo_block();
@@ -300,7 +300,7 @@ bool ContactStages::redo(std::size_t max_blocks) noexcept {
 void ContactStages::restart() {
   change_all();
   bounds_ = workpiece_.bounds();
-  phase_ = 0;
+  subset_ = 0;
 }
 
 }  // namespace hapticut

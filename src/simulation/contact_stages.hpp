@@ -38,8 +38,8 @@ struct Encounter {
   /// zero.
   Stiffness stiffness_T = Stiffness::Zero();
 
-  LimitSurface::Outcome dry_friction;  // about To, in W
-  double stall_work = 0;               // [J] that the motor of a stalled head takes up
+  LimitSurface::Reaction dry_friction;  // about To, in W
+  double stall_work = 0;                // [J] that the motor of a stalled head takes up
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -127,24 +127,24 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] MaterialSet find_touched(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                          const MaterialSet& known) noexcept;
 
-  /// What `press` is asked for.
+  /// What `probe` is asked for.
   enum class Asked { force, stiffness };
 
   /// Returns what `press_and_cut` would return, without a change to any block.
-  [[nodiscard]] Encounter press(std::span<const FoundBlock> blocks, const HeadPlacement& at,
+  [[nodiscard]] Encounter probe(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                 Asked asked = Asked::force) noexcept;
 
   /// Presses the head as if it did not spin, on what is left at this place.
-  [[nodiscard]] Encounter press_standing(const HeadPlacement& at) noexcept {
+  [[nodiscard]] Encounter standing_contact(const HeadPlacement& at) noexcept {
     const HeadPlacement standing = at.standing();
-    return press(find_blocks(standing), standing);
+    return probe(find_blocks(standing), standing);
   }
 
-  /// Whether `press` gives a stiffness: FoundationLaw does.
+  /// Whether `probe` gives a stiffness: FoundationLaw does.
   [[nodiscard]] bool knows_stiffness() const noexcept { return law_->is_foundation(); }
 
-  /// Stage `remove_emptied`: removes voxels that became empty from the workpiece and lists them. Advances the phase of
-  /// the level of detail.
+  /// Stage `remove_emptied`: removes voxels that became empty from the workpiece and lists them. Goes on to the
+  /// next subset of the level of detail.
   void remove_emptied(RemovalRecord& removal) noexcept;
 
   /// Swaps in buffers for another head; `buffers` receives the old ones. Clears the lists.
@@ -193,8 +193,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   static constexpr std::size_t kBlocksAtOnce = 32;  // blocks that share columns
 
   void sample_reached(const kernels::ContactJob& job, const BlockView& block) noexcept;
-  [[nodiscard]] Encounter meet(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
-                               Asked asked) noexcept;
+  [[nodiscard]] Encounter evaluate(std::span<const FoundBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+                                   Asked asked) noexcept;
   [[nodiscard]] kernels::ContactJob job_at(const HeadPlacement& at) noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept;
@@ -217,7 +217,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit
-  unsigned phase_ = 0;        // phase of the level of detail
+  unsigned subset_ = 0;       // phase of the level of detail
   IndexBox bounds_;           // voxels that were ever solid
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
@@ -225,7 +225,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   NearBlocks near_;                    // for find_blocks
   std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law and find_touched
-  std::array<kernels::PressTask, kBlocksAtOnce> tasks_;
+  std::array<kernels::BlockTask, kBlocksAtOnce> tasks_;
   std::array<ContactBlock::Array<float>, kBlocksAtOnce> new_fills_;  // fills of blocks that are not written in place
 };
 

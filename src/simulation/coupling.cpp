@@ -38,13 +38,13 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   const bool is_placed =
       !simulation.next_step_is_first() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
   if (!is_placed) return;
-  held_ = is_placed_ = true;
+  gripped_ = is_placed_ = true;
   result_.X_WH = X_WD_ = simulation.last_input().X_WH;
 }
 
 VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfig& config) {
   reserve_touched(removed, removed_list_size(config, worst_case.voxels * 2));
-  reserve_touched(changed, worst_case.blocks * kMaxParts);
+  reserve_touched(changed, worst_case.blocks * kMaxSubTicks);
 }
 
 void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
@@ -52,25 +52,26 @@ void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
   std::swap(lists_, lists);
 }
 
-/// The output to the hand for a part of a tick: the coupling's wrench at its end, after the last part.
+/// The output to the hand for a sub-tick: the coupling's wrench at its end, after the last sub-tick.
 class VirtualCoupling::CoupledOutput final : public HandCoupling {
  public:
-  CoupledOutput(VirtualCoupling& coupling, const Part& part, const Pose& X_WH, const Twist& tool, const Twist& hand)
-      : coupling_(coupling), part_(part), after_(coupling.pull(X_WH, tool, part.X_WD, hand)) {}
+  CoupledOutput(VirtualCoupling& coupling, const SubTick& sub_tick, const Pose& X_WH, const Twist& tool,
+                const Twist& hand)
+      : coupling_(coupling), sub_tick_(sub_tick), after_(coupling.forces_at(X_WH, tool, sub_tick.X_WD, hand)) {}
 
   std::optional<HandOutput> answer(const StepResult& stepped) noexcept override {
     Wrench& wrench = coupling_.result_.coupling;
     wrench = {-after_.wrench.force, coupling_.has_torque() ? Vec3(-after_.wrench.torque) : stepped.model.torque};
-    if (part_.left > 0) return std::nullopt;
-    return HandOutput{part_.X_WD, wrench, part_.tick};
+    if (sub_tick_.left > 0) return std::nullopt;
+    return HandOutput{sub_tick_.X_WD, wrench, sub_tick_.tick};
   }
 
-  [[nodiscard]] const Pull& after() const { return after_; }
+  [[nodiscard]] const CouplingForces& after() const { return after_; }
 
  private:
   VirtualCoupling& coupling_;
-  const Part& part_;
-  Pull after_;
+  const SubTick& sub_tick_;
+  CouplingForces after_;
 };
 
 const CoupledResult& VirtualCoupling::step(const Pose& X_WD, const Twist& V_WD, double dt) noexcept {
@@ -80,21 +81,21 @@ const CoupledResult& VirtualCoupling::step(const Pose& X_WD, const Twist& V_WD, 
 const CoupledResult& VirtualCoupling::follow(const StepInput& hand) noexcept {
   const auto& [X_WD, V_WD, dt] = hand;
   begin_tick();
-  const StepStatus refused = check_input(simulation_->config(), X_WD, V_WD, dt);
-  if (refused != StepStatus::ok) return suspend(refused);
-  const bool jumps = given_ && is_jump(*given_, X_WD, dt) && (!held_ || is_jump(X_WD_, X_WD, dt));
+  const StepStatus rejected = check_input(simulation_->config(), X_WD, V_WD, dt);
+  if (rejected != StepStatus::ok) return suspend(rejected);
+  const bool jumps = given_ && is_jump(*given_, X_WD, dt) && (!gripped_ || is_jump(X_WD_, X_WD, dt));
   if (!velocity_fits(X_WD, V_WD, dt)) return suspend(StepStatus::velocity_rejected);
-  part_after_exchange();
+  separate_after_exchange();
   if (jumps) return suspend(StepStatus::jump_rejected);
-  if (held_ && !waits_ && is_rotated_away(X_WD)) rejoin_ = Rejoin::free, waits_ = true;
+  if (gripped_ && !waits_ && is_rotated_away(X_WD)) rejoin_ = Rejoin::free, waits_ = true;
   if (waits_ && !may_continue_from_here(X_WD)) {
     if (simulation_->is_in_material(X_WD) || simulation_->is_in_material(advance(X_WD, V_WD, -dt))) {
       if (!is_placed_) result_.X_WH = X_WD;
       return suspend(StepStatus::tool_waits);
     }
-    held_ = false;
+    gripped_ = false;
   }
-  if (!std::exchange(held_, true)) {
+  if (!std::exchange(gripped_, true)) {
     is_placed_ = true;
     result_.X_WH = advance(X_WD, V_WD, -dt);
     result_.V_WH = V_WD;
@@ -106,10 +107,11 @@ const CoupledResult& VirtualCoupling::follow(const StepInput& hand) noexcept {
   rejoin_ = Rejoin::near;
   const Twist hand_path = twist_between(X_WD_, X_WD, dt);
   const Pose X_WD_before = X_WD_;
-  result_.parts = plan_parts(dt);
-  for (int part = 1; part <= result_.parts; ++part) {
-    const Pose at_end = part == result_.parts ? X_WD : advance(X_WD_before, hand_path, dt * part / result_.parts);
-    const StepStatus status = move({at_end, dt / result_.parts, result_.parts - part, dt}, hand_path, V_WD);
+  result_.sub_ticks = plan_sub_ticks(dt);
+  for (int sub_tick = 1; sub_tick <= result_.sub_ticks; ++sub_tick) {
+    const Pose at_end =
+        sub_tick == result_.sub_ticks ? X_WD : advance(X_WD_before, hand_path, dt * sub_tick / result_.sub_ticks);
+    const StepStatus status = move({at_end, dt / result_.sub_ticks, result_.sub_ticks - sub_tick, dt}, hand_path, V_WD);
     if (has_any(status, kRejected | StepStatus::tool_waits)) return suspend(status);
     result_.status |= status;
   }
@@ -124,39 +126,39 @@ void VirtualCoupling::begin_tick() noexcept {
   result_.removed_volume = 0;
   result_.changed_blocks = {};
   result_.first_touched = {};
-  result_.parts = result_.newton_steps = evaluated_ = 0;
+  result_.sub_ticks = result_.newton_steps = evaluated_ = 0;
   result_.level_of_detail = 1;
   result_.status = StepStatus::ok;
 }
 
-/// Number of equal parts in which no point of the head moves much farther than half a voxel.
-int VirtualCoupling::plan_parts(double dt) const noexcept {
+/// Number of equal sub-ticks in which no point of the head moves much farther than half a voxel.
+int VirtualCoupling::plan_sub_ticks(double dt) const noexcept {
   constexpr double kMargin = 1.25;  // [1] for what the tool gains in speed
   const Tool& tool = simulation_->tool();
   const Vec3 p_HoTo_W = result_.X_WH.rotation * tool.X_HT().translation;
   const double speed =
       transport(result_.V_WH, p_HoTo_W).linear.norm() + result_.V_WH.angular.norm() * tool.head().reach();
-  const double parts = std::ceil(kMargin * speed * dt / (0.5 * simulation_->workpiece().voxel_size()));
-  return int(std::clamp(parts, 1.0, double(kMaxParts)));
+  const double sub_ticks = std::ceil(kMargin * speed * dt / (0.5 * simulation_->workpiece().voxel_size()));
+  return int(std::clamp(sub_ticks, 1.0, double(kMaxSubTicks)));
 }
 
 WorstCase VirtualCoupling::worst_case() const {
   WorstCase worst = simulation_->worst_case();
   const int for_slope = simulation_->config().law->is_foundation() ? 0 : has_torque() ? 6 : 3;
-  worst.contacts = NewtonSearch::most_evaluations(gains_.newton_steps, kMaxParts, for_slope) + kMaxParts;
+  worst.contacts = NewtonSearch::most_evaluations(gains_.newton_steps, kMaxSubTicks, for_slope) + kMaxSubTicks;
   return worst;
 }
 
-/// Moves the hand and the tool by one part of a tick.
-StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
+/// Moves the hand and the tool by one sub-tick.
+StepStatus VirtualCoupling::move(const SubTick& sub_tick, const Twist& hand_path, const Twist& hand) noexcept {
   const Twist tool_before = accelerated();
-  const Pull before = pull(result_.X_WH, result_.V_WH, X_WD_, hand);
-  const Twist tool = NewtonSearch(*this, part, hand).find();
-  Pose X_WH = advance(result_.X_WH, tool, part.dt);
-  if (!has_torque()) X_WH.rotation = part.X_WD.rotation;
+  const CouplingForces before = forces_at(result_.X_WH, result_.V_WH, X_WD_, hand);
+  const Twist tool = NewtonSearch(*this, sub_tick, hand).find();
+  Pose X_WH = advance(result_.X_WH, tool, sub_tick.dt);
+  if (!has_torque()) X_WH.rotation = sub_tick.X_WD.rotation;
   const double missed = result_.energy.imbalance();
-  CoupledOutput output(*this, part, X_WH, tool, hand);
-  const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &output);
+  CoupledOutput output(*this, sub_tick, X_WH, tool, hand);
+  const StepResult& stepped = simulation_->step(X_WH, tool, sub_tick.dt, &output);
   if (has_any(stepped.status, kRejected | StepStatus::tool_waits)) return stepped.status;
   keep_lists(stepped);
   result_.level_of_detail = std::max(result_.level_of_detail, stepped.contact.level_of_detail);
@@ -166,23 +168,25 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const Wrench& pulled = output.after().wrench;
   remainder_ =
       remainder_of({stepped.model.force + pulled.force + output.after().brake, stepped.model.torque + pulled.torque},
-                   tool_before, part.dt);
+                   tool_before, sub_tick.dt);
   // By the wrench of the end, which the search has balanced; along the path it changes, and its lever turns.
-  const double tool_work = -(stepped.model.force.dot(tool.linear) + stepped.model.torque.dot(tool.angular)) * part.dt;
-  book(before, output.after(), tool_before, hand_path, tool_work, part.dt);
+  const double tool_work =
+      -(stepped.model.force.dot(tool.linear) + stepped.model.torque.dot(tool.angular)) * sub_tick.dt;
+  book(before, output.after(), tool_before, hand_path, tool_work, sub_tick.dt);
   // The pose of a tool at rest is found within a small distance.
-  const double distance = std::max((tool.linear.norm() + (has_torque() ? tool.angular.norm() * reach() : 0)) * part.dt,
-                                   NewtonSearch::kSolved * simulation_->workpiece().voxel_size());
+  const double distance =
+      std::max((tool.linear.norm() + (has_torque() ? tool.angular.norm() * reach() : 0)) * sub_tick.dt,
+               NewtonSearch::kSolved * simulation_->workpiece().voxel_size());
   const double force = std::max(stepped.model.force.norm(), output.after().wrench.force.norm());
   if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarFraction * force) * distance)
     result_.status |= StepStatus::not_in_balance;
   if (stepped.contact.voxels > 0 && output.after().brake.norm() > kMuchBraked * stepped.model.force.norm())
     result_.status |= StepStatus::tool_braked;
-  X_WD_ = part.X_WD;
+  X_WD_ = sub_tick.X_WD;
   return stepped.status;
 }
 
-/// Adds what a part of a tick has changed to the lists of the tick.
+/// Adds what a sub-tick has changed to the lists of the tick.
 void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.removed_volume += stepped.removed_volume;
   result_.first_touched.insert(simulation_->first_touched());
@@ -212,9 +216,9 @@ VirtualCoupling::Limited VirtualCoupling::limited(const Vec3& spring, const Vec3
   return l;
 }
 
-VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD,
-                                            const Twist& hand) const noexcept {
-  Pull p;
+VirtualCoupling::CouplingForces VirtualCoupling::forces_at(const Pose& X_WH, const Twist& tool, const Pose& X_WD,
+                                                           const Twist& hand) const noexcept {
+  CouplingForces p;
   p.stretch = X_WD.translation - X_WH.translation;
   p.rotation = has_torque() ? vector_from_rotation(X_WD.rotation * X_WH.rotation.transpose()) : Vec3(Vec3::Zero());
   p.linear = limited(gains_.stiffness * p.stretch, gains_.damping * (hand.linear - tool.linear), gains_.max_force);
@@ -226,32 +230,32 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
 }
 
 /// Brakes a tool that its spindle has made faster than the hand.
-void VirtualCoupling::brake(Pull& pull, const Vec3& tool, const Vec3& hand) const noexcept {
-  pull.brake.setZero();
-  pull.brake_slope.setZero();
+void VirtualCoupling::brake(CouplingForces& forces, const Vec3& tool, const Vec3& hand) const noexcept {
+  forces.brake.setZero();
+  forces.brake_slope.setZero();
   const double speed = tool.norm(), unbraked = (hand.norm() + kUnbraked) / speed;  // [m/s], [1] its unbraked part
   if (simulation_->last_result().spindle.speed == 0 || !(unbraked < 1)) return;
   const Vec3 along = tool / speed;
-  pull.brake = -kBrake * (1 - unbraked) * tool;
-  pull.brake_slope = kBrake * ((1 - unbraked) * Mat3::Identity() + unbraked * along * along.transpose());
+  forces.brake = -kBrake * (1 - unbraked) * tool;
+  forces.brake_slope = kBrake * ((1 - unbraked) * Mat3::Identity() + unbraked * along * along.transpose());
 }
 
 void VirtualCoupling::set_gains(const CouplingGains& gains) noexcept {
   gains_ = gains;
-  if (!held_ || waits_) return;
+  if (!gripped_ || waits_) return;
   CouplingEnergy& energy = result_.energy;
   const double before = energy.kinetic + energy.spring;
   energy.kinetic = kinetic_energy(accelerated());
-  energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, {}));
+  energy.spring = spring_energy(forces_at(result_.X_WH, result_.V_WH, X_WD_, {}));
   const double brought = energy.kinetic + energy.spring - before;
   energy.hand_work += brought;
   energy.turnover += std::abs(brought);
 }
 
-/// What a part of a tick leaves of the balance of forces, as a change of the tool's twist V. The work of the force that
+/// What a sub-tick leaves of the balance of forces, as a change of the tool's twist V. The work of the force that
 /// is left is r V dt, and a change d of the twist takes M (d V + d^2/2). The change is the part of r dt/M for which
 /// both are equal; where the force acts against the motion, the one for which they differ least.
-/// @param on_tool  forces at the end of the part
+/// @param on_tool  forces at the end of the sub-tick
 /// @param before   twist at its beginning
 Twist VirtualCoupling::remainder_of(const Wrench& on_tool, const Twist& before, double dt) const noexcept {
   const Twist& tool = result_.V_WH;
@@ -260,12 +264,12 @@ Twist VirtualCoupling::remainder_of(const Wrench& on_tool, const Twist& before, 
   const double work = gains_.mass * d.linear.dot(tool.linear) + gains_.inertia * d.angular.dot(tool.angular);
   const double own = kinetic_energy(d);
   if (!(own > 0)) return {};
-  const double part =
+  const double share =
       work > 0 ? 2 * work / (work + std::sqrt(work * (work + 4 * own))) : std::min(1.0, -work / (2 * own));
-  return {part * d.linear, part * d.angular};
+  return {share * d.linear, share * d.angular};
 }
 
-/// The twist from which the forces of the next part accelerate the tool.
+/// The twist from which the forces of the next sub-tick accelerate the tool.
 Twist VirtualCoupling::accelerated() const noexcept {
   return {result_.V_WH.linear + remainder_.linear, result_.V_WH.angular + remainder_.angular};
 }
@@ -275,17 +279,18 @@ double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
   return 0.5 * gains_.mass * tool.linear.squaredNorm() + turning;
 }
 
-double VirtualCoupling::spring_energy(const Pull& p) const noexcept {
+double VirtualCoupling::spring_energy(const CouplingForces& p) const noexcept {
   const double linear = energy_of(p.stretch.norm(), gains_.stiffness, gains_.max_force);
   return has_torque() ? linear + energy_of(p.rotation.norm(), gains_.angular_stiffness, gains_.max_torque) : linear;
 }
 
-void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path,
-                           double tool_work, double dt) noexcept {
+void VirtualCoupling::book(const CouplingForces& before, const CouplingForces& after, const Twist& tool_before,
+                           const Twist& hand_path, double tool_work, double dt) noexcept {
   CouplingEnergy& energy = result_.energy;
   const Twist& tool = result_.V_WH;
   const Vec3 torque = has_torque() ? after.wrench.torque : Vec3(-result_.coupling.torque);
-  // Where no torque turns the tool, it turns with the hand, at first also by what this has turned while it was parted.
+  // Where no torque turns the tool, it turns with the hand, at first also by what this has turned while it was
+  // separated.
   const Vec3& turned = has_torque() ? hand_path.angular : tool.angular;
   const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(turned)) * dt;
   const Vec3 stretching = (hand_path.linear - tool.linear) * dt;

@@ -41,7 +41,7 @@ class NearestVoxel {
     VoxelIndex first = voxels.min;
     for_each_block_origin(voxels, [&](const VoxelIndex& origin) {
       const double bound = bound_of(origin);
-      if (bound >= nearest || !may_hold(workpiece_.block(origin))) return;
+      if (bound >= nearest || !may_contain(workpiece_.block(origin))) return;
       nearest = bound;
       first = origin;
     });
@@ -69,7 +69,7 @@ class NearestVoxel {
   }
 
   /// False only if the block certainly has no voxel of the material.
-  [[nodiscard]] bool may_hold(const BlockView& block) const noexcept {
+  [[nodiscard]] bool may_contain(const BlockView& block) const noexcept {
     if (block.empty()) return false;
     if (material_ == kEmpty) return true;
     if (block.material == nullptr) return block.uniform_material == material_;
@@ -78,7 +78,7 @@ class NearestVoxel {
 
   void look_at(const VoxelIndex& origin) noexcept {
     const BlockView block = workpiece_.block(origin);
-    if (!may_hold(block)) return;
+    if (!may_contain(block)) return;
     const Vec3 base = grid_.position(origin), step = grid_.voxel_steps.col(2);
     for (int row = 0; row < kBlockRows; ++row) {
       const Vec3 begin = base + grid_.voxel_steps * Vec3(row >> 3, row & 7, 0);

@@ -33,7 +33,7 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
   double residual = 0, before = 0;  // [N·m] residual of the trial before, and its torque
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     const double torque = spindle.load_.torque, speed = motor.speed();
-    const double needed = torque_to_spin(sub_step, contact_stages.press(blocks, sub_step.head));
+    const double needed = torque_to_spin(sub_step, contact_stages.probe(blocks, sub_step.head));
     load(needed);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (needed - torque - residual) / (torque - before);

@@ -121,10 +121,10 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
 }
 
 void Simulation::exchange(Simulation& prepared) noexcept {
-  const bool held = state_->spindle.is_held();
+  const bool spindle_held = state_->spindle.is_held();
   state_->spindle.hold(false);
   std::swap(state_, prepared.state_);
-  state_->spindle.hold(held);
+  state_->spindle.hold(spindle_held);
   const State& old = *prepared.state_;
   State& s = *state_;
   s.config.effects = old.config.effects;
@@ -133,7 +133,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.set_material_friction();
   s.exchanges = old.exchanges;
   s.replacements = old.replacements + 1;
-  s.motion.part_as(old.motion);
+  s.motion.separate_as(old.motion);
   std::swap(s.observers, prepared.state_->observers);
   s.contact_stages.change_all();
   s.forget_pose();

@@ -14,26 +14,26 @@ constexpr double kMaxStepRotation = 1;  // [rad] rotation in a step; a script ma
 }  // namespace
 
 /// Places the tool where it moves from in this step: where the last step left it, or anew.
-/// @return ok, or why the step is refused
+/// @return ok, or why the step is rejected
 StepStatus Simulation::State::find_start(bool coupled) noexcept {
   const StageTimer timer = timed(&StageTimes::find_start);
   const auto& [X_WH, V_WH, dt] = input;
   if (!motion.is_placed() && !start_tool(coupled)) return StepStatus::tool_waits;
   if (hand.was_released && coupled && is_placed_elsewhere(X_WH, V_WH, dt)) place_at(advance(X_WH, V_WH, -dt));
   if (is_jump()) {
-    if (const StepStatus refused = follow_jump(); refused != StepStatus::ok) return refused;
+    if (const StepStatus jump = follow_jump(); jump != StepStatus::ok) return jump;
   }
   motion.accept_input();
   return StepStatus::ok;
 }
 
-/// Places the tool for its first step, where its velocity says that it comes from. A tool that was parted from its hand
-/// is placed only where it touches nothing; if the hand holds it without a coupling, it is placed at the hand.
+/// Places the tool for its first step, where its velocity says that it comes from. A tool that was separated from its
+/// hand is placed only where it touches nothing; if the hand holds it without a coupling, it is placed at the hand.
 /// @return false when it is not placed yet
 bool Simulation::State::start_tool(bool coupled) noexcept {
   const auto& [X_WH, V_WH, dt] = input;
-  const Pose from = motion.is_parted() && !coupled ? X_WH : advance(X_WH, V_WH, -dt);
-  if (motion.is_parted() && (coupled ? is_in_material(from) : touches(from))) return false;
+  const Pose from = motion.is_separated() && !coupled ? X_WH : advance(X_WH, V_WH, -dt);
+  if (motion.is_separated() && (coupled ? is_in_material(from) : touches(from))) return false;
   place_at(from);
   return true;
 }
@@ -43,11 +43,11 @@ bool Simulation::State::is_placed_elsewhere(const Pose& X_WH, const Twist& V_WH,
   return sub_steps_between(motion.X_WH(), advance(X_WH, V_WH, -dt)) > 1;
 }
 
-/// Whether the input is too far from the tool to be a motion: too far for one step, or for the time of refused steps.
+/// Whether the input is too far from the tool to be a motion: too far for one step, or for the time of rejected steps.
 bool Simulation::State::is_jump() const noexcept {
   const int sub_steps = sub_steps_between(motion.X_WH(), input.X_WH);
   return sub_steps > config.max_sweep || rotated_beyond(motion.X_WH(), input.X_WH, kMaxStepRotation) ||
-         (motion.is_after_refusal() && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
+         (motion.is_after_rejection() && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
 
 /// Whether a jump would place a turning head in material that it has not cut its way into.
@@ -65,14 +65,14 @@ bool Simulation::State::jumps_into_material(const Pose& X_WH) noexcept {
 StepStatus Simulation::State::follow_jump() noexcept {
   const Pose& X_WH = input.X_WH;
   const bool waits = jumps_into_material(X_WH);
-  const std::optional<Pose>& before = motion.refused_jump();
+  const std::optional<Pose>& before = motion.rejected_jump();
   const bool is_confirmed = before && sub_steps_between(*before, X_WH) <= config.max_sweep &&
                             !rotated_beyond(*before, X_WH, kMaxStepRotation);
   if (!waits && is_confirmed) {
     place_at(X_WH);
     return StepStatus::ok;
   }
-  motion.refuse_jump(X_WH);
+  motion.reject_jump(X_WH);
   return StepStatus::jump_rejected | (waits ? StepStatus::tool_waits : StepStatus::ok);
 }
 

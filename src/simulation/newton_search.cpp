@@ -16,19 +16,24 @@ constexpr double kNearFraction = 2e-4;  // [1] part of the maximum force
 constexpr int kPatient = 6;
 constexpr double kMinDescent = 1e-4;  // [1] by which a correction must reduce the residual
 constexpr double kStuck = 0.1;        // [1] residual of a point that friction holds, over the largest force
-constexpr double kLongTick = 1.5e-3;  // [s] from which on two parts have the time for as many steps as more parts
+constexpr double kLongTick = 1.5e-3;  // [s] from which on two sub-ticks have the time for as many steps as more
 constexpr double kAgainst = 3;        // [1]
 constexpr double kShorter = 0.7;      // [1] times one that does not, the next one
 
 }  // namespace
 
-VirtualCoupling::NewtonSearch::NewtonSearch(VirtualCoupling& coupling, const Part& part, const Twist& hand)
-    : coupling_(coupling), part_(part), hand_(hand), before_(coupling.accelerated()), lever_(coupling.reach()) {}
+VirtualCoupling::NewtonSearch::NewtonSearch(VirtualCoupling& coupling, const SubTick& sub_tick, const Twist& hand)
+    : coupling_(coupling),
+      sub_tick_(sub_tick),
+      hand_(hand),
+      before_(coupling.accelerated()),
+      lever_(coupling.reach()) {}
 
 Twist VirtualCoupling::NewtonSearch::find() noexcept {
   Twist tool = coupling_.result_.V_WH;
-  if (!coupling_.has_torque()) tool.angular = twist_between(coupling_.result_.X_WH, part_.X_WD, part_.dt).angular;
-  const double solved = kSolved * coupling_.simulation_->workpiece().voxel_size() / part_.dt;  // [m/s]
+  if (!coupling_.has_torque())
+    tool.angular = twist_between(coupling_.result_.X_WH, sub_tick_.X_WD, sub_tick_.dt).angular;
+  const double solved = kSolved * coupling_.simulation_->workpiece().voxel_size() / sub_tick_.dt;  // [m/s]
   Residual residual = residual_at(tool);
   Vector6 last = Vector6::Zero();
   double longest = std::numeric_limits<double>::infinity();  // [m/s] correction that is tried
@@ -80,16 +85,16 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
   }
 }
 
-/// Whether the steps have not yet taken their time. A fast tick of several parts, as when the tool strikes, has more. A
-/// part may take twice its equal share of what the parts before have left.
+/// Whether the steps have not yet taken their time. A fast tick of several sub-ticks, as when the tool strikes, has
+/// more. A sub-tick may take twice its equal share of what those before have left.
 bool VirtualCoupling::NewtonSearch::may_go_on() const noexcept {
-  const int parts = coupling_.result_.parts;
-  const bool short_pair = parts == 2 && parts * part_.dt < kLongTick;
-  const int steps = coupling_.gains_.newton_steps * (parts == 1 ? 1 : short_pair ? 2 : kFaster);
+  const int sub_ticks = coupling_.result_.sub_ticks;
+  const bool short_pair = sub_ticks == 2 && sub_ticks * sub_tick_.dt < kLongTick;
+  const int steps = coupling_.gains_.newton_steps * (sub_ticks == 1 ? 1 : short_pair ? 2 : kFaster);
   const int each = kContactExtra + std::min(voxels_ + kBlockExtra * blocks_, kContactVoxels);
   const int in_tick = steps * (kContactExtra + kContactVoxels) / each;
   const int before = coupling_.evaluated_ - evaluated_;
-  return steps_ < kLeastSteps || evaluated_ * (part_.left + 2) < 2 * (in_tick - before);
+  return steps_ < kLeastSteps || evaluated_ * (sub_tick_.left + 2) < 2 * (in_tick - before);
 }
 
 /// [N] The residual, and more where it acts against the motion: the tool's own energy pays for any other
@@ -113,9 +118,9 @@ void VirtualCoupling::NewtonSearch::learn(Residual& from, const Vector6& correct
 
 VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_at(const Twist& tool) noexcept {
   const CouplingGains& gains = coupling_.gains_;
-  const double dt = part_.dt;
+  const double dt = sub_tick_.dt;
   Pose X_WH = advance(coupling_.result_.X_WH, tool, dt);
-  if (!coupling_.has_torque()) X_WH.rotation = part_.X_WD.rotation;
+  if (!coupling_.has_torque()) X_WH.rotation = sub_tick_.X_WD.rotation;
   const ProbedMotions motions = learned_                 ? ProbedMotions::none
                                 : coupling_.has_torque() ? ProbedMotions::all
                                                          : ProbedMotions::translations;
@@ -127,7 +132,7 @@ VirtualCoupling::NewtonSearch::Residual VirtualCoupling::NewtonSearch::residual_
   ++coupling_.result_.newton_steps;
   evaluated_ += contact.evaluations;
   coupling_.evaluated_ += contact.evaluations;
-  const Pull p = coupling_.pull(X_WH, tool, part_.X_WD, hand_);
+  const CouplingForces p = coupling_.forces_at(X_WH, tool, sub_tick_.X_WD, hand_);
   Residual residual;
   residual.of << contact.wrench.force + p.wrench.force + p.brake - gains.mass / dt * (tool.linear - before_.linear),
       contact.wrench.torque + p.wrench.torque - gains.inertia / dt * (tool.angular - before_.angular);

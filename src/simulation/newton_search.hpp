@@ -7,7 +7,7 @@
 
 namespace hapticut {
 
-/// Finds the twist of a coupled tool at the end of a part of a tick at which all forces are in balance, by Newton's
+/// Finds the twist of a coupled tool at the end of a sub-tick at which all forces are in balance, by Newton's
 /// method.
 ///
 /// The slope of a custom law costs several contacts, so it is measured once and then learned from each correction. A
@@ -20,18 +20,18 @@ class VirtualCoupling::NewtonSearch {
  public:
   static constexpr double kSolved = 1e-4;  // [voxels] a smaller correction ends the search
   static constexpr int kLeastSteps = 2;    // steps of a part
-  static constexpr int kFaster = 4;        // [1] times the steps, in a tick of several parts
+  static constexpr int kFaster = 4;        // [1] times the steps, in a tick of several sub-ticks
   /// Voxels of a contact for which a tick has CouplingGains::newton_steps, and those whose evaluation takes as long as
   /// the rest of a contact. Smaller contacts have more steps in the same time.
   static constexpr int kContactVoxels = 250, kContactExtra = 40;
   static constexpr int kBlockExtra = 2;  // voxels that take as long as the search in a block
   /// Upper bound on the evaluations of the contact in a tick.
   /// @param for_slope  how many the slope of a contact costs, beyond the one that gives the force
-  [[nodiscard]] static int most_evaluations(int newton_steps, int parts, int for_slope) {
+  [[nodiscard]] static int most_evaluations(int newton_steps, int sub_ticks, int for_slope) {
     return kFaster * newton_steps * (kContactVoxels + kContactExtra) / kContactExtra +
-           (1 + kLeastSteps + for_slope) * parts;
+           (1 + kLeastSteps + for_slope) * sub_ticks;
   }
-  NewtonSearch(VirtualCoupling& coupling, const Part& part, const Twist& hand);
+  NewtonSearch(VirtualCoupling& coupling, const SubTick& sub_tick, const Twist& hand);
 
   /// @realtime no allocation, no lock; at most `most_evaluations` in a tick
   [[nodiscard]] Twist find() noexcept;
@@ -59,12 +59,12 @@ class VirtualCoupling::NewtonSearch {
   [[nodiscard]] double speed_of(const Vector6& correction) const noexcept;
 
   VirtualCoupling& coupling_;
-  const Part& part_;
+  const SubTick& sub_tick_;
   const Twist& hand_;
   const Twist before_;  // from which the forces accelerate the tool
   const double lever_;  // [m] distance of the farthest point of the head
   int steps_ = 0;       // number in this part
-  int evaluated_ = 0;   // contacts of this part
+  int evaluated_ = 0;   // contacts of this sub-tick
   int voxels_ = 0;      // number in the last contact
   int blocks_ = 0;      // searched for them
   // [N s/m] ... of a contact whose law reports no stiffness: measured in the first contact, then learned.

@@ -42,8 +42,8 @@ bool Simulation::State::is_in_material(const Pose& X_WH) noexcept {
 /// Whether the head would touch material with the handle at a pose, deeper than a depth [m].
 bool Simulation::State::touches(const Pose& X_WH, double deeper_than) noexcept {
   const HeadPlacement at = plan_sub_step({X_WH, {}, {}, config.min_dt, {}}, 0).head;
-  const Resultant met = contact_stages.press(contact_stages.find_blocks(at), at).resultant;
-  return met.voxels > 0 && met.depth >= deeper_than;
+  const Resultant resultant = contact_stages.probe(contact_stages.find_blocks(at), at).resultant;
+  return resultant.voxels > 0 && resultant.depth >= deeper_than;
 }
 
 /// The contact on a path.
@@ -94,15 +94,15 @@ void Simulation::State::add_to(ContactProbe& probe, const SubStep& sub_step, con
   const Vec3 along = R_WT.transpose() * acting.deep.normal();
   stiffness_T.topLeftCorner<3, 3>() += acting.deep.stiffness() * along * along.transpose();
   // While it slides, friction grows with the normal forces, as if their distribution did not change.
-  const LimitSurface::Outcome& pull = encounter.dry_friction;
+  const LimitSurface::Reaction& reaction = encounter.dry_friction;
   const Vec3& push_T = encounter.resultant.push_T;
   if (const double push = push_T.norm(); acting.anchor.sliding() && push > 0) {
     Eigen::Matrix<double, 6, 1> friction_T;
-    friction_T << R_WT.transpose() * pull.wrench.force, R_WT.transpose() * pull.wrench.torque;
+    friction_T << R_WT.transpose() * reaction.wrench.force, R_WT.transpose() * reaction.wrench.torque;
     const Eigen::Matrix<double, 1, 6> normal_growth = push_T.transpose() / (push * push) * stiffness_T.topRows<3>();
     stiffness_T += friction_T * normal_growth;
   }
-  stiffness_T += transport(pull.stiffness, R_WT.transpose(), Vec3::Zero());
+  stiffness_T += transport(reaction.stiffness, R_WT.transpose(), Vec3::Zero());
 
   const double weight = sub_step.weight;
   const Wrench wrench = sub_step.at_handle(encounter.resultant.wrench_T);

@@ -88,7 +88,7 @@ const StepInput& Simulation::last_input() const noexcept { return state_->input;
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 bool Simulation::next_step_is_first() const noexcept { return !state_->motion.is_placed(); }
 bool Simulation::is_fresh() const noexcept {
-  return state_->steps == 0 && !state_->altered && !state_->motion.is_parted();
+  return state_->steps == 0 && !state_->altered && !state_->motion.is_separated();
 }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
 
@@ -136,9 +136,9 @@ void Simulation::reset(Workpiece workpiece) {
   fresh->exchanges = state_->exchanges;
   fresh->replacements = state_->replacements + 1;
   fresh->contact_stages.change_all();
-  const bool held = state_->spindle.is_held();
+  const bool spindle_held = state_->spindle.is_held();
   state_ = std::move(fresh);
-  state_->spindle.hold(held);
+  state_->spindle.hold(spindle_held);
   state_->tell_of_exchange();
 }
 

@@ -22,9 +22,9 @@ concept Matrix = requires(T& matrix) {
   T::RowsAtCompileTime;
 };
 
-/// Calls `archive(part)` for each part of a value. Single numbers are left to the archive.
+/// Calls `archive(member)` for each member of a value. Single numbers are left to the archive.
 template <class Archive, class T>
-void visit_parts(Archive& archive, T& value) {
+void visit_members(Archive& archive, T& value) {
   if constexpr (std::is_same_v<T, Pose>) {
     archive(value.rotation, value.translation);
   } else if constexpr (std::is_same_v<T, Twist>) {
@@ -49,7 +49,7 @@ void visit_parts(Archive& archive, T& value) {
         archive(value.*field.member);
     });
   } else {
-    for (auto& part : value) archive(part);  // an array
+    for (auto& member : value) archive(member);  // an array
   }
 }
 
@@ -67,7 +67,7 @@ class Writer {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
       bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     else
-      visit_parts(*this, value);
+      visit_members(*this, value);
   }
   template <class T>
   void write(std::optional<T>& value) {
@@ -100,7 +100,7 @@ class Reader {
       std::memcpy(&value, bytes_.data() + at_, sizeof value);
       at_ += sizeof value;
     } else {
-      visit_parts(*this, value);
+      visit_members(*this, value);
     }
   }
   template <class T>
@@ -133,7 +133,7 @@ class Reader {
 template <class Archive>
 void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   ToolMotion& tool = s.motion;
-  archive(s.chooses_stiffness, tool.placed_, tool.parted_, tool.X_WH_, tool.mean_velocity_, tool.after_refusal_,
+  archive(s.chooses_stiffness, tool.placed_, tool.separated_, tool.X_WH_, tool.mean_velocity_, tool.after_rejection_,
           tool.jumped_to_);
   SpindleDrive& spindle = s.spindle;
   SpindleMotor& motor = spindle.motor_;
@@ -142,7 +142,8 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   archive(load.torque, load.hand_speed, load.first_torque, load.first_speed, load.settled);
   archive(spindle.held_, spindle.held_setting_, spindle.halted_, spindle.was_halted_, spindle.set_, spindle.was_set_);
   DeepContact& deep = s.springs.deep;
-  archive(deep.touched_, deep.held_, deep.normal_, deep.place_, deep.full_stiffness_, deep.stiffness_, deep.stored_);
+  archive(deep.touched_, deep.tethered_, deep.normal_, deep.place_, deep.full_stiffness_, deep.stiffness_,
+          deep.stored_);
   archive(s.crushing_depth);
   LimitSurface& anchor = s.springs.anchor;
   archive(anchor.position_, anchor.rotation_, anchor.stored_, anchor.stiffness_, anchor.anchored_, anchor.sliding_);
@@ -157,7 +158,7 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   archive(s.result, lists_removed, s.times);
   s.result.removed_voxels = lists_removed ? removal.voxels() : std::span<const RemovedVoxel>();
   ContactStages& stages = s.contact_stages;
-  archive(stages.phase_, stages.bounds_, stages.changed_, stages.changed_blocks_.complete);
+  archive(stages.subset_, stages.bounds_, stages.changed_, stages.changed_blocks_.complete);
   stages.changed_blocks_.origins = stages.changed_;
 }
 

@@ -62,7 +62,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] Encounter press_and_cut(std::span<const FoundBlock> blocks, const SubStep& sub_step,
                                         bool cuts) noexcept;
   void remove_emptied() noexcept;
-  void hold_deep_contact(const SubStep& sub_step, Encounter& encounter, DeepContact& deep) noexcept;
+  void tether_deep_ball(const SubStep& sub_step, Encounter& encounter, DeepContact& deep) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter, LimitSurface& anchor) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter) noexcept;
@@ -87,8 +87,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void set_spin(HeadPlacement& head) const noexcept;
   [[nodiscard]] double torque_to_spin(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
-  [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
-                                          DeepContact& deep) noexcept;
+  [[nodiscard]] DeepContact::Pull tether(const SubStep& sub_step, const Encounter& encounter,
+                                         DeepContact& deep) noexcept;
   void note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
   [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
 

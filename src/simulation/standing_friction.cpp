@@ -9,8 +9,8 @@ namespace {
 /// The contact of a head that may roll about an axis: friction has no torque about it.
 Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
   const Eigen::Matrix<double, 6, 1, Eigen::DontAlign> about = directions.rightCols<3>() * axis;
-  const double held = about.tail<3>().dot(axis);
-  return held > 0 ? Stiffness(directions - about * about.transpose() / held) : directions;
+  const double about_axis = about.tail<3>().dot(axis);
+  return about_axis > 0 ? Stiffness(directions - about * about.transpose() / about_axis) : directions;
 }
 
 }  // namespace
@@ -22,17 +22,17 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
   const double fraction = dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // empty
   if (fraction > 0 && encounter.resultant.voxels > 0)
-    contact =
-        sub_step.head.motion.spin == 0 ? encounter.friction_T : contact_stages.press_standing(sub_step.head).friction_T;
+    contact = sub_step.head.motion.spin == 0 ? encounter.friction_T
+                                             : contact_stages.standing_contact(sub_step.head).friction_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
   contact.directions = transport(contact.directions, R_WT, Vec3::Zero());
   if (motor.stalled()) contact.directions = free_about(contact.directions, R_WT.col(2));
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Twist displacement = {R_WT * sub_step.path_T.linear * sub_step.duration, R_WT * turning * sub_step.duration};
   encounter.dry_friction = anchor.move(contact, displacement, fraction, double(sub_step.head.motion.lead));
-  const Wrench& pull = encounter.dry_friction.wrench;
-  encounter.resultant.wrench_T.force += R_WT.transpose() * pull.force;
-  encounter.resultant.wrench_T.torque += R_WT.transpose() * pull.torque;
+  const Wrench& reaction = encounter.dry_friction.wrench;
+  encounter.resultant.wrench_T.force += R_WT.transpose() * reaction.force;
+  encounter.resultant.wrench_T.torque += R_WT.transpose() * reaction.torque;
 }
 
 }  // namespace hapticut

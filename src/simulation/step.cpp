@@ -33,11 +33,11 @@ const StepResult& Simulation::step(const Pose& X_WH, const Twist& V_WH, double d
 void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const auto& [X_WH, V_WH, dt] = input;
   hand.path = coupling == nullptr ? OutputPath::direct : OutputPath::kept;
-  if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) {
-    motion.refuse_input();
-    return reject(refused);
+  if (const StepStatus rejected = check_step_input(); rejected != StepStatus::ok) {
+    motion.reject_input();
+    return reject(rejected);
   }
-  if (const StepStatus refused = find_start(coupling != nullptr); refused != StepStatus::ok) return reject(refused);
+  if (const StepStatus rejected = find_start(coupling != nullptr); rejected != StepStatus::ok) return reject(rejected);
   const Pose& from = motion.X_WH();
   const HandlePath path = {from, twist_between(from, X_WH, dt), V_WH, dt, plan_sweep(from, X_WH)};
   take_sub_steps(path, springs, nullptr);
@@ -56,7 +56,7 @@ void Simulation::State::take_sub_steps(const HandlePath& path, Springs& acting, 
     if (acts) drive_spindle(blocks, sub_step);
     Encounter encounter = press_and_cut(blocks, sub_step, acts);
     if (acts) remove_emptied();
-    hold_deep_contact(sub_step, encounter, acting.deep);
+    tether_deep_ball(sub_step, encounter, acting.deep);
     add_friction(sub_step, encounter, acting.anchor);
     if (!acts) {
       add_to(*probe, sub_step, encounter, acting, int(blocks.size()));
@@ -137,7 +137,7 @@ std::span<const FoundBlock> Simulation::State::find_blocks(const SubStep& sub_st
 Encounter Simulation::State::press_and_cut(std::span<const FoundBlock> blocks, const SubStep& sub_step,
                                            bool cuts) noexcept {
   const StageTimer timer = timed(&StageTimes::press_and_cut);
-  if (!cuts) return contact_stages.press(blocks, sub_step.head, ContactStages::Asked::stiffness);
+  if (!cuts) return contact_stages.probe(blocks, sub_step.head, ContactStages::Asked::stiffness);
   note_touches(blocks, sub_step);
   Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);
   if (spindle.motor_.stalled()) book_stalled(sub_step, encounter);
@@ -150,25 +150,25 @@ void Simulation::State::remove_emptied() noexcept {
   contact_stages.remove_emptied(removal);
 }
 
-/// Keeps a ball beyond its radius from popping through.
-void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& encounter, DeepContact& deep) noexcept {
-  const StageTimer timer = timed(&StageTimes::hold_deep_contact);
-  const DeepContact::Outcome outcome = hold(sub_step, encounter, deep);
-  encounter.resultant.wrench_T.force += sub_step.X_WT.rotation.transpose() * outcome.force;
-  encounter.energies.elastic_before += outcome.stored_before;
-  encounter.energies.elastic += outcome.stored;
-  encounter.energies.released += outcome.released;
+/// Tethers a ball that is deeper than its radius, so that it does not pop through.
+void Simulation::State::tether_deep_ball(const SubStep& sub_step, Encounter& encounter, DeepContact& deep) noexcept {
+  const StageTimer timer = timed(&StageTimes::tether_deep_ball);
+  const DeepContact::Pull pull = tether(sub_step, encounter, deep);
+  encounter.resultant.wrench_T.force += sub_step.X_WT.rotation.transpose() * pull.force;
+  encounter.energies.elastic_before += pull.stored_before;
+  encounter.energies.elastic += pull.stored;
+  encounter.energies.released += pull.released;
 }
 
-DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Encounter& encounter,
-                                             DeepContact& deep) noexcept {
+DeepContact::Pull Simulation::State::tether(const SubStep& sub_step, const Encounter& encounter,
+                                            DeepContact& deep) noexcept {
   const SphereHead* ball = tool.head().ball();
-  if (ball == nullptr || !config.deep_contact || !config.law->holds_deep_contact()) return {};
+  if (ball == nullptr || !config.deep_contact || !config.law->tethers_deep_ball()) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface. Its normal part costs a second evaluation.
   const bool needs_normal_force = sub_step.head.motion.spin != 0 && deep.needs_normal_force(filled);
-  const Vec3 normal_T = needs_normal_force ? contact_stages.press_standing(sub_step.head).resultant.wrench_T.force
+  const Vec3 normal_T = needs_normal_force ? contact_stages.standing_contact(sub_step.head).resultant.wrench_T.force
                                            : encounter.resultant.wrench_T.force;
   const Vec3 path = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);

@@ -8,11 +8,11 @@
 /// How a step is divided into sub-steps.
 namespace hapticut {
 
-/// One equal part of the tool's motion during a step, seen where the contact is evaluated: at its middle or its end.
+/// An equal piece of the tool's motion during a step, seen where the contact is evaluated: at its middle or its end.
 struct SubStep {
   double duration;     // [s]
-  double end;          // [1] part of the step that is over
-  double weight;       // [1] part of its force in the force of the step
+  double end;          // [1] share of the step that is over
+  double weight;       // [1] share of its force in the force of the step
   Pose X_WH;           // pose of the handle
   Pose X_WT;           // pose of the head
   Twist path_T;        // velocity of To along the path, in T
@@ -28,23 +28,23 @@ struct SubStep {
 
 /// How a step is divided. Each sub-step but the first moves the head by half a voxel, and the first by the rest. A path
 /// that is slightly longer and needs one more sub-step thus has nearly the same force, which an implicit coupling
-/// needs. Each may be divided once more into equal parts, which follow a crushed layer.
+/// needs. Each may be divided once more into equal slices, which follow a crushed layer.
 struct Sweep {
   int sub_steps = 1;
-  double rest = 0;  // [1] part of the step's duration, each sub-step but the first
-  int parts = 1;    // parts of each sub-step
+  double rest = 0;  // [1] share of the step's duration, each sub-step but the first
+  int slices = 1;   // equal pieces of each sub-step
 
-  [[nodiscard]] int count() const noexcept { return sub_steps * parts; }
-  /// [1] Duration, end, and weight of the force of a part of a sub-step. At the end of sub-steps, the force of the last
-  /// part is that of the sub-step, as without parts.
-  [[nodiscard]] double duration(int index) const noexcept { return whole(index / parts) / parts; }
+  [[nodiscard]] int count() const noexcept { return sub_steps * slices; }
+  /// [1] Duration, end, and weight of the force of a slice of a sub-step. At the end of sub-steps, the force of the
+  /// last slice is that of the sub-step, as without slices.
+  [[nodiscard]] double duration(int index) const noexcept { return whole(index / slices) / slices; }
   [[nodiscard]] double end(int index) const noexcept {
-    const int later_sub_steps = sub_steps - 1 - index / parts, later_parts = parts - 1 - index % parts;
-    return 1 - later_sub_steps * rest - later_parts * duration(index);
+    const int later_sub_steps = sub_steps - 1 - index / slices, later_slices = slices - 1 - index % slices;
+    return 1 - later_sub_steps * rest - later_slices * duration(index);
   }
   [[nodiscard]] double weight(int index, ContactTime time) const noexcept {
     if (time == ContactTime::middle) return duration(index);
-    return index % parts == parts - 1 ? whole(index / parts) : 0.0;
+    return index % slices == slices - 1 ? whole(index / slices) : 0.0;
   }
 
  private:

@@ -14,24 +14,24 @@ namespace hapticut {
 class ToolMotion {
  public:
   [[nodiscard]] bool is_placed() const noexcept { return placed_; }
-  [[nodiscard]] bool is_parted() const noexcept { return parted_; }  ///< from its hand, by an exchange
-  [[nodiscard]] const Pose& X_WH() const noexcept { return X_WH_; }  ///< at the end of the last accepted step
+  [[nodiscard]] bool is_separated() const noexcept { return separated_; }  ///< from its hand, by an exchange
+  [[nodiscard]] const Pose& X_WH() const noexcept { return X_WH_; }        ///< at the end of the last accepted step
 
   void place_at(const Pose& X_WH) noexcept {
     X_WH_ = X_WH;
     placed_ = true;
-    parted_ = false;
+    separated_ = false;
   }
 
   /// Forgets the place, after an exchange. The hand must not feel the material that the tool is in now.
   void forget_place() noexcept {
-    parted_ = parted_ || placed_;
+    separated_ = separated_ || placed_;
     placed_ = false;
     mean_velocity_.reset();
     jumped_to_.reset();
   }
-  /// Parts a tool from the hand of the tool that it replaces.
-  void part_as(const ToolMotion& replaced) noexcept { parted_ = replaced.parted_ || replaced.placed_; }
+  /// Separates a tool from the hand of the tool that it replaces.
+  void separate_as(const ToolMotion& replaced) noexcept { separated_ = replaced.separated_ || replaced.placed_; }
 
   /// Ends a step.
   /// @param velocity  [m/s] of To, in W
@@ -51,23 +51,22 @@ class ToolMotion {
   }
 
   // Inputs that are not followed.
-  void refuse_input() noexcept { after_refusal_ = true; }
-  void refuse_jump(const Pose& X_WH) noexcept { jumped_to_ = X_WH; }
+  void reject_input() noexcept { after_rejection_ = true; }
+  void reject_jump(const Pose& X_WH) noexcept { jumped_to_ = X_WH; }
   void accept_input() noexcept {
     jumped_to_.reset();
-    after_refusal_ = false;
+    after_rejection_ = false;
   }
-  [[nodiscard]] bool is_after_refusal() const noexcept { return after_refusal_; }
-  [[nodiscard]] const std::optional<Pose>& refused_jump() const noexcept {
-    return jumped_to_;
-  }  ///< place to which the last step was refused
+  [[nodiscard]] bool is_after_rejection() const noexcept { return after_rejection_; }
+  /// Place of the jump that the last step rejected.
+  [[nodiscard]] const std::optional<Pose>& rejected_jump() const noexcept { return jumped_to_; }
 
  private:
   friend struct SimulationMemory;
-  bool placed_ = false, parted_ = false;
+  bool placed_ = false, separated_ = false;
   Pose X_WH_;
   std::optional<Vec3> mean_velocity_;  // [m/s] velocity of To, in W, over the last steps
-  bool after_refusal_ = false;         // the last step's input was refused
+  bool after_rejection_ = false;       // the last step's input was rejected
   std::optional<Pose> jumped_to_;
 };
 

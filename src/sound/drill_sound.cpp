@@ -27,8 +27,8 @@ constexpr double kClickLasts = 0.06, kFreeBeforeClick = 0.03;                   
 
 double finite_or_0(double value) { return std::isfinite(value) ? value : 0.0; }
 
-/// [1] Part of a tone that the sample rate can hold.
-double held(double frequency, double sample_rate) {
+/// [1] Share of a tone that the sample rate can represent.
+double audible_share(double frequency, double sample_rate) {
   return std::clamp((kMaxShare * sample_rate - frequency) / (kFadeShare * sample_rate), 0.0, 1.0);
 }
 
@@ -87,8 +87,8 @@ double DrillSound::tone(double sample_rate) noexcept {
   phase_ -= std::floor(phase_);
   const double strength = speed_ / (speed_ + kToneSpeed);
   const auto partial = [&](double multiple, double level) {
-    const double hold = held(multiple * speed_, sample_rate);
-    return hold > 0 ? level * hold * std::sin(2 * kPi * multiple * phase_) : 0.0;
+    const double share = audible_share(multiple * speed_, sample_rate);
+    return share > 0 ? level * share * std::sin(2 * kPi * multiple * phase_) : 0.0;
   };
   double sum = partial(1, 0.3) + partial(2, 0.1);
   if (options_.flutes > 2) sum += partial(options_.flutes, 0.15);

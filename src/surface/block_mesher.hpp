@@ -54,14 +54,15 @@ void mesh_block(const BlockSamples& samples, BlockNet& net);
 ///                  from voxel `first` on; neighbour is {-1, 0, 1} along each axis
 template <class ReadRow>
 void read_samples(BlockSamples& samples, const ReadRow& read_row) {
-  struct Part {
+  struct AxisRange {
     int neighbour, first, count;
   };
   constexpr int kMargin = BlockSamples::kMargin;
-  constexpr std::array<Part, 3> kParts = {{{-1, kBlockEdge - kMargin, kMargin}, {0, 0, kBlockEdge}, {1, 0, kMargin}}};
-  for (const Part& x : kParts)
-    for (const Part& y : kParts)
-      for (const Part& z : kParts) {
+  constexpr std::array<AxisRange, 3> kRanges = {
+      {{-1, kBlockEdge - kMargin, kMargin}, {0, 0, kBlockEdge}, {1, 0, kMargin}}};
+  for (const AxisRange& x : kRanges)
+    for (const AxisRange& y : kRanges)
+      for (const AxisRange& z : kRanges) {
         const std::array<int, 3> neighbour = {x.neighbour, y.neighbour, z.neighbour};
         for (int i = 0; i < x.count; ++i)
           for (int j = 0; j < y.count; ++j) {

@@ -122,7 +122,7 @@ class Cells {
     for (std::size_t n = 0; n < 8; ++n) {
       blocks_[n] = workpiece_.block({origin[0] + (n & 4U ? kBlockEdge : 0), origin[1] + (n & 2U ? kBlockEdge : 0),
                                      origin[2] + (n & 1U ? kBlockEdge : 0)});
-      any |= may_hold(blocks_[n]);
+      any |= may_contain(blocks_[n]);
     }
     origin_ = origin;
     return any;
@@ -177,7 +177,7 @@ class Cells {
   }
 
  private:
-  [[nodiscard]] bool may_hold(const BlockView& block) const {
+  [[nodiscard]] bool may_contain(const BlockView& block) const {
     if (block.empty()) return false;
     if (material_ == kEmpty) return true;
     if (block.material == nullptr) return block.uniform_material == material_;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Configures, builds, installs and uses hapticut with some of its parts off: library, C interface and program.
+# Configures, builds, installs and uses hapticut with some of its components off: library, C interface and program.
 #   cmake -DWITHOUT=part,... -DHIDDEN=part,... -DOPTIONS=-D...,... -DKERNELS=... -DSOURCE=... -DBUILD=...
 #     -DCXX=... -DCC=... -DLAUNCHER=... -P configuration.cmake
 #

@@ -143,7 +143,7 @@ void require_words(const Tool& tool) {
   require(motor.speed() > 0, "the spindle does not start");
   DeepContact deep;
   require(deep.move(Vec3::Zero(), -Vec3::UnitZ() * mm, 0.1, Vec3::UnitZ(), kRadius).force.isZero(),
-          "a free ball was held");
+          "a free ball was tethered");
   Gravity gravity;
   gravity.mass = 0.1;
   validate(gravity);

@@ -115,7 +115,7 @@ elseif(CASE STREQUAL "no_io")
   # A package with an empty list of parts of import stands for a build without ITK.
   file(GLOB_RECURSE config "${WORK}/prefix/hapticut-config.cmake")
   file(READ "${config}" text)
-  string(REGEX REPLACE "set\\(parts_of_import [^)]*\\)" "set(parts_of_import )" text "${text}")
+  string(REGEX REPLACE "set\\(components_of_import [^)]*\\)" "set(components_of_import )" text "${text}")
   file(WRITE "${config}" "${text}")
   run(${configure} -B "${WORK}/no_itk" -DCOMPONENT=itk)
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_ITK=ON")

@@ -62,7 +62,7 @@ void circles_at_any_rate(Report& report) {
     double min_force = min_volume, max_force = 0, unbalanced = 0, ticks = 0;
     for (const double faster : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
       report.period = period / faster;
-      ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
+      ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Grip::by_coupling);
       Hand hand = pressing(bur);
       hand.move({kCircle, 0, 0}, 0.02);
       constexpr int kChords = 24;
@@ -97,7 +97,7 @@ void circles_at_any_rate(Report& report) {
 void jerk(Report& report) {
   for (const PressedBur& bur : turning_burs()) {
     report.scene(bur.name + ", the hand displaced by 0.3 mm in one tick, coupled");
-    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
+    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Grip::by_coupling);
     loop.play(pressing(bur));
     Hand on(loop.log.ticks.back().X_WD);
     const Span after = loop.play(on.move({0.3 * mm, 0, 0}, report.period).hold(0.15)).tail(2.0 / 3);
@@ -119,7 +119,7 @@ void drill_a_hole(Report& report) {
                    (common ? "gains by default" : "gains of a Touch"));
       const double depth = 2.5 * mm;
       ScriptedLoop loop(report, slab(diameter / 2 + 1 * mm, depth + 1 * mm, report.voxel(), bur.material), bur.tool,
-                        Held::by_coupling, {}, bur.gains);
+                        Grip::by_coupling, {}, bur.gains);
       Hand hand = pressing(bur);
       loop.play(hand.move({0, 0, -depth}, depth / (5 * mm)).hold(0.1));
       const Vec3 tip = loop.log.ticks.back().X_WH.translation - Vec3(0, 0, tip_below_hand(bur.tool));
@@ -159,7 +159,7 @@ void needle(Report& report) {
   const double slope = 0.6 * mm / (4 * mm);  // [1] slope of the side
   for (const Material& material : {presets::enamel(), presets::cortical_bone(), presets::trabecular_bone()}) {
     report.scene("needle 1.2 mm, standing, 1 N on " + material.name + ", coupled");
-    ScriptedLoop loop(report, slab(0.8 * mm, 3 * mm, report.voxel(), material), tool, Held::by_coupling);
+    ScriptedLoop loop(report, slab(0.8 * mm, 3 * mm, report.voxel(), material), tool, Grip::by_coupling);
     Hand hand(tool, Vec3(0.017, 0.006, 0.3) * mm);
     const double strength = strength_of(material);
     const auto depth_by_strength = [&](double force) { return std::sqrt(force / (kPi * strength)) / slope; };
@@ -197,7 +197,7 @@ void constant_force(Report& report) {
        tool_of(cylinder_head(1.6 * mm, 4 * mm), common_spindle(40000 * rpm)), presets::cortical_bone(), 2}};
   for (const PressedBur& bur : all) {
     report.scene(bur.name + ", drawn along at 2 mm/s, coupled");
-    ScriptedLoop loop(report, slab(2 * mm, 1.5 * mm, report.voxel(), bur.material), bur.tool, Held::by_coupling);
+    ScriptedLoop loop(report, slab(2 * mm, 1.5 * mm, report.voxel(), bur.material), bur.tool, Grip::by_coupling);
     Hand hand(bur.tool, Vec3(-1, 0.006, 0.3) * mm);
     hand.move({0, 0, -0.3 * mm - bur.force / bur.gains.stiffness}, 0.1);
     loop.play(hand.move({1.6 * mm, 0, 0}, 0.8));
@@ -234,7 +234,7 @@ void exchange_in_contact(Report& report) {
       {"release", [](ScriptedLoop& loop, const auto&) { loop.coupling().reset(); }}};
   for (const Exchange& exchange : all) {
     report.scene(bur.name + ", then " + exchange.name + ", coupled");
-    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
+    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Grip::by_coupling);
     const WorkpieceSnapshot before = loop.simulation.workpiece().snapshot();
     loop.simulation.history().reserve(4000);
     (void)loop.simulation.history().mark();
@@ -261,7 +261,7 @@ void refused_readings(Report& report) {
     bur.name = turning ? bur.name : "ball 3 mm, standing, 2 N on cortical bone";
     report.scene(bur.name + ", every 2nd, 10th, 100th reading NaN, turned over or late, coupled");
     const auto end_of = [&](const std::function<void(Pose&, double&)>& spoil, double& removed) {
-      ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
+      ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Grip::by_coupling);
       loop.play(pressing(bur));
       Hand on(loop.log.ticks.back().X_WD);
       loop.play(on.hold(0.3), spoil);
@@ -304,7 +304,7 @@ void deep_holes(Report& report) {
                               Spindle{kSpeed * units::rad_per_s}, Cutter{CutterKind::twist_drill, 2});
     const forms::SteadyCut cut = steady_cut(bone, tool.cutter(), kSpeed, feed);
     const double expected = std::abs(forms::axial_chip_wrench(cut, kRadius).torque.z());
-    ScriptedLoop loop(report, slab(kRadius + 0.6 * mm, 8.6 * mm, report.voxel(), bone), tool, Held::directly);
+    ScriptedLoop loop(report, slab(kRadius + 0.6 * mm, 8.6 * mm, report.voxel(), bone), tool, Grip::directly);
     Hand hand(tool, Vec3(0.013, 0.007, 0.05) * mm);
     loop.play(hand.move({0, 0, -8.05 * mm}, 8.05 * mm / feed));
     double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -330,7 +330,7 @@ void rigid_hand(Report& report) {
     if (turning) bur.tool = tool_of(round_head(4 * mm), common_spindle(40000 * rpm));
     report.scene(std::string("mastoid bur 4 mm, ") + (turning ? "40 000 rpm" : "standing") +
                  ", a hand 6 mm inside cortical bone, 3.3 N, coupled");
-    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Held::by_coupling);
+    ScriptedLoop loop(report, slab_for(report, bur), bur.tool, Grip::by_coupling);
     Hand hand(bur.tool, Vec3(0.017, 0.006, 0.3) * mm);
     loop.play(hand.move({0, 0, -6.3 * mm}, 0.1).hold(0.3).move({0.5 * mm, 0, 0}, 0.1));
     report.at_most("voxels in a tick",

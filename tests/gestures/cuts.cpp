@@ -18,7 +18,7 @@ SteadyCut cut_of(const Material& m, const Tool& tool, double feed) {
 
 /// A plunge at constant feed, driven directly. @return [N] mean thrust of the last fifth
 double thrust_of_plunge(Report& report, const Tool& tool, const Material& material, double feed, double depth) {
-  ScriptedLoop loop(report, slab(1.5 * mm, depth + 0.4 * mm, report.voxel(), material), tool, Held::directly);
+  ScriptedLoop loop(report, slab(1.5 * mm, depth + 0.4 * mm, report.voxel(), material), tool, Grip::directly);
   Hand hand(tool, Vec3(0, 0, 0.02 * mm));
   const Span fed = loop.play(hand.move({0, 0, -depth}, depth / feed));
   loop.judge();
@@ -74,7 +74,7 @@ void side_milling(Report& report) {
       const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
       Workpiece piece = build_block({Vec3(-1.57 * mm, low, -kHeight), Vec3(3 * mm, high, 0)}, report.voxel(), material);
       const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000 * units::rad_per_s});
-      ScriptedLoop loop(report, std::move(piece), tool, Held::directly);
+      ScriptedLoop loop(report, std::move(piece), tool, Grip::directly);
       Hand hand(tool, Vec3(-2.6 * mm, 0, -kHeight - 0.5 * mm));
       const Span fed = loop.play(hand.move({kWay + 1 * mm, 0, 0}, (kWay + 1 * mm) / kFeed)).tail(0.15);
       const Wrench form = forms::side_milling_wrench(cut_of(material, tool, kFeed), kRadius, kHeight,
@@ -102,7 +102,7 @@ void undercut(Report& report) {
     return std::min({stem, cap, p.z() + 1.7 * mm});
   });
   const Tool ball = tool_of(SphereHead{0.4 * mm}, Spindle{40000 * rpm});
-  ScriptedLoop loop(report, std::move(piece), ball, Held::directly);
+  ScriptedLoop loop(report, std::move(piece), ball, Grip::directly);
   Hand hand(Pose::from_translation(Vec3(-1.6, 0, -1.25) * mm));
   for (const double side : {-0.3, 0.0, 0.3})
     hand.to(Pose::from_translation(Vec3(-1.2, side, -1.25) * mm), 0.05)

@@ -140,7 +140,7 @@ void heavy_tool(Report& report) {
   }
   const double zeta = gains->damping / (2 * std::sqrt(gains->stiffness * gains->mass));
   const Tool ball = tool_of(SphereHead{1 * mm});
-  ScriptedLoop loop(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain_material()), ball, Held::by_coupling, {}, gains);
+  ScriptedLoop loop(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain_material()), ball, Grip::by_coupling, {}, gains);
   Hand hand(ball, Vec3(0, 0, 5 * mm));
   loop.play(hand.hold(0.05).move({20 * mm, 0, 0}, 0.06).hold(1.5));
   double rings = 0;

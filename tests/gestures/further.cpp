@@ -18,7 +18,7 @@ void creep(Report& report) {
   constexpr double kRadius = 0.5 * mm, kFeed = 0.02 * mm, kDepth = 0.1 * mm, kSpin = 4000;
   report.scene("ball 1 mm, fed by 0.02 um in a tick, u 3e8 J/m^3, directly");
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{kSpin * units::rad_per_s});
-  ScriptedLoop loop(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain_material()), ball, Held::directly);
+  ScriptedLoop loop(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain_material()), ball, Grip::directly);
   const double start = 1 * units::um;
   Hand hand(ball, Vec3(0.013 * mm, 0.007 * mm, start));
   const Span fed = loop.play(hand.move({0, 0, -kDepth - start}, (kDepth + start) / kFeed));
@@ -41,7 +41,7 @@ void reverse_at_bottom(Report& report) {
   Spindle spindle{3000 * units::rad_per_s};
   spindle.acceleration_limit = 6000 / 0.03;
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::bottom_only}, spindle);
-  ScriptedLoop loop(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Held::directly);
+  ScriptedLoop loop(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Grip::directly);
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
   const Span before = loop.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
   loop.simulation.spindle().set_speed(-3000 * units::rad_per_s);
@@ -68,7 +68,7 @@ void over_a_border(Report& report) {
                                 [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                                voxel, MaterialTable({soft, hard}), 4);
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{kSpin * units::rad_per_s});
-  ScriptedLoop loop(report, std::move(piece), bur, Held::directly);
+  ScriptedLoop loop(report, std::move(piece), bur, Grip::directly);
   Hand hand(bur, Vec3(-2 * mm - kRadius, 0, -kHeight - 0.5 * mm));
   loop.play(hand.move({3.4 * mm, 0, 0}, 3.4 * mm / kFeed));
   const double in_hard =
@@ -90,7 +90,7 @@ void slide_off_an_edge(Report& report) {
     Workpiece piece =
         build_block({Vec3(-3, -1.5, -3) * mm, Vec3(0, 1.5, 0) * mm}, report.voxel(), presets::cortical_bone());
     const Tool ball = tool_of(SphereHead{kRadius});
-    ScriptedLoop loop(report, std::move(piece), ball, Held::by_coupling);
+    ScriptedLoop loop(report, std::move(piece), ball, Grip::by_coupling);
     Hand hand(ball, Vec3(-1 * mm, 0.013 * mm, 0.1 * mm));
     hand.move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.1).hold(0.05);
     loop.play(hand);
@@ -116,7 +116,7 @@ void tremor(Report& report) {
     report.scene(std::string("ball 2 mm, 30 000 rpm, pressed with 2 N on cortical bone, ") +
                  (trembling ? "tremor of 0.2 mm at 8 ... 12 Hz" : "steady") + ", coupled");
     const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
-    ScriptedLoop loop(report, slab(2 * mm, 2 * mm, report.voxel(), presets::cortical_bone()), ball, Held::by_coupling);
+    ScriptedLoop loop(report, slab(2 * mm, 2 * mm, report.voxel(), presets::cortical_bone()), ball, Grip::by_coupling);
     Hand hand(ball, Vec3(0, 0, 0.1 * mm));
     hand.move({0, 0, -0.1 * mm - kPressed}, 0.1);
     const Pose middle = hand.end();
@@ -144,7 +144,7 @@ void sweep_from_afar(Report& report) {
       "ball 2 mm on a handle of 100 mm, 30 000 rpm, swept through u 3e8 J/m^3 by turning it about its end, coupled");
   const Tool ball(SphereHead{1 * mm}, RayHandle{kArm}, Spindle{30000 * rpm});
   ScriptedLoop loop(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain_material()),
-                    ball, Held::by_coupling);
+                    ball, Grip::by_coupling);
   const Vec3 pivot(0, 0, kArm + 0.4 * mm);
   const double wide = 0.05;
   Hand hand(Pose{rotation_from_vector(Vec3(0, wide, 0)), pivot});
@@ -166,7 +166,7 @@ void too_thin(Report& report) {
     const Tool ball = tool_of(SphereHead{R}, Spindle{4000 * units::rad_per_s});
     try {
       ScriptedLoop loop(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain_material()), ball,
-                        Held::directly);
+                        Grip::directly);
       Hand hand(ball, Vec3(0.011 * mm, 0.017 * mm, 0));
       const Span fed = loop.play(hand.move({0, 0, -3 * R}, 3 * R / feed)).tail(0.3);
       report.near("thrust", loop.log.mean(fed, thrust_of),

@@ -41,7 +41,7 @@ Material bone_of(bool cortical) {
 struct Drilled {
   Drilled(Report& report, const Borer& borer, const Material& bone)
       : tool(tool_of(borer.head, Spindle{3000 * rpm}, {CutterKind::twist_drill, 2})),
-        loop(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()) {
+        loop(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Grip::directly, at_the_end()) {
     Hand hand(tool, Vec3(0, 0, 0.1 * mm));
     loop.play(hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05));
   }
@@ -175,7 +175,7 @@ void shank_on_rim(Report& report) {
     const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle{turns * rpm});
     ScriptedLoop loop(report,
                       with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth),
-                      tool, Held::directly);
+                      tool, Grip::directly);
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));
     const Vec3 ball_center(0, 0, -kDepth + 0.1 * mm + kBall);
     const Span tilted = loop.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
@@ -198,7 +198,7 @@ void press_fit(Report& report) {
   report.scene("cylinder 2 mm, standing, 2 mm deep in a hole of 1.9 mm in cortical bone, directly");
   const Material bone = presets::cortical_bone();
   const Tool pin = tool_of(cylinder_head(2 * kPin, 4 * mm));
-  ScriptedLoop loop(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Held::directly);
+  ScriptedLoop loop(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Grip::directly);
   Hand hand(pin, Vec3(0, 0, -kIn));
   loop.play(hand.hold(0.02));
   loop.log.begin(loop.simulation);  // the tool was placed in the hole without work

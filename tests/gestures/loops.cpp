@@ -100,7 +100,7 @@ void faults_in_a_cut(Report& report) {
     const double dt = report.period;
     const auto is_now = [=](double time) { return std::abs(time - kFaultAt) < 0.5 * dt; };
     report.scene(what + ", ball 2 mm that cuts cortical bone, own loop, coupled");
-    ScriptedLoop loop(report, bone_for(report), turning_ball(), Held::by_coupling);
+    ScriptedLoop loop(report, bone_for(report), turning_ball(), Grip::by_coupling);
     loop.play(pressing(), [&](Pose& pose, double time) {
       if (is_now(time)) bad.spoil(pose);
     });

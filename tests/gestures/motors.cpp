@@ -39,7 +39,7 @@ void stall(Report& report) {
                              Motor{"motor of 3 W, 40 000 rpm", limited, false}}) {
     report.scene(motor.name + ", ball 1 mm pushed into cortical bone, directly");
     const Tool ball = tool_of(SphereHead{0.5 * mm}, motor.spindle);
-    ScriptedLoop loop(report, slab(1.2 * mm, 1.5 * mm, report.voxel(), presets::cortical_bone()), ball, Held::directly);
+    ScriptedLoop loop(report, slab(1.2 * mm, 1.5 * mm, report.voxel(), presets::cortical_bone()), ball, Grip::directly);
     Hand hand(ball, Vec3(0, 0, 0.05 * mm));
     hand.move({0, 0, -0.45 * mm}, 0.0225);
     const double pushed = hand.seconds();

@@ -23,7 +23,7 @@ void corner(Report& report) {
       hard.specific_cutting_energy = 1e11;  // too hard to be cut away
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
       const Tool ball = tool_of(SphereHead{kRadius}, Spindle{(cutting ? 30000 : 0) * rpm});
-      ScriptedLoop loop(report, std::move(piece), ball, Held::by_coupling);
+      ScriptedLoop loop(report, std::move(piece), ball, Grip::by_coupling);
       Hand hand(Pose::from_translation(Vec3(1.1, 0, 1.1) * mm));
       hand.hold(0.02);
       for (const double angle : {45.0, 20.0, 70.0})
@@ -83,7 +83,7 @@ void plates(Report& report) {
                      volume = kPi * punch.radius * punch.radius * t;
         ScriptedLoop loop(
             report, build_block({Vec3(-1.13, -1.17, -1e3 * t) * mm, Vec3(1.1, 1.1, 0) * mm}, report.voxel(), bone),
-            tool, Held::directly);
+            tool, Grip::directly);
         Hand hand(tool, Vec3(0, 0, before));
         loop.play(hand.move({0, 0, -way}, way / (10 * mm)));
         const double solid_before = (1.1 + 1.13) * (1.1 + 1.17) * mm * mm * t;
@@ -118,9 +118,9 @@ void groove(Report& report) {
   left.name = "left", left.static_friction = left.dynamic_friction = kLeft;
   right.name = "right", right.static_friction = right.dynamic_friction = kRight;
   const Box box{Vec3(-1.7, -2.3, -2) * mm, Vec3(1.7, 2.3, 0) * mm};
-  for (const Held held : {Held::directly, Held::by_coupling}) {
+  for (const Grip grip : {Grip::directly, Grip::by_coupling}) {
     report.scene(std::string("ball 2 mm, standing, slid along a V of 90 degrees, mu 0.1 and 0.5, ") +
-                 (held == Held::directly ? "directly" : "coupled"));
+                 (grip == Grip::directly ? "directly" : "coupled"));
     Workpiece piece =
         build_body({box,
                     [=](const Vec3& p) {  // the walls rise from a line 1.6 mm below the top
@@ -128,13 +128,13 @@ void groove(Report& report) {
                     },
                     [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                    report.voxel(), MaterialTable({left, right}), 8);
-    ScriptedLoop loop(report, std::move(piece), tool_of(SphereHead{kRadius}), held);
+    ScriptedLoop loop(report, std::move(piece), tool_of(SphereHead{kRadius}), grip);
     const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // [m] height of the ball's centre
-    const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / touch_gains().stiffness;
+    const double pressed = grip == Grip::directly ? std::sqrt(2) * kPressed : 2.0 / touch_gains().stiffness;
     Hand hand(Pose::from_translation(Vec3(0, -1 * mm, seat + 0.2 * mm)));
     hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // a tool that begins in contact would wait
     hand.move({0, 0, -0.02 * mm - pressed}, 0.05).hold(0.02);
-    const Span slid = loop.play(hand.move({0, held == Held::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
+    const Span slid = loop.play(hand.move({0, grip == Grip::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
     const double along = -loop.log.mean(slid, [](const Tick& t) { return t.model.force.y(); });
     const double normal = loop.log.mean(slid, [](const Tick& t) { return t.model.force.z(); }) / std::sqrt(2);
     report.near("friction", along, (kLeft + kRight) * normal, 0.1, "N", "mu of each wall on its own normal force");
@@ -153,7 +153,7 @@ void press_by_default(Report& report) {
     std::string indents;
     double worst = 0;
     for (const Material& material : {presets::enamel(), presets::dentin(), presets::cortical_bone()}) {
-      ScriptedLoop loop(report, slab(radius + 0.5 * mm, 2 * mm, report.voxel(), material), tool, Held::by_coupling);
+      ScriptedLoop loop(report, slab(radius + 0.5 * mm, 2 * mm, report.voxel(), material), tool, Grip::by_coupling);
       Hand hand(tool, Vec3(0.013, 0.021, 0.1) * mm);
       hand.hold(0.01).move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.15);
       loop.play(hand.hold(0.15));

@@ -51,14 +51,14 @@ Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
   return tick;
 }
 
-ScriptedLoop::ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config,
+ScriptedLoop::ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Grip grip, SimulationConfig config,
                            const std::optional<CouplingGains>& gains)
     : simulation(turned(std::move(workpiece), report.turn), std::move(tool),
-                 with_contact_time(std::move(config), held == Held::by_coupling)),
+                 with_contact_time(std::move(config), grip == Grip::by_coupling)),
       log(Limits{}, report),
       report_(report) {
   simulation.observers().add(log);
-  if (held == Held::by_coupling) couple(gains.value_or(touch_gains()));
+  if (grip == Grip::by_coupling) couple(gains.value_or(touch_gains()));
 }
 
 ScriptedLoop::~ScriptedLoop() { simulation.observers().remove(log); }
@@ -100,7 +100,7 @@ Span ScriptedLoop::play(const Hand& hand, const std::function<void(Pose&, double
     tick.X_WH = Pose{turn.transpose(), Vec3::Zero()} * X_WH;
     tick.felt = tick.applied = turned_back(felt, turn);
     tick.removed = removed;
-    if (coupling_) tick.contacts = coupling_->last_result().newton_steps + coupling_->last_result().parts;
+    if (coupling_) tick.contacts = coupling_->last_result().newton_steps + coupling_->last_result().sub_ticks;
     log.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
   time_ += double(ticks) * period;

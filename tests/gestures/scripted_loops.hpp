@@ -20,13 +20,13 @@ namespace hapticut::gestures {
 using test::touch_gains;
 
 /// How the hand holds the tool in a ScriptedLoop.
-enum class Held { directly, by_coupling };
+enum class Grip { directly, by_coupling };
 
 /// A scripted hand moves the tool by `Simulation::step`, or by `VirtualCoupling::step` with the gains of a Touch.
 /// Several scripts may run in sequence.
 class ScriptedLoop {
  public:
-  ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config = {},
+  ScriptedLoop(Report& report, Workpiece workpiece, Tool tool, Grip grip, SimulationConfig config = {},
                const std::optional<CouplingGains>& gains = {});
   ~ScriptedLoop();
   ScriptedLoop(const ScriptedLoop&) = delete;

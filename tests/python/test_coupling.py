@@ -114,8 +114,8 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
         removed += zip(result.removed_voxels.tolist(), result.removed_materials.tolist())
     assert [(r["index"].tolist(), r["material"]) for r in coupled.removed_in_run] == removed
     origins, complete = result.changed_blocks
-    assert origins.shape[1] == 3 and complete and result.parts >= 1 and result.newton_steps >= 1
-    assert result.level_of_detail == 1 and result.newton_steps + result.parts <= coupling.worst_case().contacts
+    assert origins.shape[1] == 3 and complete and result.sub_ticks >= 1 and result.newton_steps >= 1
+    assert result.level_of_detail == 1 and result.newton_steps + result.sub_ticks <= coupling.worst_case().contacts
     assert not result.status & h.kRejected and result.removed_volume > 0 and result.V_WH.shape == (6,)
     energy = coupling.last_result.energy
     # 1e-3: the remainder of the Newton iteration.

@@ -19,7 +19,7 @@ def test_laws_give_their_closed_forms():
     burr = h.HertzianBurrLaw(1e6)
     assert burr.energy(1e-3, 1e-4) == pytest.approx(burr.force(1e-3, 1e-4) * 1e-4 / 2.5)
     assert burr.needs_moments() and not h.FoundationLaw().needs_moments()
-    assert h.FoundationLaw().holds_deep_contact() and not burr.holds_deep_contact()
+    assert h.FoundationLaw().tethers_deep_ball() and not burr.tethers_deep_ball()
     with pytest.raises(h.Error, match="a cone of half angle .* round burr only"):
         burr.require_head(h.ConeHead(0.5, 1e-3))
     drill = h.TwistDrillLaw(h.TwistDrillLaw.Constants(specific_energy=2e8))

@@ -27,10 +27,10 @@ constexpr auto names_of(Of<Motion>) {
 class ComposedHand {
  public:
   /// @param tool  begins upright, with its tip in the air
-  explicit ComposedHand(const Tool& tool) { hold(tool); }
+  explicit ComposedHand(const Tool& tool) { grip(tool); }
 
-  /// Puts another tool into the hand; the handle stays where it is.
-  void hold(const Tool& tool) {
+  /// Grips another tool; the handle stays where it is.
+  void grip(const Tool& tool) {
     const Vec3 tip_T(0, 0, tool.head().bounding_box().min.z());
     tip_H_ = tool.X_HT() * tip_T;
     if (!begun_) X_WD_.translation = Vec3(0, 0, 0.5 * kAir) - tip_H_;

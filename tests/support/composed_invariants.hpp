@@ -112,11 +112,11 @@ class ComposedInvariants final : public StepObserver {
     margins.refused += has_any(result.status, kRejected) ? 1 : 0;
     margins.cutting += result.removed_volume > 0 ? 1 : 0;
     margins.unbalanced += has_any(result.status, StepStatus::not_in_balance) ? 1 : 0;
-    if (was_refusable) must(waits, "a reading that is not a motion of a hand is refused");
+    if (was_refusable) must(waits, "a reading that is not a motion of a hand is rejected");
     if (waits) {
       must(result.removed_volume == 0, "nothing is cut while the hand feels no force", result.removed_volume);
       must(result.hand.force.isZero(0) && result.hand.torque.isZero(0), "a tool that waits gives no force");
-      if (has_any(result.status, kRejected)) must(same_bits(result.X_WH, X_WH_), "a refused reading leaves the tool");
+      if (has_any(result.status, kRejected)) must(same_bits(result.X_WH, X_WH_), "a rejected reading leaves the tool");
     }
     must(result.removed_volume == removed_in_tick_, "the tick removes the volume of its steps", result.removed_volume,
          removed_in_tick_);
@@ -164,7 +164,7 @@ class ComposedInvariants final : public StepObserver {
     removed_ += result.removed_volume;
     removed_in_tick_ += result.removed_volume;
     if (has_any(result.status, kRejected | StepStatus::tool_waits)) {
-      must(result.removed_volume == 0, "a step that is refused cuts nothing", result.removed_volume);
+      must(result.removed_volume == 0, "a step that is rejected cuts nothing", result.removed_volume);
       return;
     }
     margins.stalled += has_any(result.status, StepStatus::spindle_stalled) ? 1 : 0;

@@ -19,15 +19,15 @@
 /// Runs the command line program as a user does.
 namespace hapticut::test {
 
-struct Outcome {
+struct ProgramOutcome {
   int code;            // exit code
   std::string out;     // what was printed
   std::string errors;  // what was printed on stderr
 };
 
 /// Runs `hapticut <arguments>`. The outputs go to the folder's files `stdout` and `stderr`.
-inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments,
-                           const std::string& program = kProgram) {
+inline ProgramOutcome run_program(const TemporaryFolder& folder, const std::string& arguments,
+                                  const std::string& program = kProgram) {
   const std::string out = (folder / "stdout").string(), errors = (folder / "stderr").string();
   const std::string command = program + " " + arguments + " >" + out + " 2>" + errors + " </dev/null";
   const int status = std::system(command.c_str());
@@ -68,10 +68,10 @@ inline std::map<std::string, std::vector<double>> read_csv(const std::string& te
 
 class Program : public testing::Test {
  protected:
-  Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
+  ProgramOutcome run(const std::string& arguments) { return run_program(folder, arguments); }
   /// The report of a command that succeeds.
   nlohmann::json report(const std::string& arguments) {
-    const Outcome outcome = run(arguments + " --json " + path("report.json"));
+    const ProgramOutcome outcome = run(arguments + " --json " + path("report.json"));
     EXPECT_EQ(outcome.code, 0) << arguments << '\n' << outcome.errors;
     return outcome.code == 0 ? read_json(folder / "report.json") : nlohmann::json();
   }
@@ -88,7 +88,7 @@ class Program : public testing::Test {
   }
   /// The message of a refused command: one line without C++ names.
   std::string refusal(const std::string& arguments, int code = kFailed, const std::string& program = kProgram) {
-    const Outcome outcome = run_program(folder, arguments, program);
+    const ProgramOutcome outcome = run_program(folder, arguments, program);
     EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.errors;
     EXPECT_TRUE(outcome.errors.starts_with("hapticut: ")) << outcome.errors;
     EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;

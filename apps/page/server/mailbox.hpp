@@ -35,8 +35,8 @@ struct Newest {
 };
 
 /// Kinds of messages of which each connection receives only the newest, once.
-enum class Slot : std::uint8_t { tool, controls, snapshot, instruments, count };
-inline constexpr std::size_t kSlots = std::size_t(Slot::count);
+enum class NewestKind : std::uint8_t { tool, controls, snapshot, instruments, count };
+inline constexpr std::size_t kNewestKinds = std::size_t(NewestKind::count);
 
 class Mailbox {
  public:
@@ -50,10 +50,10 @@ class Mailbox {
     if (is_changed_.insert_or_assign(page.origin, true).second) changed_.push_back(page.origin);
     return !std::exchange(woken_, true);
   }
-  bool put(Slot slot, Message&& message) {
+  bool put(NewestKind kind, Message&& message) {
     auto shared = std::make_shared<const Message>(std::move(message));
     const std::lock_guard lock(mutex_);
-    Newest& newest = slots_[std::size_t(slot)];
+    Newest& newest = newest_[std::size_t(kind)];
     newest.message = std::move(shared);
     ++newest.number;
     return !std::exchange(woken_, true);
@@ -72,7 +72,7 @@ class Mailbox {
     scene_ = std::move(scene);
     ++scenes_;
     pages_.clear(), changed_.clear(), is_changed_.clear();
-    for (Newest& newest : slots_) newest.message.reset();
+    for (Newest& newest : newest_) newest.message.reset();
     return !std::exchange(woken_, true);
   }
   std::optional<ViewCommand> pop_command() {
@@ -102,9 +102,9 @@ class Mailbox {
     const auto found = pages_.find(origin);
     return found == pages_.end() ? Newest{} : found->second;
   }
-  Newest newest(Slot slot) {
+  Newest newest(NewestKind kind) {
     const std::lock_guard lock(mutex_);
-    return slots_[std::size_t(slot)];
+    return newest_[std::size_t(kind)];
   }
   std::pair<std::uint64_t, Scene> scene() {
     const std::lock_guard lock(mutex_);
@@ -150,7 +150,7 @@ class Mailbox {
   std::map<VoxelIndex, Newest> pages_;
   std::map<VoxelIndex, bool> is_changed_;
   std::vector<VoxelIndex> changed_;  // ordered by arrival
-  std::array<Newest, kSlots> slots_;
+  std::array<Newest, kNewestKinds> newest_;
   std::deque<TimedMessage> timed_;
   double kept_ = 0;  // [s]
   std::size_t max_commands_;

@@ -151,13 +151,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
     return nullptr;
   }
 
-  /// The next new message of the kinds of Slot, in turn.
+  /// The next message of a NewestKind that this connection has not received; the kinds take turns.
   SharedMessage next_newest() {
-    for (std::size_t n = 0; n < kSlots; ++n) {
-      slot_ = (slot_ + 1) % kSlots;
-      const auto [number, message] = server_.mailbox.newest(Slot(slot_));
-      if (message == nullptr || number == sent_[slot_]) continue;
-      sent_[slot_] = number;
+    for (std::size_t n = 0; n < kNewestKinds; ++n) {
+      kind_ = (kind_ + 1) % kNewestKinds;
+      const auto [number, message] = server_.mailbox.newest(NewestKind(kind_));
+      if (message == nullptr || number == sent_[kind_]) continue;
+      sent_[kind_] = number;
       return message;
     }
     return nullptr;
@@ -184,8 +184,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::set<VoxelIndex> is_due_;
   std::map<VoxelIndex, std::uint64_t> sent_pages_;  // numbers of the sent versions
   std::uint64_t scene_ = 0, last_timed_ = 0;        // numbers of the last sent
-  std::array<std::uint64_t, kSlots> sent_{};
-  std::size_t slot_ = 0;
+  std::array<std::uint64_t, kNewestKinds> sent_{};
+  std::size_t kind_ = 0;
   double tokens_;  // [commands] that the page may send at once
   Clock::time_point last_ = Clock::now();
 };
@@ -363,16 +363,16 @@ void ViewServer::send(const SurfacePage& page) {
   if (state_->server.mailbox.put(page)) state_->wake();
 }
 void ViewServer::send(const LoopSnapshot& snapshot) {
-  if (state_->server.mailbox.put(Slot::snapshot, encode(snapshot))) state_->wake();
+  if (state_->server.mailbox.put(NewestKind::snapshot, encode(snapshot))) state_->wake();
 }
 void ViewServer::send(const Tool& tool) {
-  if (state_->server.mailbox.put(Slot::tool, encode(tool))) state_->wake();
+  if (state_->server.mailbox.put(NewestKind::tool, encode(tool))) state_->wake();
 }
 void ViewServer::send(std::span<const Control> controls) {
-  if (state_->server.mailbox.put(Slot::controls, encode(controls))) state_->wake();
+  if (state_->server.mailbox.put(NewestKind::controls, encode(controls))) state_->wake();
 }
 void ViewServer::send(const Instruments& instruments) {
-  if (state_->server.mailbox.put(Slot::instruments, encode(instruments))) state_->wake();
+  if (state_->server.mailbox.put(NewestKind::instruments, encode(instruments))) state_->wake();
 }
 void ViewServer::send_sound(std::span<const float> samples, std::uint32_t sample_rate) {
   if (samples.empty() || sample_rate == 0) return;

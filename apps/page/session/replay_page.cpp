@@ -91,9 +91,9 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 }
 
 /// What a page shows of a step.
-class Film {
+class ReplayWriter {
  public:
-  explicit Film(const Recording& recording) : recording_(recording) {}
+  explicit ReplayWriter(const Recording& recording) : recording_(recording) {}
 
   void add(const Simulation& simulation, const RecordedStep& step) {
     if (!surface_) begin(simulation, step);
@@ -178,13 +178,13 @@ class Film {
 
 std::vector<std::uint8_t> replay_stream(const Recording& recording) {
   ProgressBar progress("replaying", std::size_t(recording.size()));
-  Film film(recording);
+  ReplayWriter writer(recording);
   ReplayOptions options;
-  options.on_step = [&](const Simulation& simulation, const RecordedStep& step) { film.add(simulation, step); };
+  options.on_step = [&](const Simulation& simulation, const RecordedStep& step) { writer.add(simulation, step); };
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   (void)replay(recording, options);
-  film.end();
-  return compressed(film.stream().bytes());
+  writer.end();
+  return compressed(writer.stream().bytes());
 }
 
 void write_replay_page(const Recording& recording, const std::filesystem::path& page,

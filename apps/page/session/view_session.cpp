@@ -163,7 +163,7 @@ void ViewSession::pause() {
   last_failure_ = std::move(failure);
 }
 
-void ViewSession::hold() {
+void ViewSession::suspend() {
   pause();
   try {
     end_recording();

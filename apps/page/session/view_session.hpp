@@ -42,7 +42,7 @@ class ViewSession {
   void start();
 
   /// Releases the hand until `start` or the next command. Ends a recording.
-  void hold();
+  void suspend();
 
   /// Executes a command of a page. If that fails, sends a notice to the page.
   void apply(const view::ViewCommand& command);

@@ -68,7 +68,7 @@ void Viewer::apply(const view::ViewCommand& command) {
 }
 
 void Viewer::load(const std::string& name) {
-  session_->hold();
+  session_->suspend();
   server_.send_notice(view::Severity::info, "Loading " + name + " ...");
   has_writer_ = true;
   loaded_ = name;

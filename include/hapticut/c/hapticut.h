@@ -167,7 +167,7 @@ HAPTICUT_C_API int hapticut_coupling_open(hapticut_simulation simulation, const 
                                           hapticut_coupling* coupling);
 
 /** Makes one tick with the coupling. `force` and `torque` are the wrench for the hand, about Ho of the hand. Contact
- * and spindle are those of the last part of the tick.
+ * and spindle are those of the last sub-tick.
  * @param input  X_WH and velocities of the hand */
 HAPTICUT_C_API int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input* input,
                                           hapticut_step_result* result);

@@ -111,7 +111,9 @@ class Device {
   void interrupt(SafetyEvent reason) noexcept { requests_.interrupt(reason); }  ///< see Requests::interrupt
 
   /// Whether a run is in progress, which `stop` would end.
-  [[nodiscard]] bool is_running() const noexcept { return phase_.load(std::memory_order_acquire) == Phase::running; }
+  [[nodiscard]] bool is_running() const noexcept {
+    return run_state_.load(std::memory_order_acquire) == RunState::running;
+  }
 
   /// The last reading that the guard admitted; not `valid` before the first one.
   [[nodiscard]] DeviceState state() const;
@@ -159,11 +161,11 @@ class Device {
  private:
   friend class Servo;
   struct Latest;
-  enum class Phase : std::uint8_t { idle, beginning, running };
+  enum class RunState : std::uint8_t { idle, beginning, running };
 
   std::string name_;
   DeviceCapabilities capabilities_;
-  std::atomic<Phase> phase_{Phase::idle};
+  std::atomic<RunState> run_state_{RunState::idle};
   Requests requests_;
   std::unique_ptr<Latest> latest_;
   mutable std::mutex guard_mutex_;  // for readers in other threads; the loop never takes it
@@ -229,7 +231,7 @@ class Servo {
   std::exception_ptr exception_;
   double begin_ = 0;
   bool callback_ended_ = false, time_is_up_ = false, lost_ = false;
-  int slot_ = -1;
+  int loop_number_ = -1;
 };
 
 /// A device whose driver is polled: the thread of the caller reads, computes and writes in every tick.

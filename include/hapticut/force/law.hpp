@@ -149,7 +149,7 @@ class ForceLaw {
   /// Whether DeepContact holds a ball that is pushed beyond its radius. True only for a law whose own force of a ball
   /// falls with depth beyond the radius, as that of springs that push from the centre, and that claims to be right
   /// there.
-  [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
+  [[nodiscard]] virtual bool tethers_deep_ball() const noexcept { return false; }
 
   /// Whether this is FoundationLaw. The library computes it with vector instructions, with its stiffness, level of
   /// detail and crushing.

@@ -28,7 +28,7 @@ namespace hapticut {
 /// So the force never falls as the tool moves on, and every step has a solution.
 class LimitSurface {
  public:
-  struct Outcome {
+  struct Reaction {
     Wrench wrench;          ///< on the tool, about the reference point
     double dissipated = 0;  ///< [J] >= 0
 
@@ -42,8 +42,8 @@ class LimitSurface {
   /// @param fraction      [1] part of the coefficients that acts: see `dry_friction_fraction`
   /// @param lead          [1] time of the force after the middle, in sub-steps: 0, or 0.5 for the end
   /// @realtime no allocation, no lock
-  Outcome move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1,
-               double lead = 0) noexcept {
+  Reaction move(const SpreadFriction& contact, const Twist& displacement, double fraction = 1,
+                double lead = 0) noexcept {
     const double before = stored_;
     const double stiffness = contact.stiffness();
     if (!(fraction * contact.static_limit > 0 && stiffness > 0)) {
@@ -67,13 +67,13 @@ class LimitSurface {
     scale(end, 1);
     const double at_end = slip(shape, end), limit = sliding_ ? dynamic_slip : static_slip;
 
-    Outcome outcome;
+    Reaction reaction;
     Vector6 wrench;
     if (std::max(slip(shape, seen), at_end) <= limit) {
       sliding_ = false;
       wrench = -stiffness_ * (shape * seen);
       stored_ = 0.5 * stiffness_ * at_end * at_end;
-      outcome.stiffness = (0.5 + lead) * stiffness_ * shape;
+      reaction.stiffness = (0.5 + lead) * stiffness_ * shape;
     } else {
       sliding_ = true;
       const double kept = std::min(1.0, (lead > 0 ? limit : dynamic_slip) / at_end);
@@ -81,11 +81,11 @@ class LimitSurface {
       wrench = -stiffness_ * kept * (shape * end);
       stored_ = 0.5 * stiffness_ * kept * kept * at_end * at_end;
       const Vector6 along = shape * end / at_end;
-      outcome.stiffness = kept * stiffness_ * (shape - along * along.transpose());
+      reaction.stiffness = kept * stiffness_ * (shape - along * along.transpose());
     }
-    outcome.wrench = {wrench.head<3>(), wrench.tail<3>()};
-    outcome.dissipated = std::max(0.0, before - stored_ - wrench.dot(moved));
-    return outcome;
+    reaction.wrench = {wrench.head<3>(), wrench.tail<3>()};
+    reaction.dissipated = std::max(0.0, before - stored_ - wrench.dot(moved));
+    return reaction;
   }
 
   [[nodiscard]] double stored() const { return stored_; }    ///< [J] energy of the anchor

@@ -100,10 +100,10 @@ struct PartDecay {
 /// What the cut of a part costs, relative to the voxel's volume.
 template <class Real>
 struct PartCost {
-  Real cutting;   ///< [J/m^3] u/sigma_c of what was cut
-  Real helped;    ///< [J/m^3] paid of it by the energy that is lost with the material: law G
-  Real credited;  ///< [J/m^3] price of what was removed without work
-  Real refused;   ///< [J/m^3] work that rounding let remove nothing
+  Real cutting;      ///< [J/m^3] u/sigma_c of what was cut
+  Real helped;       ///< [J/m^3] paid of it by the energy that is lost with the material: law G
+  Real credited;     ///< [J/m^3] price of what was removed without work
+  Real rounded_off;  ///< [J/m^3] work that rounding let remove nothing
 
   /// @param energy  [J/m^3] u/sigma_c
   /// @param price   [J/m^3] PartRecession::price
@@ -129,9 +129,9 @@ struct PartEnergies {
   /// @param volume  [1] in contact
   /// @param moved   [1] advance of the head in the sub-step
   /// @param lead    [1] HeadMotion::lead
-  /// @param bears   [1] crushing depth at rest
+  /// @param depth_at_rest   [1] crushing depth at rest
   HAPTICUT_FORMULA static PartEnergies of(const FilledPart<Real>& part, const FilledPart<Real>& kept, Real left,
-                                          Real spring, Real volume, Real moved, float lead, Real bears) {
+                                          Real spring, Real volume, Real moved, float lead, Real depth_at_rest) {
     const auto& section = part.section;
     PartEnergies e;
     Real height = kept.height;
@@ -143,13 +143,13 @@ struct PartEnergies {
     const auto loses = part.fill - left > Real(kMinLoss) * part.fill;
     if (any(loses)) {
       // The excess force of a contact that is evaluated at the end was not stored before.
-      const Real harder = volume * moved * moved * Real(lead);
-      const Real earlier = section.energy(part.height, part.height + part.far - moved * Real(0.5F + lead));
+      const Real unstored = volume * moved * moved * Real(lead);
+      const Real stored_earlier = section.energy(part.height, part.height + part.far - moved * Real(0.5F + lead));
       // Nothing was deeper in the sub-step. At a corner, material may have been at another surface before.
       const Real deepest = max(Real(0), part.top + max(moved * Real(0.5F - lead), moved * Real(-0.5F - lead)));
-      const Real most = Real(0.5) * deepest * deepest * (part.fill - left);
-      const Real cut = max(Real(0), min(most, earlier - e.before - harder));
-      const Real crushed = Real(0.5) * bears * bears * (part.fill - kept.fill);
+      const Real bound = Real(0.5) * deepest * deepest * (part.fill - left);
+      const Real cut = max(Real(0), min(bound, stored_earlier - e.before - unstored));
+      const Real crushed = Real(0.5) * depth_at_rest * depth_at_rest * (part.fill - kept.fill);
       e.lost = select(loses, select(part.top > kept.top, crushed, cut), Real(0));
       e.before = e.before + e.lost;
     }

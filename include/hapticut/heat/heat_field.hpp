@@ -133,9 +133,9 @@ constexpr auto fields_of(Of<HeatBalance>) {
 ///
 ///     d(rho c V T)/dt = sum over faces of G (T_neighbour - T) + sources - U (T - T_water)
 ///
-/// explicit in time, in as many equal parts as keep every cell between its neighbours. Partly filled material stores
-/// and conducts in proportion to its fill. To the air, heat leaves only by irrigation. Removed material takes its heat
-/// along. Not thread-safe: one thread calls it, ten to thirty times a second.
+/// explicit in time, in as many equal sub-steps as keep every cell between its neighbours. Partly filled material
+/// stores and conducts in proportion to its fill. To the air, heat leaves only by irrigation. Removed material takes
+/// its heat along. Not thread-safe: one thread calls it, ten to thirty times a second.
 class HeatField {
  public:
   /// The whole workpiece begins at body temperature.
@@ -166,7 +166,7 @@ class HeatField {
   /// @throws Error when its voxels are not those of the workpiece that the field was made of
   void update(const Workpiece& workpiece, std::span<const VoxelIndex> origins);
 
-  void advance(double dt);  ///< [s] advances the temperatures by any time, in small enough parts
+  void advance(double dt);  ///< [s] advances the temperatures by any time, in small enough sub-steps
 
   /// @param coefficient  [W/(m^2 K)] HeatConfig::irrigation from now on
   /// @throws Error when it is out of range

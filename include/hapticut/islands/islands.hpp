@@ -87,7 +87,7 @@ class IslandFinder {
   void add_removed_around(const std::map<std::size_t, BlockMask>& returned);
   [[nodiscard]] float min_fill() const noexcept;
   [[nodiscard]] bool is_fixed(const VoxelIndex& origin, const BlockMask& voxels) const;
-  [[nodiscard]] Island extract(const std::vector<std::pair<std::size_t, BlockMask>>& parts);
+  [[nodiscard]] Island extract(const std::vector<std::pair<std::size_t, BlockMask>>& blocks);
 
   friend class IslandSearch;
   friend class IslandWatch;

@@ -104,7 +104,7 @@ class BlockOutbox {
  private:
   struct Queue;
   /// A block that is kept beyond the queue. A uniform block needs no content.
-  struct Kept {
+  struct DeferredBlock {
     std::size_t number;
     std::uint64_t version;
     std::uint32_t workpiece;
@@ -122,7 +122,7 @@ class BlockOutbox {
   ChangedBlock scratch_;
   std::unique_ptr<Queue> queue_;
   std::mutex keeping_;  // guards `kept_`; not locked while the loop runs and nothing is kept
-  std::deque<Kept> kept_;
+  std::deque<DeferredBlock> kept_;
   std::atomic<bool> any_kept_ = false;
 };
 

@@ -115,7 +115,7 @@ class SimulationModel final : public LoopModel {
   [[nodiscard]] Wrench hold_force(const DeviceState& state) const noexcept;
   void update_spindle(const DeviceState& state) noexcept;
   void restore_blocks(const DeviceState& state) noexcept;
-  void hold_tool() noexcept;
+  void park_tool() noexcept;
   [[nodiscard]] bool rests(const DeviceState& state) const noexcept;
   [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt,
                                               double motor) const noexcept;

@@ -14,7 +14,7 @@ namespace hapticut {
 
 /// The effort of a tick.
 struct TickEffort {
-  int parts = 0;            ///< [1] steps of the simulation
+  int sub_ticks = 0;        ///< [1] steps of the simulation
   int newton_steps = 0;     ///< [1] Newton steps of the coupling, in all of them
   int level_of_detail = 1;  ///< [1] Contact::level_of_detail, the maximum over the steps
 };
@@ -22,7 +22,7 @@ struct TickEffort {
 constexpr auto fields_of(Of<TickEffort>) {
   using E = TickEffort;
   return std::tuple{
-      field("parts", &E::parts, "1", "steps of the simulation"),
+      field("sub_ticks", &E::sub_ticks, "1", "steps of the simulation"),
       field("newton_steps", &E::newton_steps, "1", "Newton steps of the coupling, in all of them"),
       field("level_of_detail", &E::level_of_detail, "1", "Contact::level_of_detail, the maximum over the steps"),
   };

@@ -72,7 +72,7 @@ struct SimulationConfig {
   std::optional<DryFriction> friction;
 
   /// A ball pushed beyond its radius keeps pushing back.
-  /// See force/deep_contact.hpp. Only with a law that `holds_deep_contact`, which is the default law. The forces of
+  /// See force/deep_contact.hpp. Only with a law that `tethers_deep_ball`, which is the default law. The forces of
   /// other laws stay as their formulas give them.
   bool deep_contact = true;
 

@@ -31,7 +31,7 @@ struct CouplingGains {
   /// [kg m^2] inertia of the simulated tool about its handle point, equal about all axes
   double inertia = 2e-5;
   /// [1] Newton steps of a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same time,
-  /// a tick of two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. It needs one
+  /// a tick of two sub-ticks twice as many, and one of more, or of two in at least 1.5 ms, four times. It needs one
   /// in steady motion, and three in a cut. To measure the stiffness of a custom law takes as long as six, or three
   /// without torque
   int newton_steps = 9;
@@ -52,7 +52,7 @@ constexpr auto fields_of(Of<CouplingGains>) {
             "inertia of the simulated tool about its handle point, equal about all axes"),
       field("newton_steps", &G::newton_steps, "1", Range::between(8, 400),
             "Newton steps of a tick, for contacts of 250 voxels and more; smaller ones have as many as take the same "
-            "time, a tick of two parts twice as many, and one of more parts, or of two in at least 1.5 ms, four times. "
+            "time, a tick of two sub-ticks twice as many, and one of more, or of two in at least 1.5 ms, four times. "
             "It needs one in steady motion, and three in a cut. To measure the stiffness of a custom law takes as long "
             "as six, or three without torque"),
   };
@@ -106,7 +106,7 @@ struct CoupledResult {
   std::span<const RemovedVoxel> removed_voxels;  ///< emptied in this tick; valid until the next one
   double removed_volume = 0;                     ///< [m^3] removed in this tick
   ChangedBlocks changed_blocks;                  ///< blocks that changed in this tick
-  int parts = 0;                                 ///< steps of the simulation: more than one where the tool is fast
+  int sub_ticks = 0;                             ///< steps of the simulation: more than one where the tool is fast
   int newton_steps = 0;                          ///< sum over the simulation's steps
   int level_of_detail = 1;                       ///< the maximum Contact::level_of_detail of these steps
   StepStatus status = StepStatus::ok;            ///< bits of the simulation's steps and of the coupling
@@ -123,12 +123,12 @@ struct CoupledResult {
 ///
 /// by Newton's method, with the contact's stiffness from `Simulation::probe`, starting from the twist of the last tick.
 /// Then the simulation takes its step to X. If the tool would move by more than half a voxel, the tick is split into up
-/// to eight equal parts, which share its Newton steps. So the contact is stable however stiff the material is, the tool
-/// stays on the surface, and the hand feels at most the coupling.
+/// to eight equal sub-ticks, which share its Newton steps. So the contact is stable however stiff the material is, the
+/// tool stays on the surface, and the hand feels at most the coupling.
 ///
 /// The search has few steps, because it must end within the tick, and where the force jumps, as at an edge of the head,
-/// there is no balance. What is left of it accelerates the tool in the next part, as far as this makes no energy, so
-/// that the forces are in balance in the mean of some parts.
+/// there is no balance. What is left of it accelerates the tool in the next sub-tick, as far as this makes no energy,
+/// so that the forces are in balance in the mean of some sub-ticks.
 ///
 /// In a corner between faces that cut with a ratio of 3 or more, a spinning head has no steady balance: the motor
 /// throws the tool about. So a tool whose spindle turns is braked, as the flesh of a hand would brake it. The brake
@@ -161,10 +161,10 @@ class VirtualCoupling {
   const CoupledResult& step(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
 
   /// Upper bound on the work of a tick: the bound of a step, for as many contacts as Newton's method may evaluate plus
-  /// one for each part. For a custom law this includes what measures its stiffness.
+  /// one for each sub-tick. For a custom law this includes what measures its stiffness.
   [[nodiscard]] WorstCase worst_case() const;
 
-  /// Lists of what all parts of a tick have changed, with memory for the longest lists that a tool can make.
+  /// Lists of what all sub-ticks of a tick have changed, with memory for the longest lists that a tool can make.
   struct Lists {
     Lists(const WorstCase& worst_case, const SimulationConfig& config);
     std::vector<RemovedVoxel> removed;
@@ -178,8 +178,8 @@ class VirtualCoupling {
 
   /// Releases the tool from the hand. The next tick in which it would touch no material places it at the hand.
   void reset() noexcept {
-    waits_ = waits_ || held_;
-    held_ = false;
+    waits_ = waits_ || gripped_;
+    gripped_ = false;
     given_.reset();
   }
 
@@ -213,7 +213,7 @@ class VirtualCoupling {
   [[nodiscard]] static Limited limited(const Vec3& spring, const Vec3& damper, double max_size) noexcept;
 
   /// The coupling with the tool at a pose.
-  struct Pull {
+  struct CouplingForces {
     Vec3 stretch, rotation;  // [m], [rad] from the tool to the hand
     Limited linear, angular;
     Wrench wrench;     // on the tool
@@ -221,36 +221,37 @@ class VirtualCoupling {
     Mat3 brake_slope;  // [N s/m] how it falls with the velocity
   };
 
-  static constexpr int kMaxParts = 8;
+  static constexpr int kMaxSubTicks = 8;
   // Residual that is accepted after many steps: an absolute part [N], and a part of the largest force [1].
   static constexpr double kFarBalance = 10e-3, kFarFraction = 1e-2;
 
-  [[nodiscard]] int plan_parts(double dt) const noexcept;
+  [[nodiscard]] int plan_sub_ticks(double dt) const noexcept;
   void begin_tick() noexcept;
   class CoupledOutput;
   class NewtonSearch;
 
-  /// A part of a tick.
-  struct Part {
+  /// An equal piece of a tick.
+  struct SubTick {
     Pose X_WD;    // pose of the hand at its end
     double dt;    // [s]
-    int left;     // parts of the tick after this one
+    int left;     // sub-ticks of the tick after this one
     double tick;  // [s] duration of the whole tick
   };
 
   const CoupledResult& follow(const StepInput& hand) noexcept;
-  StepStatus move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept;
+  StepStatus move(const SubTick& sub_tick, const Twist& hand_path, const Twist& hand) noexcept;
   void keep_lists(const StepResult& stepped) noexcept;
-  [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
-  void brake(Pull& pull, const Vec3& tool, const Vec3& hand) const noexcept;
+  [[nodiscard]] CouplingForces forces_at(const Pose& X_WH, const Twist& tool, const Pose& X_WD,
+                                         const Twist& hand) const noexcept;
+  void brake(CouplingForces& forces, const Vec3& tool, const Vec3& hand) const noexcept;
   [[nodiscard]] Twist accelerated() const noexcept;
   [[nodiscard]] Twist remainder_of(const Wrench& on_tool, const Twist& before, double dt) const noexcept;
   [[nodiscard]] double kinetic_energy(const Twist& tool) const noexcept;
-  [[nodiscard]] double spring_energy(const Pull& pull) const noexcept;
-  void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, double tool_work,
-            double dt) noexcept;
+  [[nodiscard]] double spring_energy(const CouplingForces& forces) const noexcept;
+  void book(const CouplingForces& before, const CouplingForces& after, const Twist& tool_before, const Twist& hand_path,
+            double tool_work, double dt) noexcept;
   void begin_grip(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
-  void part_after_exchange() noexcept;
+  void separate_after_exchange() noexcept;
   [[nodiscard]] bool velocity_fits(const Pose& X_WD, const Twist& V_WD, double dt) noexcept;
   [[nodiscard]] static bool is_jump(const Pose& from, const Pose& to, double dt) noexcept;
   [[nodiscard]] bool is_rotated_away(const Pose& X_WD) const noexcept;
@@ -262,11 +263,11 @@ class VirtualCoupling {
 
   Simulation* simulation_;
   CouplingGains gains_;
-  bool held_ = false;
+  bool gripped_ = false;
   bool is_placed_ = false;  // the tool has had a pose
   bool waits_ = true;       // at first, while parked, and after a rejected input
   Rejoin rejoin_ = Rejoin::near;
-  Pose X_WD_;  // pose of the hand at the end of the last part
+  Pose X_WD_;  // pose of the hand at the end of the last sub-tick
 
   /// Distance that the hand has moved lately, by its poses or by its velocities.
   struct Distance {
@@ -279,7 +280,7 @@ class VirtualCoupling {
   Lists lists_;
   CoupledResult result_;
   int evaluated_ = 0;  // contacts in this tick, by the search
-  Twist remainder_;    // that the last search left, and that V takes on in the next part
+  Twist remainder_;    // that the last search left, and that V takes on in the next sub-tick
 };
 
 constexpr auto names_of(Of<VirtualCoupling::Rejoin>) {

@@ -28,7 +28,7 @@ class HandCoupling {
   virtual ~HandCoupling() = default;
 
   /// @param stepped  result of this step; `force` and `torque` are still those of the last step
-  /// @return empty: the hand keeps its last output, as in all parts of a tick except the last
+  /// @return empty: the hand keeps its last output, as in all sub-ticks of a tick except the last
   /// @realtime no allocation, no lock
   [[nodiscard]] virtual std::optional<HandOutput> answer(const StepResult& stepped) noexcept = 0;
 };
@@ -37,7 +37,7 @@ class HandCoupling {
 enum class OutputPath : std::uint8_t {
   direct,   ///< the hand holds the tool
   coupled,  ///< through a coupling
-  kept,     ///< a coupling moves the tool, and kept the last output, or the step was refused
+  kept,     ///< a coupling moves the tool, and kept the last output, or the step was rejected
 };
 
 /// A step that is complete, as an observer sees it.

@@ -101,7 +101,7 @@ class Simulation {
 
   /// Whether the next step will be the first of the tool: before the first one, and after a way back in the
   /// `history`, `set` of a tool or of materials, `exchange` and `reset`. After these calls, the material that the tool
-  /// is in is neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing.
+  /// is in is neither felt nor cut: steps are rejected with StepStatus::tool_waits until the head touches nothing.
   /// Exceptions are the very first step, and `reset` when no coupling holds the tool.
   [[nodiscard]] bool next_step_is_first() const noexcept;
 

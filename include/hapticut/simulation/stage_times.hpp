@@ -17,7 +17,7 @@ struct StageTimes {
   double drive_spindle = 0;        ///< [s] speed of a motor with limits, under the load
   double press_and_cut = 0;        ///< [s] force, energies and new fills
   double remove_emptied = 0;       ///< [s] removal of voxels that became empty
-  double hold_deep_contact = 0;    ///< [s] force on a ball pushed beyond its radius
+  double tether_deep_ball = 0;     ///< [s] force on a ball pushed beyond its radius
   double add_friction = 0;         ///< [s] dry friction of a standing head
   double book_energy = 0;          ///< [s] work of hand and motor
   double transport_to_handle = 0;  ///< [s] force and torque about Ho
@@ -36,7 +36,7 @@ constexpr auto fields_of(Of<StageTimes>) {
       field("drive_spindle", &T::drive_spindle, "s", "speed of a motor with limits, under the load"),
       field("press_and_cut", &T::press_and_cut, "s", "force, energies and new fills"),
       field("remove_emptied", &T::remove_emptied, "s", "removal of voxels that became empty"),
-      field("hold_deep_contact", &T::hold_deep_contact, "s", "force on a ball pushed beyond its radius"),
+      field("tether_deep_ball", &T::tether_deep_ball, "s", "force on a ball pushed beyond its radius"),
       field("add_friction", &T::add_friction, "s", "dry friction of a standing head"),
       field("book_energy", &T::book_energy, "s", "work of hand and motor"),
       field("transport_to_handle", &T::transport_to_handle, "s", "force and torque about Ho"),

@@ -44,11 +44,11 @@ enum class StepStatus : std::uint32_t {
   /// the last call; after a pause pass a new pose and the nominal period.
   dt_rejected = 1U << 2,
   /// The head moved farther than SimulationConfig::max_sweep half voxels, or rotated by more than a radian, or was more
-  /// than 2 mm away after refused inputs: a jump, not a motion. No force, workpiece untouched, and the tool stays where
-  /// it was. It continues from there when the next pose is near it. If a second pose in a row is near the jump's, the
-  /// tool is placed there; but a turning head is not placed in material (tool_waits) when it would move farther than
-  /// its radius or rotate by more than a radian. Cure: bring the hand back smoothly, or raise max_sweep. Poses that
-  /// jump to and fro are a fault of the device.
+  /// than 2 mm away after rejected inputs: a jump, not a motion. No force, workpiece untouched, and the tool stays
+  /// where it was. It continues from there when the next pose is near it. If a second pose in a row is near the jump's,
+  /// the tool is placed there; but a turning head is not placed in material (tool_waits) when it would move farther
+  /// than its radius or rotate by more than a radian. Cure: bring the hand back smoothly, or raise max_sweep. Poses
+  /// that jump to and fro are a fault of the device.
   jump_rejected = 1U << 3,
 
   /// A quarter of the reserved blocks or fewer are left. Output unaffected. Cure: call Simulation::reserve_blocks soon.
@@ -83,9 +83,9 @@ enum class StepStatus : std::uint32_t {
   /// (CouplingEnergy::imbalance). Cure: a heavier tool, a lower reference_stiffness, or more
   /// CouplingGains::newton_steps.
   not_in_balance = 1U << 14,
-  /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
+  /// The hand is inside material that the tool has not cut its way into: after a rejected input or a jump, an exchange
   /// of workpiece, tool or materials (`undo`, `restore`, Simulation::set ...), or VirtualCoupling::reset. No force, and
-  /// nothing is cut, while it is in there. Cure: move the hand out of the material, or after a refused input back to
+  /// nothing is cut, while it is in there. Cure: move the hand out of the material, or after a rejected input back to
   /// the tool. A script that must continue inside the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside.
   tool_waits = 1U << 15,

@@ -14,7 +14,7 @@ struct SimulationTotals {
   const ByMaterial<double>& removed_volume;   ///< [m^3] cut, by MaterialId
   const ByMaterial<double>& detached_volume;  ///< [m^3] removed by Simulation::remove_voxels, by MaterialId
 
-  /// The materials that were touched, by steps that were not refused.
+  /// The materials that were touched, by steps that were not rejected.
   const MaterialSet& touched;
 
   /// By MaterialId, the value of `Simulation::steps` after the step that touched a material for the first time; 0: not

@@ -187,7 +187,7 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   };
   std::string list;
   for (AlikeSlices& one : series) {
-    append_part(list, in_words(one), ", ");
+    append_item(list, in_words(one), ", ");
     if (uid.empty() || one.name != uid) continue;
     for (const AlikeSlices& other : series)
       if (&other != &one && series_uid(other) == series_uid(one))

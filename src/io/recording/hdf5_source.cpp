@@ -65,20 +65,20 @@ hdf5::Group Hdf5Source::group_at(const std::string& place) const {
   return group;
 }
 
-hdf5::Group Hdf5Source::holder_of(const std::string& place) const {
+hdf5::Group Hdf5Source::parent_group_of(const std::string& place) const {
   const std::size_t slash = place.rfind('/');
   return group_at(slash == std::string::npos ? "" : place.substr(0, slash));
 }
 
 hdf5::Object Hdf5Source::object_at(const std::string& place) const {
   if (place.empty()) return {H5Oopen(file_.get(), "/", H5P_DEFAULT), "opening it"};
-  return hdf5::open_object(holder_of(place).get(), name_at(place));
+  return hdf5::open_object(parent_group_of(place).get(), name_at(place));
 }
 
 hid_t Hdf5Source::data_set_at(const std::string& place) {
   const auto known = data_sets_.find(place);
   if (known != data_sets_.end()) return known->second.get();
-  hdf5::DataSet set = hdf5::open_data_set(holder_of(place).get(), name_at(place));
+  hdf5::DataSet set = hdf5::open_data_set(parent_group_of(place).get(), name_at(place));
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
@@ -90,7 +90,7 @@ std::string Hdf5Source::reply_to(const Query& query) {
     case QueryKind::open:
       break;
     case QueryKind::exists:
-      append_bytes_of(content, hdf5::exists(holder_of(place).get(), name_at(place)));
+      append_bytes_of(content, hdf5::exists(parent_group_of(place).get(), name_at(place)));
       break;
     case QueryKind::has_attribute:
       append_bytes_of(content, hdf5::has_attribute(object_at(place).get(), name));
@@ -101,7 +101,7 @@ std::string Hdf5Source::reply_to(const Query& query) {
       append_bytes_of(content, hdf5::read_number_attribute(object_at(place).get(), name));
       break;
     case QueryKind::text:
-      return hdf5::read_text(holder_of(place).get(), name_at(place));
+      return hdf5::read_text(parent_group_of(place).get(), name_at(place));
     case QueryKind::layout:
       return layout_at(place);
     case QueryKind::block:

@@ -24,7 +24,7 @@ class Hdf5Source final : public RecordingSource {
   /// A group inside the file; throws where HDF5 would follow a link.
   hdf5::Group group_at(const std::string& place) const;
   /// The group that contains a place.
-  hdf5::Group holder_of(const std::string& place) const;
+  hdf5::Group parent_group_of(const std::string& place) const;
   /// A group, a data set or the file.
   hdf5::Object object_at(const std::string& place) const;
   hid_t data_set_at(const std::string& place);

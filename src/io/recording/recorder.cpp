@@ -237,7 +237,7 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 //
 // | Simulation::State                                    | in a replay                                               |
 // |------------------------------------------------------|-----------------------------------------------------------|
-// | input, also of refused steps                         | pose, velocity, dt                                        |
+// | input, also of rejected steps                        | pose, velocity, dt                                        |
 // | coupling given to the step                           | hand.path, hand.coupled: coupling, coupling_dt            |
 // | workpiece: material                                  | initial; ends                                             |
 // | workpiece: pool                                      | reserved_blocks, free_blocks; `clone` makes leaves as a   |
@@ -247,19 +247,19 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | config: effects                                      | effects, from a step on                                   |
 // | config: law                                          | ReplayOptions::law, or the default                        |
 // | config: friction, removal; the rest                  | initial; ends; constant                                   |
-// | contact_stages (also the turn of a voxel_budget),    | from workpiece, tool and config; then by the steps        |
+// | contact_stages (also the subset of a voxel_budget),  | from workpiece, tool and config; then by the steps        |
 // | X_VW, voxel_volume, head_stiffness                   |                                                           |
 // | motion, spindle: load, springs, crushing_depth,      | begins                                                    |
 // | removal list, result.energy                          |                                                           |
-// | motion: parted; altered                              | begins with false; ends                                   |
+// | motion: separated; altered                           | begins with false; ends                                   |
 // | spindle: motor                                       | halted, spindle_set, spindle_setting; then by the steps   |
 // | spindle: held                                        | spindle_held                                              |
-// | spindle: held_setting                                | acts when the hold ends, which is a spindle_set           |
+// | spindle: setting_after_hold                          | acts when the hold ends, which is a spindle_set           |
 // | hand.output                                          | hand_released; then by the steps                          |
 // | steps                                                | number                                                    |
 // | chooses_stiffness, observers, times, counters        | a step does not depend on them                            |
 //
-// A VirtualCoupling moves the tool and answers to the step, and both are recorded; a reading that it refuses makes no
+// A VirtualCoupling moves the tool and answers to the step, and both are recorded; a reading that it rejects makes no
 // step, but a hand_released.
 void Recorder::State::note(const ObservedStep& step) noexcept {
   RecordedStep& row = message.step;

@@ -41,7 +41,7 @@ auto at(Members... members) {
 
 /// Accessor from a step to a member of the object of `access`.
 template <class Access, class Member>
-auto part_of(Access access, Member member) {
+auto member_of(Access access, Member member) {
   return [=](auto& s) -> auto& { return access(s).*member; };
 }
 
@@ -56,14 +56,14 @@ class ColumnList {
            Access access) {
     using Member = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;
     if constexpr (std::is_same_v<Member, Pose>) {
-      add(side, name + "_rotation", "1", frame, meaning + ", row by row", part_of(access, &Pose::rotation));
-      add(side, name + "_translation", "m", frame, meaning, part_of(access, &Pose::translation));
+      add(side, name + "_rotation", "1", frame, meaning + ", row by row", member_of(access, &Pose::rotation));
+      add(side, name + "_translation", "m", frame, meaning, member_of(access, &Pose::translation));
     } else if constexpr (std::is_same_v<Member, Twist>) {
-      add(side, name + "_linear", "m/s", frame, meaning, part_of(access, &Twist::linear));
-      add(side, name + "_angular", "rad/s", frame, meaning, part_of(access, &Twist::angular));
+      add(side, name + "_linear", "m/s", frame, meaning, member_of(access, &Twist::linear));
+      add(side, name + "_angular", "rad/s", frame, meaning, member_of(access, &Twist::angular));
     } else if constexpr (std::is_same_v<Member, Wrench>) {
-      add(side, name + "_force", "N", frame, meaning, part_of(access, &Wrench::force));
-      add(side, name + "_torque", "N m", frame, meaning, part_of(access, &Wrench::torque));
+      add(side, name + "_force", "N", frame, meaning, member_of(access, &Wrench::force));
+      add(side, name + "_torque", "N m", frame, meaning, member_of(access, &Wrench::torque));
     } else {
       using Stored = typename StoredType<Member>::type;
       Column c{name, unit, frame, meaning, side};
@@ -95,7 +95,7 @@ class ColumnList {
       using Type = typename std::remove_cvref_t<decltype(field)>::Type;
       if constexpr (!std::is_same_v<Type, Pose> && !std::is_same_v<Type, Twist>)
         add(side, prefix + field.name, *field.unit != '\0' ? field.unit : "1", frame, field.text,
-            part_of(access, field.member));
+            member_of(access, field.member));
     });
   }
 };
@@ -140,15 +140,15 @@ std::vector<Column> make_columns() {
   list.add(result, "status", "1", none, "bits of StepStatus", at(&Step::status));
   const auto state = at(&Step::device, &DeviceTick::state);
   const auto output = at(&Step::device, &DeviceTick::output);
-  list.add(device, "device", "", "X_BS", "pose of the stylus", part_of(state, &DeviceState::X_BS));
+  list.add(device, "device", "", "X_BS", "pose of the stylus", member_of(state, &DeviceState::X_BS));
   list.add(device, "device_velocity", "", B, "velocity of the stylus at its point",
-           part_of(state, &DeviceState::velocity));
+           member_of(state, &DeviceState::velocity));
   list.add_fields(device, "device_", none, state);
   list.add(device, "commanded", "", about_stylus, "commanded wrench before the step",
-           part_of(output, &DeviceOutput::commanded));
+           member_of(output, &DeviceOutput::commanded));
   list.add(device, "applied", "", about_stylus, "applied wrench before the step",
-           part_of(output, &DeviceOutput::applied));
-  list.add(device, "output_limits", "1", none, "bits of OutputChange", part_of(output, &DeviceOutput::changes));
+           member_of(output, &DeviceOutput::applied));
+  list.add(device, "output_limits", "1", none, "bits of OutputChange", member_of(output, &DeviceOutput::changes));
   list.add(device, "arming", "1", none, "ArmingState", at(&Step::device, &DeviceTick::arming));
   return std::move(list.columns);
 }

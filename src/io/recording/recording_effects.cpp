@@ -25,32 +25,32 @@ void visit_numbers(const char* prefix, const char* field, const char* unit, Valu
 }
 
 /// Visits the numbers of an effect that is always present.
-template <class Part, class Visit>
-void visit_part(const char* prefix, Part& part, const Visit& visit) {
-  for_each_field<std::remove_const_t<Part>>(
-      [&](const auto& field) { visit_numbers(prefix, field.name, field.unit, part.*field.member, visit); });
+template <class Group, class Visit>
+void visit_group(const char* prefix, Group& group, const Visit& visit) {
+  for_each_field<std::remove_const_t<Group>>(
+      [&](const auto& field) { visit_numbers(prefix, field.name, field.unit, group.*field.member, visit); });
 }
 
 /// Visits the numbers of an optional effect: first whether it is present, then its numbers or their defaults.
 template <class Maybe, class Visit>
 requires std::is_same_v<std::remove_const_t<Maybe>, std::optional<typename Maybe::value_type>>
-void visit_part(const char* prefix, Maybe& part, const Visit& visit) {
-  bool is_there = part.has_value();
-  auto value = part.value_or(typename Maybe::value_type{});
+void visit_group(const char* prefix, Maybe& group, const Visit& visit) {
+  bool is_there = group.has_value();
+  auto value = group.value_or(typename Maybe::value_type{});
   const std::string_view name = prefix;
   visit([&] { return std::string(name.substr(0, name.size() - 1)); }, is_there);
-  visit_part(prefix, value, visit);
-  if constexpr (!std::is_const_v<Maybe>) part = is_there ? std::optional(value) : std::nullopt;
+  visit_group(prefix, value, visit);
+  if constexpr (!std::is_const_v<Maybe>) group = is_there ? std::optional(value) : std::nullopt;
 }
 
 /// Visits the numbers of all effects in order.
 template <class AnyEffects, class Visit>
 void visit_effects(AnyEffects& effects, const Visit& visit) {
-  visit_part("gravity_", effects.gravity, visit);
-  visit_part("vibration_", effects.vibration, visit);
-  visit_part("delta_filter_", effects.delta_filter, visit);
-  visit_part("", effects.enabled, visit);
-  visit_part("", effects.limits, visit);
+  visit_group("gravity_", effects.gravity, visit);
+  visit_group("vibration_", effects.vibration, visit);
+  visit_group("delta_filter_", effects.delta_filter, visit);
+  visit_group("", effects.enabled, visit);
+  visit_group("", effects.limits, visit);
 }
 static_assert(kFieldsOf<Effects> == 5, "a new effect needs a line above");
 
@@ -65,7 +65,7 @@ EffectNumbers pack(const Effects& effects) noexcept {
 }
 
 Effects unpack(const std::string& names, std::span<const double> numbers) {
-  const std::vector<std::string> given = parts_of(names);
+  const std::vector<std::string> given = items_of(names);
   if (given.size() != numbers.size())
     throw Error("the number of columns of its 'effects/values' differs from the number of names.");
   std::size_t used = 0;
@@ -88,7 +88,7 @@ Effects unpack(const std::string& names, std::span<const double> numbers) {
 std::string effect_names() {
   std::string names;
   const Effects none;
-  visit_effects(none, [&](const auto& name, const auto&) { append_part(names, name()); });
+  visit_effects(none, [&](const auto& name, const auto&) { append_item(names, name()); });
   return names;
 }
 

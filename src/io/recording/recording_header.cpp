@@ -46,7 +46,7 @@ void create_steps(hid_t file, bool with_device) {
     hdf5::write_attribute(set.get(), "unit", column.unit);
     if (!column.frame.empty()) hdf5::write_attribute(set.get(), "frame", column.frame);
     hdf5::write_attribute(set.get(), "meaning", column.meaning);
-    append_part(names, column.name);
+    append_item(names, column.name);
   }
   hdf5::write_attribute(group.get(), kFieldsAttribute, names);
 }

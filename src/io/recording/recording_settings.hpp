@@ -35,10 +35,10 @@ namespace detail {
 template <class Type>
 inline constexpr std::size_t kNumbersOf = std::is_arithmetic_v<Type> ? 1 : 3;
 
-template <class Part>
+template <class Struct>
 constexpr std::size_t count_numbers() {
   std::size_t count = 0;
-  for_each_field<Part>(
+  for_each_field<Struct>(
       [&](const auto& field) { count += kNumbersOf<typename std::remove_cvref_t<decltype(field)>::Type>; });
   return count;
 }

@@ -27,7 +27,7 @@ inline constexpr char kFieldsAttribute[] = "fields";
 
 /// The names that a group of a file should contain.
 [[nodiscard]] inline std::vector<std::string> fields_listed(RecordingSource& source, const std::string& group) {
-  return parts_of(source.text_attribute(group, kFieldsAttribute));
+  return items_of(source.text_attribute(group, kFieldsAttribute));
 }
 
 [[nodiscard]] inline bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -73,7 +73,7 @@ class SettingsWriter {
     note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, values, {count}).get(), "unit", unit);
   }
-  void note(const char* name) { append_part(names_, name); }
+  void note(const char* name) { append_item(names_, name); }
 
   hid_t group_;
   std::string names_;

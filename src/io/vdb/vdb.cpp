@@ -72,7 +72,7 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
   write_meta(meta, kPoseKey, matrix_of(workpiece.frame().X_WV));
   write_meta(meta, kMaterialsKey, int(workpiece.materials().size()));
   std::string fields;
-  for_each_field<Material>([&](const auto& field) { append_part(fields, field.name); });
+  for_each_field<Material>([&](const auto& field) { append_item(fields, field.name); });
   write_meta(meta, kFieldsKey, fields);
   int id = 0;
   for (const Material& material : workpiece.materials().all()) {
@@ -158,7 +158,7 @@ VdbFile read_grids(std::string bytes) {
 
 std::string list_of(const VdbFile& file) {
   std::string list;
-  for (const VdbEntry& entry : file.entries) append_part(list, "'" + entry.name + "' (" + entry.type + ")", ", ");
+  for (const VdbEntry& entry : file.entries) append_item(list, "'" + entry.name + "' (" + entry.type + ")", ", ");
   return list.empty() ? "no grid at all" : list;
 }
 
@@ -194,7 +194,7 @@ void read_meta(const openvdb::MetaMap& meta, const std::string& key, std::option
 /// The fields of each material in a file.
 /// @throws Error when a field is unknown
 std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
-  std::vector<std::string> names = parts_of(require_meta<std::string>(meta, kFieldsKey));
+  std::vector<std::string> names = items_of(require_meta<std::string>(meta, kFieldsKey));
   for (const std::string& name : names) {
     bool known = false;
     for_each_field<Material>([&](const auto& field) { known |= name == field.name; });

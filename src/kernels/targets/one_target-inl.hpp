@@ -12,6 +12,6 @@
 #if !defined(__OPTIMIZE__) && !defined(HAPTICUT_TARGET_IS_BASELINE)
 #error "the kernels of this instruction set are wrong without optimisation: compile this file with -O1 or more"
 #endif
+#include "kernels/blocks-inl.hpp"
 #include "kernels/points-inl.hpp"
-#include "kernels/press-inl.hpp"
 #endif

@@ -12,7 +12,7 @@ namespace {
 
 using test::kFailed;
 using test::kWrongUsage;
-using test::Outcome;
+using test::ProgramOutcome;
 using test::write_bytes;
 
 const std::string kBlock = "--workpiece block --size_mm 2,2,2 --material dentin --voxel_mm 0.2 ";
@@ -184,7 +184,7 @@ TEST_F(Files, OfSamplesNeedTheMeaningOfTheirValues) {
   expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "needs labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
-  const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
+  const ProgramOutcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
   EXPECT_NE(large.errors.find("lift the limit (--large)."), std::string::npos) << large.errors;
   std::filesystem::create_directory(folder / "slices");
   write_bytes(folder / "slices/s1.png", "");

@@ -50,7 +50,7 @@ TEST_F(Drill, LeavesASurfaceAndAPicture) {
 
 TEST_F(Convert, WritesExtensionsInCapitals) {
   for (const char* name : {"m.STL", "m.Ply", "m.VDB", "m.NRRD"}) {
-    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    const ProgramOutcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
   }
   EXPECT_TRUE(read_bytes(folder / "m.Ply").starts_with("ply"));
@@ -60,7 +60,7 @@ TEST_F(Convert, WritesExtensionsInCapitals) {
 
 TEST_F(Convert, WritesSurfacesInColorOrNot) {
   for (const char* name : {"m.stl", "m.ply"}) {
-    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    const ProgramOutcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_GT(std::filesystem::file_size(folder / name), 10000U);
   }
@@ -301,7 +301,7 @@ TEST_F(Program, SaysHowManySamplesArePaddingAndTakesThemForAir) {
   const std::string warning = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
   for (const std::string& command : {"inspect " + path("scan") + bone + " --voxel-mm 0.1 --json " + path("i.json"),
                                      "convert " + path("scan") + " " + path("a.vdb") + bone}) {
-    const Outcome outcome = run(command);
+    const ProgramOutcome outcome = run(command);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
   }
@@ -357,7 +357,7 @@ TEST_F(Convert, KeepsItsSourceWhenTheSecondFileOfANrrdWouldReplaceIt) {
 TEST_F(Convert, TurnsAGridOfAnotherProgramIntoAWorkpiece) {
   HAPTICUT_NEEDS_DATA("vdb/sphere.vdb");
   const std::string sphere = data_path("vdb/sphere.vdb").string();
-  const Outcome outcome = run("convert " + sphere + " " + path("ball.vdb") + " --material dentin --unit_mm 0.5");
+  const ProgramOutcome outcome = run("convert " + sphere + " " + path("ball.vdb") + " --material dentin --unit_mm 0.5");
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const double ball = 4.0 / 3 * units::kPi * 1.5 * 1.5 * 1.5;  // a radius of 3 units
   EXPECT_NEAR(inspect(path("ball.vdb"))["volume_mm3"]["dentin"].get<double>() / ball, 1, 1e-3);

@@ -13,7 +13,7 @@ namespace hapticut::cli_inputs_test {
 namespace {
 
 using test::kBlock;
-using test::Outcome;
+using test::ProgramOutcome;
 using test::write_bytes;
 using units::mm;
 
@@ -104,7 +104,7 @@ TEST_F(Inputs, WithoutAMeaningOfTheirValuesNeedAFlag) {
 
 TEST_F(Inputs, OfASettingsFileAreBesideIt) {
   write_scene();
-  const Outcome outcome = run("drill --settings " + path("case/scene.toml"));
+  const ProgramOutcome outcome = run("drill --settings " + path("case/scene.toml"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(test::read_json(folder / "case/results/report.json")["steps"], 100);
   // The same holds for any form of the path, and with other files in the working folder.

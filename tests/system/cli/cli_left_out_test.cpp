@@ -28,14 +28,14 @@ const std::string kLabels = " --label dentin=1 --label enamel=2 ";
 TEST_F(LeftOut, ALayerThinnerThanTheVoxelsIsSaidWithItsCure) {
   write_labels(folder / "v.nrrd");
   const std::string coarse = path("v.nrrd") + kLabels + "--voxel_mm 0.3 --json " + path("i.json");
-  const Outcome outcome = run("inspect " + coarse);
+  const ProgramOutcome outcome = run("inspect " + coarse);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.errors.find("voxels of 0.3 mm are too coarse for the labels: "), std::string::npos)
       << outcome.errors;
   EXPECT_NE(outcome.errors.find("'enamel' fills "), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("its labels 0.196 mm^3"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("Choose voxels of 0.1 mm"), std::string::npos) << outcome.errors;
-  const Outcome fine = run("inspect " + path("v.nrrd") + kLabels + "--voxel_mm 0.1 --json " + path("i.json"));
+  const ProgramOutcome fine = run("inspect " + path("v.nrrd") + kLabels + "--voxel_mm 0.1 --json " + path("i.json"));
   EXPECT_EQ(fine.errors, "");
   EXPECT_NEAR(read_json(folder / "i.json")["volume_mm3"]["enamel"].get<double>(), 0.196, 1e-9);
 }

@@ -69,8 +69,9 @@ TEST_F(Loop, DrivesADeviceWhereTheProgramWasBuiltWithItsSdk) {
                            Made{"force_dimension", "forcedimension:omega.6", "the Force Dimension SDK", 12}}) {
     SCOPED_TRACE(made.device);
     const std::string loop = "loop " + std::string(made.device) + " ";
-    const Outcome outcome = run_program(folder, loop + "--seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
-                                        std::string(test::kProgramWith) + made.driver);
+    const ProgramOutcome outcome =
+        run_program(folder, loop + "--seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                    std::string(test::kProgramWith) + made.driver);
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     const nlohmann::json report = read_json(folder / "loop.json");
     EXPECT_EQ(report["device"]["peak_force_N"], made.peak_force);
@@ -181,12 +182,12 @@ TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {
                                " & p=$!; while ! " + program + " replay " + recording +
                                " >/dev/null 2>&1 && kill -0 $p; do sleep 0.05; done; kill -TERM $p; wait $p";
     std::ofstream(folder / "run.sh") << script;
-    const Outcome outcome = run_program(folder, path("run.sh"), "sh");
+    const ProgramOutcome outcome = run_program(folder, path("run.sh"), "sh");
     EXPECT_EQ(outcome.code, has_an_end ? 1 : 0) << outcome.errors;
     EXPECT_EQ(outcome.errors.find("ended by signal 15") != std::string::npos, has_an_end) << outcome.errors;
     EXPECT_GT(read_json(folder / "loop.json")["ticks"], 0);
     EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
-    const Outcome replayed = run("replay " + recording);
+    const ProgramOutcome replayed = run("replay " + recording);
     EXPECT_EQ(replayed.code, 0) << replayed.errors;
     EXPECT_EQ(replayed.out.find("has no end"), std::string::npos) << replayed.out;
     std::filesystem::remove(recording);
@@ -232,7 +233,7 @@ TEST_F(Loop, RendersAnEqualForceAtEveryScale) {
     EXPECT_NEAR(report["force_N"]["applied_at_end"].get<double>(), expected, 0.15) << scale;
   }
   for (const char* scale : {"0.001", "1e6", "0", "-1"}) {
-    const Outcome refused = run("loop mock:rest --seconds 0.1 --scale " + std::string(scale));
+    const ProgramOutcome refused = run("loop mock:rest --seconds 0.1 --scale " + std::string(scale));
     EXPECT_NE(refused.code, 0) << scale;
     EXPECT_NE(refused.errors.find("scale"), std::string::npos) << refused.errors;
     EXPECT_EQ(refused.errors.find("CouplingGains"), std::string::npos) << refused.errors;

@@ -37,7 +37,7 @@ TEST_F(Memory, ThatRunsOutAnywhereIsOneSentence) {
   for (const std::string& command : commands)
     for (int kilobytes = 200'000; kilobytes <= 400'000; kilobytes += 10'000) {
       const std::string limit = "bash -c 'ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" \"$@\"' ";
-      const Outcome outcome = run_program(folder, command, limit + kProgram);
+      const ProgramOutcome outcome = run_program(folder, command, limit + kProgram);
       if (outcome.code == 127) continue;  // the libraries do not fit
       if (outcome.code == 0) break;       // nor does it fail with more memory
       ++sentences;

@@ -68,7 +68,7 @@ TEST_F(MeshCures, DoWhatTheSentenceSays) {
       {closed, "--material dentin --voxel_mm 0.001", "lift the limit (--large).", "", dentin, 64}};
   for (const Cure& cure : cures) {
     write_bytes(folder / "m.obj", cure.mesh);
-    const Outcome refused = run("inspect " + path("m.obj") + " " + cure.arguments);
+    const ProgramOutcome refused = run("inspect " + path("m.obj") + " " + cure.arguments);
     EXPECT_EQ(refused.code, kFailed) << cure.said;
     EXPECT_NE(refused.errors.find(cure.said), std::string::npos) << cure.said << '\n' << refused.errors;
     if (!cure.cured_mesh.empty()) write_bytes(folder / "m.obj", cure.cured_mesh);
@@ -130,7 +130,7 @@ TEST_F(TableCures, DoWhatTheSentenceSays) {
     write_bytes(folder / "p.csv", table.text);
     expect_refused(drill, {table.said, path("p.csv") + ":"});
     write_bytes(folder / "p.csv", table.cured);
-    const Outcome outcome = run(drill);
+    const ProgramOutcome outcome = run(drill);
     EXPECT_EQ(outcome.code, 0) << table.said << outcome.errors;
   }
 }

@@ -24,7 +24,7 @@ const std::string kGone =
 class Outputs : public Program {
  protected:
   /// Runs the program with standard output at a place of the shell, e.g. ">/dev/full".
-  Outcome run_to(const std::string& place, const std::string& arguments) {
+  ProgramOutcome run_to(const std::string& place, const std::string& arguments) {
     const std::string errors = path("stderr"),
                       command = std::string(kProgram) + " " + arguments + " 2>" + errors + " </dev/null " + place;
     const int status = std::system(("bash -c 'set -o pipefail; " + command + "'").c_str());
@@ -39,7 +39,7 @@ TEST_F(Outputs, OfARunThatCutsEverythingAwayAreAllWrittenWithAWarning) {
 #ifdef HAPTICUT_HAS_IMPORT
   arguments += " --surface " + path("a.stl") + " --picture " + path("a.png") + " --record " + path("a.h5");
 #endif
-  const Outcome outcome = run(arguments);
+  const ProgramOutcome outcome = run(arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "a.json");
   EXPECT_NEAR(report["removed_volume_mm3"]["total"].get<double>(), 1, 1e-7);  // sums of floats
@@ -56,7 +56,7 @@ TEST_F(Outputs, OfARunThatCutsEverythingAwayAreAllWrittenWithAWarning) {
     EXPECT_EQ(run(kGone + each).code, 0) << each;
   EXPECT_EQ(inspect(path("b.nrrd"))["dims"], nlohmann::json({1, 1, 1}));
   for (const char* name : {"c.stl", "c.ply", "c.nrrd", "c.vdb"}) {
-    const Outcome converted = run("convert " + path("a.vdb") + " " + path(name));
+    const ProgramOutcome converted = run("convert " + path("a.vdb") + " " + path(name));
     EXPECT_EQ(converted.code, 0) << converted.errors;
     EXPECT_TRUE(std::filesystem::exists(folder / name));
   }
@@ -67,8 +67,8 @@ TEST_F(Outputs, ThatCannotBeWrittenLeaveTheOthers) {
   write_bytes(folder / "file", "");
   std::filesystem::create_symlink("/dev/full", folder / "full.vdb");
   const std::string nowhere = path("file/no/folder/");
-  const Outcome outcome = run("drill " + kBlock + kBall + kLine + "--json " + path("a.json") + " --steps_csv " +
-                              nowhere + "a.csv --save " + path("full.vdb"));
+  const ProgramOutcome outcome = run("drill " + kBlock + kBall + kLine + "--json " + path("a.json") + " --steps_csv " +
+                                     nowhere + "a.csv --save " + path("full.vdb"));
   EXPECT_EQ(outcome.code, kFailed);
   EXPECT_NE(outcome.errors.find("a.csv"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("full.vdb"), std::string::npos) << outcome.errors;
@@ -78,13 +78,14 @@ TEST_F(Outputs, ThatCannotBeWrittenLeaveTheOthers) {
   // The report is the one that fails.
   EXPECT_EQ(run("drill " + kBlock + kBall + kLine + "--json /dev/full --steps_csv " + path("b.csv")).code, kFailed);
   EXPECT_GT(read_bytes(folder / "b.csv").size(), 1000U);
-  const Outcome validated = run("validate --only groove --json " + nowhere + "v.json --markdown " + path("v.md"));
+  const ProgramOutcome validated =
+      run("validate --only groove --json " + nowhere + "v.json --markdown " + path("v.md"));
   EXPECT_EQ(validated.code, kFailed);
   EXPECT_GT(read_bytes(folder / "v.md").size(), 10U);
 }
 
 TEST_F(Outputs, ThatAllFailAreRefusedBeforeTheWork) {
-  const Outcome outcome = run("drill " + kBlock + kBall + kLine + "--json /dev/full --steps_csv /dev/null");
+  const ProgramOutcome outcome = run("drill " + kBlock + kBall + kLine + "--json /dev/full --steps_csv /dev/null");
   EXPECT_EQ(outcome.code, kFailed);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(lines_of(outcome.errors), 2U) << outcome.errors;
@@ -94,7 +95,7 @@ TEST_F(Outputs, OnAFullOrClosedStandardOutputAreAnErrorAndLeaveTheFiles) {
   const std::string drill = "drill " + kBlock + kBall + kLine + "--json " + path("a.json");
   for (const char* place : {">/dev/full", ">&-", "| true"}) {
     std::filesystem::remove(folder / "a.json");
-    const Outcome outcome = run_to(place, drill);
+    const ProgramOutcome outcome = run_to(place, drill);
     EXPECT_EQ(outcome.code, kFailed) << place;
     EXPECT_NE(outcome.errors.find("hapticut: cannot write to standard output: "), std::string::npos)
         << place << outcome.errors;
@@ -121,13 +122,13 @@ TEST_F(Outputs, CalledADashAreStandardOutputAlone) {
   commands.push_back("replay " + path("r.h5"));
 #endif
   for (const std::string& command : commands) {
-    const Outcome outcome = run(command + " --json -");
+    const ProgramOutcome outcome = run(command + " --json -");
     EXPECT_EQ(outcome.code, 0) << command << outcome.errors;
     EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << command << outcome.out;
     EXPECT_NE(outcome.errors, "") << command << ": the table is on standard error";
     EXPECT_FALSE(std::filesystem::exists("-"));
   }
-  const Outcome steps = run(drill + "--steps_csv - --json " + path("a.json"));
+  const ProgramOutcome steps = run(drill + "--steps_csv - --json " + path("a.json"));
   EXPECT_EQ(steps.code, 0);
   EXPECT_EQ(read_csv(steps.out)["t_s"].size(), read_json(folder / "a.json")["steps"].get<std::size_t>());
   write_bytes(folder / "s.toml", "[output]\njson = \"-\"\n");
@@ -169,7 +170,7 @@ TEST_F(Outputs, OfARunAreWrittenWhenItsRecordingCannotStart) {
   for (const std::string& command :
        {"drill " + kBlock + kBall + kLine, std::string("loop mock:spiral --seconds 0.1 "
                                                        "--simulated_time --voxel_mm 0.5 ")}) {
-    const Outcome outcome = run_program(folder, command + output, limited);
+    const ProgramOutcome outcome = run_program(folder, command + output, limited);
     EXPECT_EQ(outcome.code, kFailed) << command;
     EXPECT_NE(outcome.errors.find("cannot write the recording"), std::string::npos) << outcome.errors;
     EXPECT_NE(outcome.out, "") << "the table of " << command;
@@ -180,7 +181,7 @@ TEST_F(Outputs, OfARunAreWrittenWhenItsRecordingCannotStart) {
 
 TEST_F(Outputs, ARecordingBehindALinkIsMadeWhereTheLinkPoints) {
   std::filesystem::create_symlink("there.h5", folder / "l.h5");
-  const Outcome outcome = run("drill " + kBlock + kBall + kLine + "--record " + path("l.h5"));
+  const ProgramOutcome outcome = run("drill " + kBlock + kBall + kLine + "--record " + path("l.h5"));
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "l.h5"));
   EXPECT_TRUE(std::filesystem::is_regular_file(folder / "there.h5"));

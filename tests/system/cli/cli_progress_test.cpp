@@ -35,7 +35,7 @@ TEST_P(Progress, IsDrawnOnATerminalAndWipedAwayBeforeAnythingElseIsPrinted) {
 }
 
 TEST_P(Progress, IsNotWrittenToAFileOrAPipe) {
-  const test::Outcome outcome = test::run_program(folder_, arguments());
+  const test::ProgramOutcome outcome = test::run_program(folder_, arguments());
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.errors, "");
 }

@@ -5,12 +5,12 @@
 namespace hapticut::cli_stability_test {
 namespace {
 
-using test::Outcome;
+using test::ProgramOutcome;
 using test::read_json;
 using Stability = test::Program;
 
 TEST_F(Stability, ReproducesTheTableAndFindsNoRuleBroken) {
-  const Outcome outcome = run("stability --device touch --json " + path("s.json"));
+  const ProgramOutcome outcome = run("stability --device touch --json " + path("s.json"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "s.json");
   EXPECT_TRUE(report["complaints"].empty());
@@ -29,7 +29,7 @@ TEST_F(Stability, ReproducesTheTableAndFindsNoRuleBroken) {
 }
 
 TEST_F(Stability, ComplainsOfNoDevice) {
-  const Outcome outcome = run("stability --json " + path("s.json"));
+  const ProgramOutcome outcome = run("stability --json " + path("s.json"));
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "s.json");
   EXPECT_TRUE(report["complaints"].empty()) << report["complaints"];
@@ -37,7 +37,7 @@ TEST_F(Stability, ComplainsOfNoDevice) {
 }
 
 TEST_F(Stability, RefusesADeviceThatDoesNotExist) {
-  const Outcome outcome = run("stability --device falcon");
+  const ProgramOutcome outcome = run("stability --device falcon");
   EXPECT_NE(outcome.code, 0);
   EXPECT_NE(outcome.errors.find("one of all, touch"), std::string::npos) << outcome.errors;
 }

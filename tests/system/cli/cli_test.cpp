@@ -40,7 +40,8 @@ TEST_F(Inspect, CountsWhatABlockHoldsAndSaysWhereItIs) {
 }
 
 TEST_F(Convert, KeepsAWorkpieceInVdb) {
-  const Outcome outcome = run("convert block " + path("b.vdb") + " --size_mm 2,3,4 --voxel_mm 0.1 --material dentin");
+  const ProgramOutcome outcome =
+      run("convert block " + path("b.vdb") + " --size_mm 2,3,4 --voxel_mm 0.1 --material dentin");
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(inspect(path("b.vdb"))["voxels"]["dentin"], 24000);
 }
@@ -49,7 +50,7 @@ TEST_F(Program, HelpsAndSaysItsVersion) {
   std::vector<std::string> names = {""};
   for (const cli::Command& command : cli::all_commands()) names.push_back(command.name + " ");
   for (const std::string& name : names) {
-    const Outcome outcome = run(name + "--help");
+    const ProgramOutcome outcome = run(name + "--help");
     EXPECT_EQ(outcome.code, 0) << name;
     EXPECT_NE(outcome.out.find("Usage: hapticut"), std::string::npos) << name;
   }

@@ -5,14 +5,14 @@
 namespace hapticut::cli_validate_test {
 namespace {
 
-using test::Outcome;
 using test::Program;
+using test::ProgramOutcome;
 using test::read_json;
 using Validate = Program;
 using Calibrate = Program;
 
 TEST_F(Validate, ReportsEveryFieldOfEveryCaseAndThatAllPass) {
-  const Outcome outcome =
+  const ProgramOutcome outcome =
       run("validate --only effects --json " + path("new/out/v.json") + " --markdown " + path("v.md"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "new/out/v.json");
@@ -39,7 +39,7 @@ TEST_F(Validate, PrintsAnErrorAsAFractionOfItsBound) {
 }
 
 TEST_F(Validate, FailsWithCodeOneAndNamesTheCasesThatAreOff) {
-  const Outcome outcome = run("validate --only 'defect D1' --tolerance-factor 0 --json " + path("v.json"));
+  const ProgramOutcome outcome = run("validate --only 'defect D1' --tolerance-factor 0 --json " + path("v.json"));
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("cases exceed their tolerance"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.out.find("FAIL D1 cured"), std::string::npos);
@@ -48,7 +48,7 @@ TEST_F(Validate, FailsWithCodeOneAndNamesTheCasesThatAreOff) {
 }
 
 TEST_F(Validate, RefusesAnExperimentThatDoesNotExist) {
-  const Outcome outcome = run("validate --only nonsense");
+  const ProgramOutcome outcome = run("validate --only nonsense");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("no experiment has 'nonsense' in its name"), std::string::npos);
   EXPECT_NE(outcome.errors.find(", defect D1"), std::string::npos) << outcome.errors;
@@ -60,7 +60,7 @@ TEST_F(Validate, FindsAnExperimentInAnyCase) {
 
 // A factor above 1 would make anything pass.
 TEST_F(Validate, RefusesToLoosenItsTolerances) {
-  const Outcome outcome = run("validate --only effects --tolerance_factor 2");
+  const ProgramOutcome outcome = run("validate --only effects --tolerance_factor 2");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.errors.find("--tolerance_factor 2: must be a number from 0 to 1."), std::string::npos)
       << outcome.errors;
@@ -72,7 +72,7 @@ constexpr const char* kHeader = "radius_mm,spindle_rpm,feed_mm_per_s,thrust_N,to
 
 TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
   write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07,41.2\n");
-  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  const ProgramOutcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "c.json");
   EXPECT_NEAR(report["cutting_ratio"].get<double>(), 2 * 41.2 / (1.25 * 20.07), 1e-4);
@@ -92,7 +92,7 @@ TEST_F(Calibrate, ReadsAFileAsASpreadsheetWritesIt) {
 
 TEST_F(Calibrate, SaysThatTheChipIsNotIdentifiedWhereTheEdgeCarriesAll) {
   write(path("t.csv"), std::string(kHeader) + "1.25,1000,0.001,10.07,20.2\n1.25,1000,0.003,9.5,20.0\n");
-  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  const ProgramOutcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_FALSE(read_json(folder / "c.json")["chip_identified"]);
   EXPECT_NE(outcome.out.find("add tests at a larger feed per revolution"), std::string::npos) << outcome.out;
@@ -100,7 +100,7 @@ TEST_F(Calibrate, SaysThatTheChipIsNotIdentifiedWhereTheEdgeCarriesAll) {
 
 TEST_F(Calibrate, TakesAnExactFitAndSaysThatNothingChecksIt) {
   write(path("t.csv"), std::string(kHeader) + "1.6,400,0.8333333,48,\n1.6,2000,0.8333333,24,\n");
-  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  const ProgramOutcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "c.json");
   EXPECT_NEAR(report["edge_length"].get<double>(), 37.5e-6, 1e-8);
@@ -110,7 +110,7 @@ TEST_F(Calibrate, TakesAnExactFitAndSaysThatNothingChecksIt) {
 }
 
 TEST_F(Calibrate, AsksForItsFile) {
-  const Outcome outcome = run("calibrate");
+  const ProgramOutcome outcome = run("calibrate");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.errors.find("Use: hapticut calibrate TESTS.csv."), std::string::npos) << outcome.errors;
 }

@@ -14,7 +14,7 @@ namespace hapticut::hostile_files_test {
 namespace {
 
 using nlohmann::json;
-using test::Outcome;
+using test::ProgramOutcome;
 
 /// The required outcome of a file.
 struct Hostile {
@@ -119,7 +119,7 @@ TEST_P(HostileFile, IsReadRightOrRefusedInOneSentence) {
   HAPTICUT_NEEDS_DATA(name);
   const test::TemporaryFolder folder;
   const std::string report = (folder / "report.json").string();
-  const Outcome outcome = test::run_program(
+  const ProgramOutcome outcome = test::run_program(
       folder,
       std::string(hostile.before) + " " + test::data_path(name).string() + " " + hostile.after + " --json " + report,
       kLimited);

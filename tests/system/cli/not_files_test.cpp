@@ -47,8 +47,8 @@ TEST_F(NotFiles, AFileThatMayNotGrowIsAnErrorAndNoSignal) {
 TEST_F(NotFiles, AnOlderRecordingStaysUntilTheNewOneIsComplete) {
   (void)drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
   const std::string old = read_bytes(folder / "a.h5");
-  const Outcome killed = run_program(folder, "loop mock:spiral --seconds 60 --record " + path("a.h5"),
-                                     std::string("timeout -s KILL 3 ") + test::kProgram);
+  const ProgramOutcome killed = run_program(folder, "loop mock:spiral --seconds 60 --record " + path("a.h5"),
+                                            std::string("timeout -s KILL 3 ") + test::kProgram);
   EXPECT_NE(killed.code, 0);
   EXPECT_EQ(read_bytes(folder / "a.h5"), old);
   EXPECT_EQ(run("replay " + path("a.h5.new")).code, 0);  // the steps of the killed run
@@ -62,7 +62,7 @@ TEST_F(NotFiles, ADiskThatFillsEndsTheRecordingAndTheReportIsWritten) {
       "loop mock:spiral --simulated_time --seconds 120 --record " + path("a.h5") + " --json " + path("report.json"),
       {"a.h5", "its first "}, kFailed, "ulimit -f 24000; " + kLimited);
   EXPECT_TRUE(read_json(folder / "report.json").is_object());
-  const Outcome replayed = run("replay " + path("a.h5") + " --json " + path("replay.json"));
+  const ProgramOutcome replayed = run("replay " + path("a.h5") + " --json " + path("replay.json"));
   EXPECT_EQ(replayed.code, 0) << replayed.errors;
   const nlohmann::json recording = read_json(folder / "replay.json")["recording"];
   EXPECT_EQ(recording["closed"], true);

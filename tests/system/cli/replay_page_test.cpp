@@ -128,7 +128,7 @@ TEST(ReplayPage, ABurThatHoversIntoTheWorkpieceReplaysWithTheSameBits) {
     desk.lead(Vec3(0, 0, 1 * mm), true);
     desk.lead(Vec3(0, 0, -0.3 * mm), true);  // cuts
     desk.lead(Vec3(1 * mm, 0, -1 * mm), false);
-    desk.session.hold();
+    desk.session.suspend();
   }
   std::filesystem::current_path(before);
   const Recording recording = read_recording(folder / "session-1.h5");

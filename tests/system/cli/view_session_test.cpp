@@ -153,7 +153,7 @@ TEST(ViewSession, RecordsACompleteRun) {
     Desk desk;
     desk.turn("Record", 1);
     desk.frames();
-    desk.session.hold();
+    desk.session.suspend();
     EXPECT_TRUE(std::filesystem::exists(folder / "session-1.h5"));
     EXPECT_FALSE(std::filesystem::exists(folder / "session-1.h5.new"));
   }

@@ -129,7 +129,7 @@ class Course {
     if (is_open_ && below(3, random_) != 0) command_ = 1;  // else nothing would happen
     std::optional<LoopCommand> command = next();
     if (!command) return;
-    if (command_ == 9) hand_.hold(std::get<commands::SetTool>(*command).tool.tool());
+    if (command_ == 9) hand_.grip(std::get<commands::SetTool>(*command).tool.tool());
     if (command_ == 9) invariants_.forget_motor();
     model_.check(*command);
     (void)model_.apply(*command);

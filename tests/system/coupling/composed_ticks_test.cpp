@@ -122,7 +122,7 @@ class Episode {
            e.simulation_.set(tool);
            VirtualCoupling::Lists lists(e.simulation_.worst_case(), e.simulation_.config());
            e.coupling_.exchange_lists(lists);
-           e.hand_.hold(tool);
+           e.hand_.grip(tool);
            e.invariants_.forget_motor();
          },
          true},

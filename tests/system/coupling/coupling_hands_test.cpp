@@ -181,7 +181,8 @@ class HandWork {
   void go(const Pose& from, const Pose& to, const Twist& read, const Twist& estimate, const CoupledResult& result) {
     const Twist path = twist_between(from, to, 1);
     const double work = -held.force.dot(path.linear) - held.torque.dot(path.angular);
-    const double parts = std::max(1, result.parts), hold = (parts + 1) * (2 * parts + 1) / (6 * parts);
+    const double sub_ticks = std::max(1, result.sub_ticks),
+                 hold = (sub_ticks + 1) * (2 * sub_ticks + 1) / (6 * sub_ticks);
     allowed += 0.5 * hold * gains_.stiffness * read.linear.squaredNorm();
     allowed += 0.5 * hold * gains_.angular_stiffness * read.angular.squaredNorm();
     allowed += 0.5 * std::sqrt(3) * encoder_step_ * (result.hand.force - held.force).norm();
@@ -193,7 +194,7 @@ class HandWork {
     held = result.hand;
     if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors for torque
     max_force = std::max(max_force, held.force.norm());
-    max_parts = std::max(max_parts, result.parts);
+    max_sub_ticks = std::max(max_sub_ticks, result.sub_ticks);
     waited = waited || has_any(result.status, StepStatus::tool_waits | kRejected);
   }
 
@@ -211,7 +212,7 @@ class HandWork {
   double booked = 0;     // [J] by the coupling, of the hand
   double min_work = 0;   // [J] minimum of the work of hand and others, with the allowance
   double max_force = 0;  // [N]
-  int max_parts = 0;
+  int max_sub_ticks = 0;
   bool waited = false;
 
  private:
@@ -278,7 +279,7 @@ void expect_all_passive(int kind, const char* name, bool turning, Tally& tally) 
     const HandWork work = follow(scene, steps, false);
     expect_passive(scene, work);
     tally.add(scene, work);
-    if (turning || work.max_parts > 1 || !(scene.gains.angular_stiffness > 0)) continue;
+    if (turning || work.max_sub_ticks > 1 || !(scene.gains.angular_stiffness > 0)) continue;
     const CouplingEnergy& energy = scene.coupling.last_result().energy;
     EXPECT_NEAR(work.booked, energy.hand_work, 1e-9 + 1e-6 * energy.turnover);
   }

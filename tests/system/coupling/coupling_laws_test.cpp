@@ -84,7 +84,7 @@ TEST(CouplingLaws, ATickWithACustomLawMeasuresItsStiffnessOnce) {
         law->calls = 0;
         const ContactProbe contact = simulation.probe(result.X_WH, {}, kTick, ProbedMotions::none);
         EXPECT_EQ(contact.evaluations, 1);
-        if (contact.contact.voxels == 0 || result.parts > 1 || result.newton_steps < 2) continue;
+        if (contact.contact.voxels == 0 || result.sub_ticks > 1 || result.newton_steps < 2) continue;
         const int measured = torque ? 6 : 3;
         ASSERT_LE(in_tick, kOther * (result.newton_steps + measured + 1) * law->calls) << n;
         ++ticks;

@@ -71,9 +71,9 @@ Searches stroke(const ToolHead& head, Shape shape, double voxel, double spindle)
     last = hand;
     const CoupledResult& result = coupling.step(hand, V_WD, test::kTick);
     const int voxels = simulation.last_result().contact.voxels;
-    // Two parts have twice the time, and may see other contacts than the last.
-    if (result.parts <= 2 && result.newton_steps > result.parts * kSteps) {
-      EXPECT_LE(result.newton_steps * (voxels / 2 + kExtra), result.parts * (kSteps + 1) * (kVoxels + kExtra))
+    // Two sub-ticks have twice the time, and may see other contacts than the last.
+    if (result.sub_ticks <= 2 && result.newton_steps > result.sub_ticks * kSteps) {
+      EXPECT_LE(result.newton_steps * (voxels / 2 + kExtra), result.sub_ticks * (kSteps + 1) * (kVoxels + kExtra))
           << voxels;
     }
     ++seen.ticks;

@@ -92,7 +92,7 @@ TEST_F(BadInput, AHeadThatTurnsIsNotPutIntoMaterial) {
   EXPECT_GT(simulation_.step(inside, {}, 1e-3).contact.voxels, 0) << "a standing head cuts nothing there";
 }
 
-TEST_F(BadInput, AWayThatWasMadeDuringRefusedInputsIsNotSweptAtOnce) {
+TEST_F(BadInput, AWayThatWasMadeDuringRejectedInputsIsNotSweptAtOnce) {
   const Pose on_top = Pose::from_translation(Vec3(0, 0, 5) * mm);
   simulation_.step(on_top, {}, 1e-3);  // a jump
   EXPECT_EQ(simulation_.step(on_top, {}, 1e-3).status, StepStatus::ok);

@@ -91,7 +91,7 @@ TEST(DeepContact, YieldsWhereAWallBreaks) {
 TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
   int others = 0;
   for (const test::NamedLaw& named : test::all_laws()) {
-    if (!std::holds_alternative<SphereHead>(named.head.shape()) || named.law->holds_deep_contact()) continue;
+    if (!std::holds_alternative<SphereHead>(named.head.shape()) || named.law->tethers_deep_ball()) continue;
     ++others;
     const auto pushed = [&](bool deep_contact) {
       SimulationConfig config = swept(deep_contact);
@@ -103,7 +103,7 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
     EXPECT_EQ(pushed(true), pushed(false)) << named.name;
   }
   EXPECT_GE(others, 5);
-  EXPECT_TRUE(FoundationLaw().holds_deep_contact());
+  EXPECT_TRUE(FoundationLaw().tethers_deep_ball());
 }
 
 // A ball that spins about a horizontal axis is dragged along the surface by kappa f. The spring that holds the ball has

@@ -139,14 +139,14 @@ TEST(FirstTouch, NeedsAStepThatIsTaken) {
   EXPECT_TRUE(simulation.totals().touched.empty()) << "questions change nothing";
 }
 
-TEST(FirstTouch, ThroughACouplingIsThatOfAllPartsOfTheTick) {
+TEST(FirstTouch, ThroughACouplingIsThatOfAllSubTicks) {
   SimulationConfig config;
   config.contact_time = ContactTime::end;
   Simulation simulation(layers(3), drill(), config);
   VirtualCoupling coupling(simulation, CouplingGains{});
   MaterialSet events;
   int ticks = 0;
-  const double fast = 20 * kFeed;  // several parts in a tick
+  const double fast = 20 * kFeed;  // several sub-ticks in a tick
   for (int n = 0; n < 30; ++n) {
     const Pose X_WD = Pose::from_translation(Vec3(0, 0, kRadius + 1 * mm - fast * n * kTick));
     const CoupledResult& tick = coupling.step(X_WD, {Vec3(0, 0, -fast), Vec3::Zero()}, kTick);

@@ -10,7 +10,7 @@
 namespace hapticut::profile_head_test {
 namespace {
 
-using test::hold_well;
+using test::rest_ok_at;
 using test::static_config;
 using units::deg;
 using units::mm;
@@ -48,8 +48,8 @@ TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {
     const Mat3 R_WT = random.rotation();
     const Pose X_WT = {R_WT, random.vector(0.8 * mm) - R_WT * Vec3(0.5 * (box.min + box.max))};
     const Pose X_WH = X_WT * with_analytic.tool().X_HT().inverse();
-    const StepResult a = hold_well(with_analytic, X_WH);
-    const StepResult p = hold_well(with_profile, X_WH);
+    const StepResult a = rest_ok_at(with_analytic, X_WH);
+    const StepResult p = rest_ok_at(with_profile, X_WH);
     touching += a.contact.voxels > 100;
     const double scale = test::kStiffness * a.contact.volume * a.contact.depth;
     EXPECT_LE((p.force - a.force).norm(), tolerance * scale);

@@ -10,9 +10,9 @@
 namespace hapticut::quadrature_test {
 namespace {
 
-using test::hold_well;
 using test::kRadius;
 using test::kStiffness;
+using test::rest_ok_at;
 using units::mm;
 
 constexpr double kDepth = 0.3 * mm;
@@ -70,7 +70,7 @@ ErrorConstants press(Surface surface, const Vec3& normal, double l) {
         upright ? test::box_at_phase(box, l, test::phase(n))
                 : build_body(body, l, test::materials_of_stiffness({1}), surface == Surface::binary ? 1 : 8),
         Tool(SphereHead{kRadius}), config);
-    const double force = hold_well(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
+    const double force = rest_ok_at(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
     const double error = (force / kForce - 1) / std::pow(l / kDepth, surface == Surface::binary ? 1 : 2);
     sum += error;
     squares += error * error;

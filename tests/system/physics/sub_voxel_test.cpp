@@ -35,7 +35,7 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
       Simulation simulation(
           build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()), Tool(head),
           static_config());
-      return hold_well(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
+      return rest_ok_at(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
     };
     EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
   }

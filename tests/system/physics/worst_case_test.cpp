@@ -133,7 +133,7 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
     const StageTimes& times = simulation.stage_times();
     for (const double time :
          {times.check_input, times.find_start, times.plan_sweep, times.plan_sub_step, times.find_blocks,
-          times.press_and_cut, times.remove_emptied, times.hold_deep_contact, times.add_friction, times.book_energy,
+          times.press_and_cut, times.remove_emptied, times.tether_deep_ball, times.add_friction, times.book_energy,
           times.transport_to_handle, times.drive_spindle, times.advance_spindle, times.give_output}) {
       EXPECT_TRUE(asked ? time > 0 : time == 0) << time;
     }

@@ -159,7 +159,7 @@ TEST(CInterface, CouplesAHandAsCppDoes) {
       << "the coupling was made for the old tool";
 }
 
-TEST(CInterface, PartsToolAndHandAfterAnExchangeOrARelease) {
+TEST(CInterface, SeparatesToolAndHandAfterAnExchangeOrARelease) {
   const std::uint32_t waits = std::uint32_t(StepStatus::tool_waits);
   const auto expect_nothing = [&](const hapticut_step_result& result) {
     EXPECT_EQ(result.status, waits);

@@ -89,8 +89,8 @@ double difference_of_forces(const ToolHead& a, const ToolHead& b, double tip_of_
   for (int n = 0; n < 20; ++n) {
     const Mat3 R = rotation_from_vector(random.vector(1.2));
     const Vec3 tip = Vec3(0, 0, -0.5 * size) + random.vector(0.2 * size);
-    const StepResult in_a = test::hold_well(with_a, Pose{R, tip - tip_of_a * R.col(2)});
-    const StepResult in_b = test::hold_well(with_b, Pose{R, tip - tip_of_b * R.col(2)});
+    const StepResult in_a = test::rest_ok_at(with_a, Pose{R, tip - tip_of_a * R.col(2)});
+    const StepResult in_b = test::rest_ok_at(with_b, Pose{R, tip - tip_of_b * R.col(2)});
     max_force = std::max(max_force, in_a.force.norm());
     worst = std::max(worst, (in_a.force - in_b.force).norm());
   }

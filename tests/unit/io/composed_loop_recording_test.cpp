@@ -144,7 +144,7 @@ class RecordedLoop {
 
   LoopCommand exchange(const SimulationModel& model) {
     const Tool tool = some_tool(random_);
-    hand_.hold(tool);
+    hand_.grip(tool);
     if (below(2, random_) == 0) return model.prepare_tool(tool);
     return model.prepare_workpiece(some_piece(voxel_, random_), tool);
   }

@@ -207,7 +207,7 @@ class RecordedRun {
         {"tool",
          [](RecordedRun& r) {
            r.simulation_.set(some_tool(r.random_));
-           r.hold_tool();
+           r.grip_tool();
          }},
         {"materials", [](RecordedRun& r) { r.simulation_.set(some_materials(r.random_)); }},
         {"friction",
@@ -239,12 +239,12 @@ class RecordedRun {
          [](RecordedRun& r) {
            Simulation other = r.another();
            r.simulation_.exchange(other);
-           r.hold_tool();
+           r.grip_tool();
          }},
         {"exchange_back", [](RecordedRun& r) {
            Simulation other = r.another();
            other.exchange(r.simulation_);
-           r.hold_tool();
+           r.grip_tool();
          }}};
     return all;
   }
@@ -254,8 +254,8 @@ class RecordedRun {
     return {std::move(piece), some_tool(random_), config_};
   }
 
-  void hold_tool() {
-    hand_.hold(simulation_.tool());
+  void grip_tool() {
+    hand_.grip(simulation_.tool());
     if (!coupling_) return;
     VirtualCoupling::Lists lists(simulation_.worst_case(), simulation_.config());
     coupling_->exchange_lists(lists);

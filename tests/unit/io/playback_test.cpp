@@ -96,7 +96,7 @@ TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
   }
 }
 
-TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
+TEST(Playback, RepeatsAReadingThatCameAgainButNotTheSubTicks) {
   const TemporaryFolder folder;
   Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = test::patient();

@@ -214,28 +214,28 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
                         Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   VirtualCoupling coupling(simulation, {});
   Recorder recorder(folder / "a.h5", simulation, patient());
-  std::uint64_t parts = 0;
+  std::uint64_t sub_ticks = 0;
   std::vector<std::pair<std::uint64_t, Vec3>> felt;  // step, and the force on the hand after it
   constexpr int kTicks = 300;
   for (int tick = 0; tick < kTicks; ++tick) {
     const double z = std::max(5e-3 - 2e-4 * tick, 0.0);  // 0.2 m/s: 4 voxels and more in a tick
     const Pose hand = Pose::from_translation(Vec3(tick == 200 ? std::nan("") : 1e-5, 0, z));
     const CoupledResult& result = coupling.step(hand, {Vec3(0, 0, -0.2), Vec3::Zero()}, 1e-3);
-    parts += std::uint64_t(result.parts);
-    if (result.parts > 0) felt.emplace_back(parts - 1, result.hand.force);
+    sub_ticks += std::uint64_t(result.sub_ticks);
+    if (result.sub_ticks > 0) felt.emplace_back(sub_ticks - 1, result.hand.force);
   }
   recorder.close();
-  EXPECT_GT(parts, std::uint64_t(kTicks)) << "some ticks were cut into parts";
-  EXPECT_EQ(recorder.recorded(), parts);
+  EXPECT_GT(sub_ticks, std::uint64_t(kTicks)) << "some ticks were divided into sub-ticks";
+  EXPECT_EQ(recorder.recorded(), sub_ticks);
   EXPECT_EQ(recorder.lost(), 0U);
   EXPECT_GT(simulation.totals().removed_volume[1], 0);
   const Recording recording = read_recording(folder / "a.h5");
   const ReplayReport report = replay(recording);
   EXPECT_TRUE(report.identical) << report.first_difference->column << " in step " << report.first_difference->step;
-  EXPECT_EQ(report.steps, parts);
+  EXPECT_EQ(report.steps, sub_ticks);
 
   // The column `force` is the force on the hand, which differs from the contact force.
-  const std::vector<RecordedStep> steps = recording.read(0, parts);
+  const std::vector<RecordedStep> steps = recording.read(0, sub_ticks);
   double max_difference = 0;
   for (const auto& [step, force] : felt) {
     EXPECT_EQ(steps[step].force, force) << step;

@@ -163,7 +163,7 @@ class Direct final : public HandCoupling {
 };
 
 // A refused step of a coupling may place the tool anew before it is refused.
-TEST(Replay, KnowsThatARefusedStepWasThatOfACoupling) {
+TEST(Replay, KnowsThatARejectedStepWasThatOfACoupling) {
   const TemporaryFolder folder;
   Simulation simulation = soft_cut();
   const StepLog log(simulation);

@@ -97,15 +97,15 @@ struct Reference {
   ContactBlock contact;
 
   Reference(const kernels::ContactJob& job, const BlockView& block) {
-    std::array<std::uint64_t, kBlockEdge> with_phase = {};
+    std::array<std::uint64_t, kBlockEdge> of_subset = {};
     for (int row = 0; row < kBlockRows; ++row) {
       const int slab = row / kBlockEdge, in_slab = row % kBlockEdge;
       const std::uint64_t bits = std::uint64_t(0xff) << (8 * in_slab);
       const std::uint64_t solid = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
-      if (job.has_phase(block.origin, slab, in_slab / 2)) with_phase[std::size_t(slab)] |= solid & bits;
+      if (job.in_subset(block.origin, slab, in_slab / 2)) of_subset[std::size_t(slab)] |= solid & bits;
     }
     BlockView evaluated = block;
-    evaluated.solid = with_phase.data(), contact.min_width = job.motion.min_width;
+    evaluated.solid = of_subset.data(), contact.min_width = job.motion.min_width;
     job.head.visit_springs<float>(
         [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact, &stiffness);
@@ -115,19 +115,19 @@ struct Reference {
   }
 };
 
-/// @param phases  number of phases of the level of detail for which `found` stands
-void expect_same(const Resultant& found, const Resultant& wanted, double phases, double scale, double couple_error) {
-  EXPECT_LT((found.wrench_T.force / phases - wanted.wrench_T.force).norm(), kRounding * scale);
-  EXPECT_LT((found.wrench_T.torque / phases - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
-  EXPECT_LT((found.push_T / phases - wanted.push_T).norm(), kRounding * scale);
-  EXPECT_LT((found.moment_T / phases - wanted.moment_T).norm(), kRounding * scale * mm);
-  EXPECT_NEAR(found.normal_force / phases, wanted.normal_force, kRounding * scale);
-  EXPECT_NEAR(found.area / phases, wanted.area, kRounding * kBlockVoxels);
-  EXPECT_NEAR(found.volume / phases, wanted.volume, kRounding * kBlockVoxels);
+/// @param subsets  number of subsets of the level of detail for which `found` stands
+void expect_same(const Resultant& found, const Resultant& wanted, double subsets, double scale, double couple_error) {
+  EXPECT_LT((found.wrench_T.force / subsets - wanted.wrench_T.force).norm(), kRounding * scale);
+  EXPECT_LT((found.wrench_T.torque / subsets - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
+  EXPECT_LT((found.push_T / subsets - wanted.push_T).norm(), kRounding * scale);
+  EXPECT_LT((found.moment_T / subsets - wanted.moment_T).norm(), kRounding * scale * mm);
+  EXPECT_NEAR(found.normal_force / subsets, wanted.normal_force, kRounding * scale);
+  EXPECT_NEAR(found.area / subsets, wanted.area, kRounding * kBlockVoxels);
+  EXPECT_NEAR(found.volume / subsets, wanted.volume, kRounding * kBlockVoxels);
   EXPECT_NEAR(found.depth, wanted.depth, kRounding * mm);
 }
 
-TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
+TEST_P(KernelTarget, EvaluatesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // drawn in this order
@@ -159,19 +159,19 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       SCOPED_TRACE("head " + std::to_string(head.shape().index()) + ", trial " + std::to_string(trial));
 
       std::array<float, kBlockVoxels> fill_after = {};
-      kernels::PressTask task{block.view, fill_after.data(), true, {}, {}};
+      kernels::BlockTask task{block.view, fill_after.data(), true, {}, {}};
       kernels::ContactSums sums;
       kernels::StiffnessSums stiffness;
       kernels::FrictionSums friction;
       const bool asks = trial % 4 == 3;
-      kernels::press_blocks(job, std::span(&task, 1), sums, asks ? &stiffness : nullptr,
-                            asks && motion.spin == 0 ? &friction : nullptr);
+      kernels::evaluate_blocks(job, std::span(&task, 1), sums, asks ? &stiffness : nullptr,
+                               asks && motion.spin == 0 ? &friction : nullptr);
       ++blocks;
       // Skip the rare block with a voxel that touches in only one result, or that takes another surface at a crease.
       const double volume = kVoxel * kVoxel * kVoxel, weight = job.level_of_detail;
-      const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, volume);
-      const double more = std::abs(outcome.resultant.volume / weight - expected.resultant.volume);
-      if (outcome.resultant.voxels != int(weight) * expected.resultant.voxels || more > kRounding * kBlockVoxels) {
+      const kernels::ContactTotals totals = kernels::totals_of(job, sums, volume);
+      const double more = std::abs(totals.resultant.volume / weight - expected.resultant.volume);
+      if (totals.resultant.voxels != int(weight) * expected.resultant.voxels || more > kRounding * kBlockVoxels) {
         ++at_the_rim;
         continue;
       }
@@ -182,8 +182,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       Resultant wanted = expected.resultant;
       const double couple = expected.totals.spin_couple;  // fades as 1 - (rho / zone)^2, which loses digits
       wanted.wrench_T.torque.z() += couple;
-      expect_same(outcome.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
-      const LawEnergies &energies = expected.totals.energies, &found = outcome.energies;
+      expect_same(totals.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
+      const LawEnergies &energies = expected.totals.energies, &found = totals.energies;
       const double energy = std::abs(energies.elastic_before) + energies.cutting + energies.released +
                             energies.rubbing + energies.crushed + std::abs(energies.damping) + 1e-30;
       // A section is at least 0.3 voxels wide; a voxel without a section stores up to 0.3^2/24 k l^5 less.
@@ -255,18 +255,18 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   const ContactMaterials materials = three_materials(0);
   const kernels::ContactJob job = {head, grid, motion, materials, false};
   std::array<float, kBlockVoxels> fill_after = {};
-  kernels::PressTask task{block.view, fill_after.data(), false, {}, {}};
+  kernels::BlockTask task{block.view, fill_after.data(), false, {}, {}};
   kernels::ContactSums sums;
-  kernels::press_blocks(job, std::span(&task, 1), sums);
-  const kernels::ContactOutcome outcome = kernels::outcome_of(job, sums, kVoxel * kVoxel * kVoxel);
-  EXPECT_GT(outcome.resultant.voxels, 100);
+  kernels::evaluate_blocks(job, std::span(&task, 1), sums);
+  const kernels::ContactTotals totals = kernels::totals_of(job, sums, kVoxel * kVoxel * kVoxel);
+  EXPECT_GT(totals.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
   EXPECT_FALSE(task.change.any_changed);
   EXPECT_EQ(sums.removed, (ByMaterial<double>{}));
-  EXPECT_GT(outcome.energies.rubbing, 0);
+  EXPECT_GT(totals.energies.rubbing, 0);
 }
 
-TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without friction and dampers
+TEST_P(KernelTarget, EvaluatesStripsInsideABallAsTheScalarStagesDo) {  // without friction and dampers
   std::mt19937 random(17);
   const RandomBlock block(random, true, true, false);
   const ToolHead head = SphereHead{1.2 * mm};
@@ -278,10 +278,10 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
     const kernels::ContactJob job = {head, grid, motion, materials, false};
     const Reference expected(job, block.view);
     std::array<float, kBlockVoxels> fill_after = {};
-    kernels::PressTask task{block.view, fill_after.data(), false, {}, {}};
+    kernels::BlockTask task{block.view, fill_after.data(), false, {}, {}};
     kernels::ContactSums sums;
-    kernels::press_blocks(job, std::span(&task, 1), sums);
-    const kernels::ContactOutcome found = kernels::outcome_of(job, sums, std::pow(kVoxel, 3));
+    kernels::evaluate_blocks(job, std::span(&task, 1), sums);
+    const kernels::ContactTotals found = kernels::totals_of(job, sums, std::pow(kVoxel, 3));
     const LawEnergies &a = found.energies, &b = expected.totals.energies;
     const Resultant& wanted = expected.resultant;
     const double scale = wanted.normal_force, path = double(motion.velocity.norm() * motion.duration);

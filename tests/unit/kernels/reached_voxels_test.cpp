@@ -36,9 +36,9 @@ TEST_P(ReachedVoxelsOnTarget, ArePressedToTheSameBits) {
       motion.crushes = trial % 3 == 1;
       const auto press = [&](const kernels::ReachedVoxels& reached) {
         std::array<float, kBlockVoxels> fill_after = {};
-        kernels::PressTask task{block.view, fill_after.data(), true, reached, {}};
+        kernels::BlockTask task{block.view, fill_after.data(), true, reached, {}};
         kernels::ContactSums sums;
-        kernels::press_blocks({head, here, motion, materials, false}, std::span(&task, 1), sums);
+        kernels::evaluate_blocks({head, here, motion, materials, false}, std::span(&task, 1), sums);
         return std::tuple(sums.lanes, sums.removed, sums.voxels, sums.depth, fill_after);
       };
       std::array<std::uint16_t, kernels::ReachedVoxels::kCapacity> voxels;
@@ -77,12 +77,13 @@ TEST_P(ReachedVoxelsOnTarget, ArePressedToTheSameBitsWhateverIsInMemory) {
                         RemovalLaw::none};
       const auto press = [&](float number) {
         std::array<float, kBlockVoxels> fill_after = {};
-        kernels::PressTask task{block.view, fill_after.data(), true, {}, {}};
+        kernels::BlockTask task{block.view, fill_after.data(), true, {}, {}};
         kernels::ContactSums sums;
         kernels::StiffnessSums stiffness;
         kernels::FrictionSums friction;
         EXPECT_EQ(leave_numbers(number), number);
-        kernels::press_blocks({head, grid, motion, materials, false}, std::span(&task, 1), sums, &stiffness, &friction);
+        kernels::evaluate_blocks({head, grid, motion, materials, false}, std::span(&task, 1), sums, &stiffness,
+                                 &friction);
         return std::tuple(sums.lanes, stiffness.lanes, friction.lanes, sums.voxels, fill_after);
       };
       for (const bool turns : {false, true}) {

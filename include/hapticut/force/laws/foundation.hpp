@@ -137,7 +137,7 @@ class FoundationLaw final : public ForceLaw {
       sums.add(is_crushed ? kCrushed : kReleased, n, stored * energies.lost - cost.helped);
       sums.add(kHelped, n, cost.helped);
       sums.add(kDamping, n, force.damped(advance.moved, l));
-      sums.add(kRubbing, n, force.rubbed(work, rubbing) + cost.refused);
+      sums.add(kRubbing, n, force.rubbed(work, rubbing) + cost.rounded_off);
       sums.add(kCredited, n, cost.credited);
       sums.add(kCouple, n, reaction.couple(surface));
 
@@ -151,7 +151,7 @@ class FoundationLaw final : public ForceLaw {
   }
 
   [[nodiscard]] bool is_foundation() const noexcept override { return true; }
-  [[nodiscard]] bool holds_deep_contact() const noexcept override { return true; }
+  [[nodiscard]] bool tethers_deep_ball() const noexcept override { return true; }
   [[nodiscard]] bool integrates_parts() const noexcept override { return true; }
 
   using Damping = formulas::Damping<float>;

@@ -5,12 +5,12 @@
 #include "hapticut/core/errors.hpp"
 #include "support/scripted_loop.hpp"
 
-namespace hapticut::parted_test {
+namespace hapticut::separated_test {
 namespace {
 
 using namespace test::scripted_loop;
 
-TEST(Parted, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
+TEST(Separated, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
   for (const bool coupled : {false, true}) {
     ScriptedLoop scripted(3000, coupled);
     double removed = 0;
@@ -48,7 +48,7 @@ TEST(Parted, AnOpenClutchLeavesTheToolStandingAndClosingItMovesNothing) {
   }
 }
 
-TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
+TEST(Separated, AToolThatBeginsInsideWaitsForAFreeHand) {
   for (const bool coupled : {false, true}) {
     ScriptedLoop scripted(3000, coupled);
     scripted.run(
@@ -69,7 +69,7 @@ TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
 }
 
 // A student begins with the bur on the tooth.
-TEST(Parted, AToolThatBeginsOnTheSurfaceGetsItsForceWithoutALift) {
+TEST(Separated, AToolThatBeginsOnTheSurfaceGetsItsForceWithoutALift) {
   for (const double depth : {-1e-5, 0.0, 1e-5}) {
     ScriptedLoop scripted(3000, true);
     double applied = 0;
@@ -82,7 +82,7 @@ TEST(Parted, AToolThatBeginsOnTheSurfaceGetsItsForceWithoutALift) {
   }
 }
 
-TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
+TEST(Separated, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   const CouplingGains touch = touch_gains();
   WorkspaceMapOptions map;
   map.scale = 3;
@@ -116,11 +116,11 @@ TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   }
 }
 
-TEST(Parted, AScaleIsRefusedWithWhichADirectContactWouldBuzz) {
+TEST(Separated, AScaleIsRefusedWithWhichADirectContactWouldBuzz) {
   ScriptedLoop scripted(3000, false);
   EXPECT_NO_THROW(scripted.model.check(commands::SetScale{2}));
   EXPECT_THROW(scripted.model.check(commands::SetScale{1e6}), Error);
 }
 
 }  // namespace
-}  // namespace hapticut::parted_test
+}  // namespace hapticut::separated_test

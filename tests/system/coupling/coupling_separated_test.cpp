@@ -12,7 +12,7 @@
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
 
-namespace hapticut::parted_tool_test {
+namespace hapticut::separated_tool_test {
 namespace {
 
 using units::mm;
@@ -71,7 +71,7 @@ Simulation cutting_simulation(ContactTime time) {
   return simulation;
 }
 
-TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
+TEST(SeparatedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   for (const Exchange& exchange : exchanges()) {
     SCOPED_TRACE(exchange.name);
     Simulation simulation = cutting_simulation(ContactTime::end);
@@ -98,7 +98,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   }
 }
 
-TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
+TEST(SeparatedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
   for (const Exchange& exchange : exchanges()) {
     if (exchange.name == std::string("reset")) continue;  // like a new simulation, whose first step may be anywhere
     SCOPED_TRACE(exchange.name);
@@ -132,7 +132,7 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInACustomLoop) {
   }
 }
 
-TEST(PartedTool, BeginsOnASurface) {
+TEST(SeparatedTool, BeginsOnASurface) {
   for (const double lower : {-0.1, -0.05, 0.0, 0.05, 0.1}) {  // [voxels]
     Simulation simulation = cutting_simulation(ContactTime::end);
     simulation.spindle().halt();
@@ -147,7 +147,7 @@ TEST(PartedTool, BeginsOnASurface) {
 }
 
 // A driver in millimetres lets a hand move a thousand times as fast.
-TEST(PartedTool, IsNotPutWhereReadingsInMillimetresAre) {
+TEST(SeparatedTool, IsNotPutWhereReadingsInMillimetresAre) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   VirtualCoupling coupling(simulation, touch_gains());
   int accepted = 0;
@@ -158,7 +158,7 @@ TEST(PartedTool, IsNotPutWhereReadingsInMillimetresAre) {
   EXPECT_LE(accepted, 1) << "the first pose may be anywhere";
 }
 
-TEST(PartedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
+TEST(SeparatedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
   for (const double spin : {0.0, kSlow}) {
     Simulation simulation(half_space(), ball(spin), implicit(1e14));
     VirtualCoupling coupling(simulation, {});
@@ -177,7 +177,7 @@ TEST(PartedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
   }
 }
 
-TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
+TEST(SeparatedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   VirtualCoupling coupling(simulation, {});
   const Vec3 at_the_edge(-2.7e-3, 0, 0);
@@ -193,7 +193,7 @@ TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
   }
 }
 
-TEST(PartedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
+TEST(SeparatedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
   for (const double spin : {0.0, 4000.0})
     for (const bool rubbish_first : {false, true}) {
       Simulation simulation(half_space(3e-3, presets::trabecular_bone()), ball(spin), implicit(0));
@@ -212,7 +212,7 @@ TEST(PartedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
     }
 }
 
-TEST(PartedTool, FollowsAFastHandAtEveryRateAndVoxel) {
+TEST(SeparatedTool, FollowsAFastHandAtEveryRateAndVoxel) {
   for (const double voxel : {0.05e-3, 0.2e-3})
     for (const double period : {4e-3, 1e-3, 0.25e-3}) {
       Simulation simulation(half_space(1e-3, plain_material(), voxel), ball(), implicit(1e14));
@@ -228,7 +228,7 @@ TEST(PartedTool, FollowsAFastHandAtEveryRateAndVoxel) {
     }
 }
 
-TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
+TEST(SeparatedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), {}, kTick);
   simulation.set(tool_of(SphereHead{2 * kRadius}, kSlow));
@@ -268,7 +268,7 @@ auto story_of(int every, const Tool& tool, const std::function<Pose(const Pose&)
 
 Pose rubbish(const Pose& pose) { return {pose.rotation, Vec3::Constant(NAN)}; }
 
-TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
+TEST(SeparatedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
   for (const double spin : {0.0, kSlow})
     for (const double shank : {0.0, 60 * mm})
       for (const Flip& flip : kFlips) {
@@ -301,7 +301,7 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
       }
 }
 
-TEST(PartedTool, IsNotPutWhereNoTwoReadingsAgree) {
+TEST(SeparatedTool, IsNotPutWhereNoTwoReadingsAgree) {
   Simulation simulation(half_space(), ball(), on_foundation(1e14));
   for (int n = 0; n < 100; ++n) simulation.step(at_height(kRadius + 0.05e-3 - 1e-6 * n), {}, kTick);
   Pose hand = at_height(kRadius - 0.05e-3);
@@ -317,7 +317,7 @@ TEST(PartedTool, IsNotPutWhereNoTwoReadingsAgree) {
   EXPECT_LT((again - force).norm(), 1e-6 * force.norm()) << "it continues from where it was; friction still settles";
 }
 
-TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
+TEST(SeparatedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
   for (const double angle : {1.5, std::numbers::pi}) {
     Simulation simulation(half_space(), tool_of(FlatHead{0.5 * mm, 4 * mm}, kSlow), on_foundation(1e14));
     for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
@@ -337,7 +337,7 @@ TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
 
 // --- half a revolution against a head that cannot follow ------------------------------------------------------------
 
-TEST(PartedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
+TEST(SeparatedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
   CouplingGains gains = coupling_gains(capabilities(device_model("premium6dof")));
   ASSERT_GT(gains.angular_stiffness, 0);
   gains.max_torque = 0.05;  // [N m] the head slips out before the torque of the device is reached
@@ -368,4 +368,4 @@ TEST(PartedTool, IsReleasedWhenTheHandRotatesByHalfARevolutionAgainstIt) {
 }
 
 }  // namespace
-}  // namespace hapticut::parted_tool_test
+}  // namespace hapticut::separated_tool_test

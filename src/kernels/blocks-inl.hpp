@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The default law on a few blocks, from their voxels to the sums; included once per instruction set.
-#if defined(HAPTICUT_KERNELS_PRESS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef HAPTICUT_KERNELS_PRESS_INL_HPP
-#undef HAPTICUT_KERNELS_PRESS_INL_HPP
+#if defined(HAPTICUT_KERNELS_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_BLOCKS_INL_HPP
+#undef HAPTICUT_KERNELS_BLOCKS_INL_HPP
 #else
-#define HAPTICUT_KERNELS_PRESS_INL_HPP
+#define HAPTICUT_KERNELS_BLOCKS_INL_HPP
 #endif
 
 #include "kernels/gather-inl.hpp"
@@ -19,10 +19,10 @@ namespace strips {
 /// Evaluates a few blocks in sequence: finds their voxels that may be inside the head, collects those that are in
 /// contact, and runs the stages.
 template <class Springs>
-class Press {
+class BlockEvaluator {
  public:
-  HWY_INLINE Press(const Springs& springs, const ContactJob& job, Columns& columns, Stages& stages,
-                   StiffnessVectors* stiffness, FrictionVectors* friction)
+  HWY_INLINE BlockEvaluator(const Springs& springs, const ContactJob& job, Columns& columns, Stages& stages,
+                            StiffnessVectors* stiffness, FrictionVectors* friction)
       : gather_(springs, job, 0),
         springs_(springs),
         job_(job),
@@ -35,11 +35,11 @@ class Press {
         stands_(job.motion.spin == 0 && !job.motion.crushes),
         whole_(springs, job, stages, axes_, stiffness, friction) {}
 
-  HWY_INLINE void press(std::span<PressTask> tasks) {
+  HWY_INLINE void evaluate(std::span<BlockTask> tasks) {
     bool may_cut = true;
     stages_.allow(may_cut);
     for (std::size_t n = 0; n < tasks.size(); ++n) {
-      const PressTask& task = tasks[n];
+      const BlockTask& task = tasks[n];
       if (task.may_cut != may_cut) {
         run_stages(tasks);
         may_cut = task.may_cut;
@@ -54,13 +54,13 @@ class Press {
 
  private:
   /// The voxels of a block that may be in contact. Whole voxels in a standing ball are evaluated on the way.
-  HWY_INLINE ReachedVoxels found(const PressTask& task) {
+  HWY_INLINE ReachedVoxels found(const BlockTask& task) {
     if constexpr (Springs::kCentral)
-      if (stands_) return whole_.press(gather_, task.block, list_);
+      if (stands_) return whole_.evaluate_block(gather_, task.block, list_);
     return task.reached.voxels != nullptr ? task.reached : gather_.find(task.block, list_);
   }
   /// Stage sample_contact: collects the listed voxels that are in contact, with their springs, section and filled part.
-  HWY_INLINE void collect(const ReachedVoxels& reached, std::span<PressTask> tasks, int number) {
+  HWY_INLINE void collect(const ReachedVoxels& reached, std::span<BlockTask> tasks, int number) {
     const Floats d;
     const hn::RebindToSigned<Floats> ints;
     const hn::Rebind<std::uint16_t, Floats> shorts;
@@ -77,7 +77,7 @@ class Press {
       const Wide fill = block.fill == nullptr ? Wide(1) : Wide(hn::GatherIndex(d, block.fill, voxels));
       Mask listed = hn::FirstN(d, std::size_t(std::min(reached.count - first, int(kWidth))));
       if (stands_ && !Springs::kCentral && reached.material != kEmpty)
-        listed = whole_.press_lanes(reached.material, r, spring, fill, listed);
+        listed = whole_.evaluate_lanes(reached.material, r, spring, fill, listed);
       const Place n = {r.x * spring.radial, r.y * spring.radial, spring.axial};
       const Section section(formulas::largest_component(axes_, n), min_width_);
       const Part part = Part::of(section, distance_of(spring) * per_edge, fill);
@@ -119,7 +119,7 @@ class Press {
     };
     return {along(0), along(1), along(2)};
   }
-  HWY_INLINE void run_stages(std::span<PressTask> tasks) {
+  HWY_INLINE void run_stages(std::span<BlockTask> tasks) {
     if (columns_.count > 0) stages_.run(tasks, columns_.count);
   }
 
@@ -139,26 +139,26 @@ class Press {
   const Eigen::Matrix3f axes_;   // axes of the grid, in T
   const float voxel_size_, min_width_;
   const bool stands_;  // and removes nothing
-  Whole<Springs> whole_;
+  WholeVoxels<Springs> whole_;
 };
 
 template <class Springs>
-HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                         StiffnessSums* stiffness, FrictionSums* friction) {
+HWY_INLINE void EvaluateAll(const Springs& springs, const ContactJob& job, std::span<BlockTask> tasks,
+                            ContactSums& sums, StiffnessSums* stiffness, FrictionSums* friction) {
   Columns columns;
   AskedVectors in_stages, of_whole;  // apart, so that their sums do not depend on which of them runs first
   in_stages.ask(stiffness, friction), of_whole.ask(stiffness, friction);
   Stages stages(job, columns, sums, in_stages.stiffness(), in_stages.friction());
-  Press<Springs>(springs, job, columns, stages, of_whole.stiffness(), of_whole.friction()).press(tasks);
+  BlockEvaluator<Springs>(springs, job, columns, stages, of_whole.stiffness(), of_whole.friction()).evaluate(tasks);
   in_stages.flush(), of_whole.flush();
 }
 
 }  // namespace strips
 
-HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                          StiffnessSums* stiffness, FrictionSums* friction) {
+HWY_ATTR void EvaluateBlocks(const ContactJob& job, std::span<BlockTask> tasks, ContactSums& sums,
+                             StiffnessSums* stiffness, FrictionSums* friction) {
   visit_springs<strips::Wide>(job.head, [&](const auto& springs) HWY_ATTR {
-    strips::PressAll(springs, job, tasks, sums, stiffness, friction);
+    strips::EvaluateAll(springs, job, tasks, sums, stiffness, friction);
   });
 }
 

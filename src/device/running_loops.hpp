@@ -5,11 +5,11 @@
 
 /// @file
 /// The running loops, in static memory and atomics only, so that signal handlers and exit handlers can reach them.
-namespace hapticut::run_slots {
+namespace hapticut::running_loops {
 
-inline constexpr int kSlots = 32;
+inline constexpr int kMaxLoops = 32;
 
-struct Slot {
+struct RunningLoop {
   std::atomic<bool> used{false};
   std::atomic<bool> stop{false};       ///< requests the end of the loop
   std::atomic<bool> emergency{false};  ///< requests an emergency stop, once
@@ -17,11 +17,11 @@ struct Slot {
   std::atomic<bool> quiet{false};      ///< the motors have no force, or will receive none
 };
 
-[[nodiscard]] Slot& slot(int n) noexcept;
+[[nodiscard]] RunningLoop& loop(int n) noexcept;
 
-/// Acquires a free slot.
+/// Acquires a free entry.
 /// @param on_crash  whether a crash sets its `emergency`; for `catch_crashes`
-/// @return the number of the slot, or -1 when no slot is free
+/// @return the number of the entry, or -1 when none is free
 [[nodiscard]] int acquire(bool on_crash) noexcept;
 void give_back(int n) noexcept;
 
@@ -39,4 +39,4 @@ void catch_crashes();
 /// Restores the handlers, except those that other code has replaced meanwhile.
 void release_crashes();
 
-}  // namespace hapticut::run_slots
+}  // namespace hapticut::running_loops

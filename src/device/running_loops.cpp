@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/run_slots.hpp"
+#include "device/running_loops.hpp"
 
 #include <array>
 #include <cerrno>
@@ -8,7 +8,7 @@
 #include <ctime>
 #include <mutex>
 
-namespace hapticut::run_slots {
+namespace hapticut::running_loops {
 namespace {
 
 constexpr int kGraceAtExit = 1000;  // [ms] for running loops to end
@@ -17,7 +17,7 @@ constexpr int kGraceAtCrash = 300;  // [ms] for running loops to switch their fo
 constexpr std::array<int, 3> kEnding = {SIGINT, SIGTERM, SIGHUP};
 constexpr std::array<int, 5> kCrashing = {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
 
-std::array<Slot, kSlots> slots;
+std::array<RunningLoop, kMaxLoops> loops;
 std::atomic<int> pending{0};  // bit n: kEnding[n] was received
 
 std::mutex handlers_mutex;
@@ -26,12 +26,12 @@ std::array<struct sigaction, kEnding.size()> old_ending;
 std::array<struct sigaction, kCrashing.size()> old_crashing;
 std::array<bool, kCrashing.size()> in_a_chain{};  // another handler was installed after ours and may call ours
 
-// Waits until all used slots fulfil `done`. Async-signal-safe.
+// Waits until all used entries fulfil `done`. Async-signal-safe.
 template <typename Done>
 void wait(int milliseconds, const Done& done) noexcept {
   for (int n = 0; n < milliseconds; ++n) {
     bool all = true;
-    for (const Slot& s : slots) all = all && (!s.used.load() || done(s));
+    for (const RunningLoop& s : loops) all = all && (!s.used.load() || done(s));
     if (all) return;
     const timespec pause{0, 1'000'000};
     nanosleep(&pause, nullptr);
@@ -39,14 +39,14 @@ void wait(int milliseconds, const Done& done) noexcept {
 }
 
 void end_all() {
-  for (Slot& s : slots) s.stop.store(true);
-  wait(kGraceAtExit, [](const Slot& s) { return s.quiet.load(); });
+  for (RunningLoop& s : loops) s.stop.store(true);
+  wait(kGraceAtExit, [](const RunningLoop& s) { return s.quiet.load(); });
 }
 
 extern "C" void hapticut_on_ending_signal(int signal) {
   for (std::size_t n = 0; n < kEnding.size(); ++n)
     if (kEnding[n] == signal) pending.fetch_or(1 << int(n));
-  for (Slot& s : slots)
+  for (RunningLoop& s : loops)
     if (s.used.load()) s.stop.store(true);
 }
 
@@ -85,9 +85,9 @@ void hand_on(int signal, siginfo_t* info, void* context, struct sigaction& befor
 
 extern "C" void hapticut_on_crash(int signal, siginfo_t* info, void* context) {
   const int error = errno;
-  for (Slot& s : slots)
+  for (RunningLoop& s : loops)
     if (s.used.load() && s.on_crash.load()) s.emergency.store(true);
-  wait(kGraceAtCrash, [](const Slot& s) { return s.quiet.load() || !s.on_crash.load(); });
+  wait(kGraceAtCrash, [](const RunningLoop& s) { return s.quiet.load() || !s.on_crash.load(); });
   for (std::size_t n = 0; n < kCrashing.size(); ++n)
     if (kCrashing[n] == signal) hand_on(signal, info, context, old_crashing[n]);
   errno = error;
@@ -99,14 +99,14 @@ bool is_ours(const struct sigaction& action) {
 
 }  // namespace
 
-Slot& slot(int n) noexcept { return slots[std::size_t(n)]; }
+RunningLoop& loop(int n) noexcept { return loops[std::size_t(n)]; }
 
 int acquire(bool on_crash) noexcept {
   static const bool registered = std::atexit(end_all) == 0;
   (void)registered;
-  for (int n = 0; n < kSlots; ++n) {
+  for (int n = 0; n < kMaxLoops; ++n) {
     bool expected = false;
-    Slot& s = slot(n);
+    RunningLoop& s = loop(n);
     if (!s.used.compare_exchange_strong(expected, true)) continue;
     s.stop.store(false);
     s.emergency.store(false);
@@ -118,8 +118,8 @@ int acquire(bool on_crash) noexcept {
 }
 
 void give_back(int n) noexcept {
-  slot(n).quiet.store(true);
-  slot(n).used.store(false);
+  loop(n).quiet.store(true);
+  loop(n).used.store(false);
 }
 
 void catch_signals() {
@@ -173,4 +173,4 @@ void release_crashes() {
   }
 }
 
-}  // namespace hapticut::run_slots
+}  // namespace hapticut::running_loops

@@ -20,14 +20,14 @@ void VirtualCoupling::begin_grip(const Pose& X_WD, const Twist& V_WD, double dt)
   remainder_ = {};
   result_.energy = {};
   result_.energy.kinetic = kinetic_energy(result_.V_WH);
-  result_.energy.spring = spring_energy(pull(result_.X_WH, result_.V_WH, X_WD_, V_WD));
+  result_.energy.spring = spring_energy(forces_at(result_.X_WH, result_.V_WH, X_WD_, V_WD));
   result_.energy.hand_work = result_.energy.turnover = result_.energy.kinetic + result_.energy.spring;
   simulation_->release_hand();
 }
 
 /// After an exchange the tool waits, because it has not cut its way into the material that it is in.
-void VirtualCoupling::part_after_exchange() noexcept {
-  if (!simulation_->next_step_is_first() || (!held_ && simulation_->steps() == 0)) return;
+void VirtualCoupling::separate_after_exchange() noexcept {
+  if (!simulation_->next_step_is_first() || (!gripped_ && simulation_->steps() == 0)) return;
   waits_ = true;
   rejoin_ = Rejoin::free;
 }
@@ -69,7 +69,7 @@ bool VirtualCoupling::is_near(const Pose& X_WD) const noexcept {
 
 /// Whether a tool that waits may follow its hand from where it is.
 bool VirtualCoupling::may_continue_from_here(const Pose& X_WD) const noexcept {
-  return held_ && is_near(X_WD) && !is_rotated_away(X_WD) &&
+  return gripped_ && is_near(X_WD) && !is_rotated_away(X_WD) &&
          (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
 }
 
