@@ -72,10 +72,10 @@ void bind_closed_loop(py::module_& m) {
       .def(py::init<const C&>(), py::arg("config"), doc("ClosedLoop::ClosedLoop"))
       .def("reset", &L::reset, py::arg("X_BS"), doc("ClosedLoop::reset"))
       .def("read", &L::read, py::return_value_policy::copy, doc("ClosedLoop::read"))
-      .def("write", py::overload_cast<const Wrench&>(&L::write), py::arg("wrench"), doc("ClosedLoop::write"))
+      .def("write", py::overload_cast<const Wrench&>(&L::write), py::arg("wrench"), doc("ClosedLoop::write(Wrench)"))
       .def("write",
            py::overload_cast<const Wrench&, const std::function<void(const Plant&, const Wrench&)>&>(&L::write),
-           py::arg("wrench"), py::arg("observer"), doc("ClosedLoop::write#2"))
+           py::arg("wrench"), py::arg("observer"), doc("ClosedLoop::write(Wrench, function)"))
       .def("miss_tick", &L::miss_tick, py::arg("scale") = 1.0, doc("ClosedLoop::miss_tick"))
       .def(
           "tick", [](L& self, const AnyModel& model) { self.tick(calling(model)); }, py::arg("model"),

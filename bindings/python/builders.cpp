@@ -33,7 +33,7 @@ void bind_built_shapes(py::module_& m) {
 void bind_molar(py::module_& m) {
   using P = MolarParameters;
   bind_described<P>(m, "MolarParameters");
-  m.def("validate", py::overload_cast<const P&>(&validate), py::arg("parameters"), doc("validate"));
+  m.def("validate", py::overload_cast<const P&>(&validate), py::arg("parameters"), doc("validate(MolarParameters)"));
   m.attr("kMolarEnamel") = int(kMolarEnamel);
   m.attr("kMolarDentin") = int(kMolarDentin);
   m.attr("kMolarPulp") = int(kMolarPulp);
@@ -72,10 +72,11 @@ void bind_volumes(py::module_& m) {
         doc("build_from_labels"));
   m.def("materials_of", &materials_of, py::arg("grade"), doc("materials_of"));
   m.def("build_from_grey", &build_ranges_with_warnings, py::arg("volume"), py::arg("ranges"),
-        py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey"));
+        py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey(GreyVolume, vector, VolumeBuildOptions)"));
   m.def("build_from_grey",
         making(py::overload_cast<const GreyVolume&, const Grade&, const VolumeBuildOptions&>(&build_from_grey)),
-        py::arg("volume"), py::arg("grade"), py::arg("options") = VolumeBuildOptions{}, doc("build_from_grey#2"));
+        py::arg("volume"), py::arg("grade"), py::arg("options") = VolumeBuildOptions{},
+        doc("build_from_grey(GreyVolume, Grade, VolumeBuildOptions)"));
 }
 
 }  // namespace

@@ -90,11 +90,11 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
 void bind_spatial(py::module_& m) {
   bind_struct<Wrench>(m, "Wrench", field("force", &Wrench::force), field("torque", &Wrench::torque));
   m.def("transport", py::overload_cast<const Wrench&, const Vec3&>(&transport), py::arg("wrench_P"), py::arg("p_QP"),
-        doc("transport"));
+        doc("transport(Wrench, Vec3)"));
   m.def("transport", py::overload_cast<const Twist&, const Vec3&>(&transport), py::arg("twist_P"), py::arg("p_PQ"),
-        doc("transport#2"));
+        doc("transport(Twist, Vec3)"));
   m.def("transport", py::overload_cast<const Stiffness&, const Mat3&, const Vec3&>(&transport), py::arg("stiffness_T"),
-        py::arg("R_WT"), py::arg("p_HoTo_W"), doc("transport#3"));
+        py::arg("R_WT"), py::arg("p_HoTo_W"), doc("transport(Stiffness, Mat3, Vec3)"));
   m.def("rotation_from_vector", &rotation_from_vector, py::arg("v"), doc("rotation_from_vector"));
   m.def("vector_from_rotation", &vector_from_rotation, py::arg("rotation"), doc("vector_from_rotation"));
   m.def(

@@ -107,7 +107,7 @@ auto of_result(T CoupledResult::*member) {
 void bind_gains(py::module_& m) {
   using G = CouplingGains;
   bind_described<G>(m, "CouplingGains");
-  m.def("validate", py::overload_cast<const G&>(&validate), py::arg("gains"), doc("validate"));
+  m.def("validate", py::overload_cast<const G&>(&validate), py::arg("gains"), doc("validate(CouplingGains)"));
   m.def("coupling_gains", &coupling_gains, py::arg("device"), py::arg("mass") = py::none(), doc("coupling_gains"));
 }
 

@@ -170,9 +170,9 @@ void bind_map(py::module_& m) {
       .def_property_readonly("scale", &M::scale, doc("WorkspaceMap::scale"))
       .def_property_readonly("options", &M::options, py::return_value_policy::copy, doc("WorkspaceMap::options"))
       .def("to_world", py::overload_cast<const Pose&>(&M::to_world, py::const_), py::arg("X_BS"),
-           doc("WorkspaceMap::to_world"))
+           doc("WorkspaceMap::to_world(Pose)"))
       .def("to_world", py::overload_cast<const Pose&, const Twist&>(&M::to_world, py::const_), py::arg("X_BS"),
-           py::arg("V_BS"), doc("WorkspaceMap::to_world#2"))
+           py::arg("V_BS"), doc("WorkspaceMap::to_world(Pose, Twist)"))
       .def("to_device", &M::to_device, py::arg("X_BS"), py::arg("wrench"), doc("WorkspaceMap::to_device"))
       .def("felt_stiffness", &M::felt_stiffness, py::arg("stiffness"), doc("WorkspaceMap::felt_stiffness"));
   m.def("gains_in_world", &gains_in_world, py::arg("felt"), py::arg("map"), doc("gains_in_world"));

@@ -5,7 +5,8 @@
 
 namespace hapticut::python {
 
-/// The docstring of a declaration in the C++ headers, e.g. "Material::damping"; "name#2" is the second overload.
+/// The docstring of a declaration in the C++ headers, e.g. "Material::damping"; overloads are told apart by the
+/// types of their parameters, "validate(Gravity)".
 /// @throws std::logic_error when no header documents it; then the import of the module and the tests fail
 [[nodiscard]] const char* doc(std::string_view key);
 

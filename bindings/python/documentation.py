@@ -4,8 +4,9 @@
 
     documentation.py OUTPUT HEADER...
 
-Every declaration with a ``///`` comment becomes an entry ``{"Scope::name", "text"}`` of OUTPUT, sorted by key; further
-overloads are ``name#2``, ``name#3``. Doxygen's commands become the sections of NumPy's style. So every object has one
+Every declaration with a ``///`` comment becomes an entry ``{"Scope::name", "text"}`` of OUTPUT, sorted by key. If
+several overloads have comments, each is an entry with the types of its parameters, ``name(Gravity)``, and there is none
+without: a binding has to say which. Doxygen's commands become the sections of NumPy's style. So every object has one
 description, in the header. Arrays get their shape from the C++ type.
 """
 import itertools
@@ -28,7 +29,7 @@ BEGINS = {"pre": "Requires: ", "realtime": "Real time: "}
 # A command may also follow a sentence on the same line, after two spaces.
 COMMAND = re.compile(r"(?:^|(?<=  ))@(param|return|throws|realtime|pre)\b\s*")
 SCOPE = re.compile(r"\s*(?:struct|class|enum(?: class)?|namespace)\s+(?:alignas\(\w+\)\s+)?(\w+)")
-NO_DECLARATION = re.compile(r"\s*(?:public|private|protected|using|friend)\b")
+NO_DECLARATION = re.compile(r"\s*(?:(?:public|private|protected|using|friend)\b|~)")
 PREAMBLE = re.compile(r"\s*(?:template|requires)\b[^{;]*$")  # its comment belongs to the next line
 # Parameters of C++ that the functions of Python lack.
 NOT_IN_PYTHON = {"Simulation::step": ["coupling"], "SafetyGuard::SafetyGuard": ["requests"],
@@ -44,6 +45,7 @@ class Declaration:
     """What one declaration of C++ declares."""
     names: list[str]
     is_function: bool = False
+    types: str = ""  # of a function's parameters, with commas, without const, reference, namespace and default
     shape: str = ""  # of a field or a result; empty: no array
     parameters: dict[str, str] = field(default_factory=dict)  # shapes of those that are arrays
 
@@ -59,7 +61,8 @@ class Declaration:
             result = re.search(ARRAY + r"\s*$", plain[: function.start()])
             inside = re.split(r"\)\s*(?:[;{:=]|const|noexcept|override)", plain[function.start() :])[0] + ")"
             parameters = re.findall(ARRAY + r" (\w+)(?=\s*[,)={])", inside)
-            return Declaration([function[1]], True, SHAPES[result[1]] if result else "",
+            return Declaration([function[1]], True, types_of(inside[len(function[0]) - 1 :]),
+                               SHAPES[result[1]] if result else "",
                                {name: SHAPES[kind] for kind, name in parameters})
         one = re.match(r"([\w:]+(?:<.*>)?)[*&]* +(\w.*)", plain)
         if one is None:
@@ -67,6 +70,14 @@ class Declaration:
         names = re.sub(r"\{[^}]*\}|\([^)]*\)|;", "", one[2]).split(",")
         names = [name.split("=")[0].strip(" *&") for name in names]
         return Declaration([name for name in names if re.fullmatch(r"\w+", name)], shape=SHAPES.get(one[1], ""))
+
+
+def types_of(parameters: str) -> str:
+    """The types in "(const std::vector<GreyRange>& ranges, double margin = 0)": "vector, double"."""
+    while (plain := re.sub(r"<[^<>]*>|(?<=.)\([^()]*\)", "", parameters)) != parameters:
+        parameters = plain
+    declared = [re.findall(r"[\w:]+", one.split("=")[0].replace("const ", "")) for one in parameters.strip("()").split(",")]
+    return ", ".join(words[max(0, len(words) - 2)].split("::")[-1] for words in declared if words)
 
 
 def with_shape(text: str, shape: str) -> str:
@@ -121,8 +132,8 @@ def docstring(comment: list[str], declared: Declaration, absent: list[str]) -> s
     return "\n".join(text).replace("`", "``")
 
 
-def add_header(path: Path, entries: dict[str, str]) -> None:
-    """Adds the docstrings of a header."""
+def add_header(path: Path, entries: dict[str, dict[str, str]]) -> None:
+    """Adds the docstrings of a header: by key, then by the types of a function's parameters."""
     comment: list[str] = []  # before the next declaration
     scopes: list[tuple[int, str]] = []  # the open ones: depth inside and declaration
     depth = 0
@@ -144,11 +155,8 @@ def add_header(path: Path, entries: dict[str, str]) -> None:
             declared = Declaration(re.findall(r"\w+", code)[:1]) if is_enumerator else Declaration.of(whole)
             for name in declared.names:
                 key = "::".join([SCOPE.match(scope)[1] for _, scope in scopes] + [name]).removeprefix("hapticut::")
-                first, number = key, 1
-                while declared.is_function and key in entries:
-                    number += 1
-                    key = f"{first}#{number}"
-                entries[key] = docstring(comment, declared, NOT_IN_PYTHON.get(key, []))
+                text = docstring(comment, declared, NOT_IN_PYTHON.get(key, []))
+                entries.setdefault(key, {})[declared.types if declared.is_function else ""] = text
         comment = []
         depth += code.count("{") - code.count("}")
         while scopes and depth < scopes[-1][0]:
@@ -159,11 +167,13 @@ def add_header(path: Path, entries: dict[str, str]) -> None:
 
 def main() -> None:
     output, *headers = sys.argv[1:]
-    entries: dict[str, str] = {}
+    entries: dict[str, dict[str, str]] = {}
     for header in headers:
         add_header(Path(header), entries)
+    texts = {f"{key}({types})" if len(overloads) > 1 else key: text
+             for key, overloads in entries.items() for types, text in overloads.items()}
     # Raw strings have a maximum length that no comment reaches.
-    lines = [f'{{"{key}", R"~~({text})~~"}},' for key, text in sorted(entries.items())]
+    lines = [f'{{"{key}", R"~~({text})~~"}},' for key, text in sorted(texts.items())]
     text = "\n".join(["// Written by documentation.py from the headers.", *lines, ""])
     path = Path(output)
     if not path.exists() or path.read_text(encoding="utf-8") != text:

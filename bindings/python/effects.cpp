@@ -13,13 +13,14 @@ void bind_effects(py::module_& m) {
   bind_described<AxisMask>(m, "AxisMask");
   bind_described<OutputLimits>(m, "OutputLimits");
   bind_described<Effects>(m, "Effects");
-  m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate"));
-  m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate"));
-  m.def("validate", py::overload_cast<const OutputLimits&>(&validate), py::arg("limits"), doc("validate"));
+  m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate(Gravity)"));
+  m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate(DeltaFilter)"));
+  m.def("validate", py::overload_cast<const OutputLimits&>(&validate), py::arg("limits"),
+        doc("validate(OutputLimits)"));
   m.def("validate", py::overload_cast<const Vibration&, double>(&validate), py::arg("vibration"),
-        py::arg("update_rate"), doc("validate"));
+        py::arg("update_rate"), doc("validate(Vibration, double)"));
   m.def("validate", py::overload_cast<const Effects&, double>(&validate), py::arg("effects"), py::arg("update_rate"),
-        doc("validate"));
+        doc("validate(Effects, double)"));
 
   py::class_<VibrationPhase> phase_class(m, "VibrationPhase", doc("VibrationPhase"));
   pickled_by_bytes(phase_class);

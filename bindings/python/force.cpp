@@ -82,7 +82,8 @@ void bind_laws(py::module_& m) {
 
 void bind_friction(py::module_& m) {
   bind_described<DryFriction>(m, "DryFriction");
-  m.def("validate", py::overload_cast<const DryFriction&>(&validate), py::arg("friction"), doc("validate"));
+  m.def("validate", py::overload_cast<const DryFriction&>(&validate), py::arg("friction"),
+        doc("validate(DryFriction)"));
 }
 
 }  // namespace

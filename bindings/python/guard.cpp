@@ -23,13 +23,13 @@ void bind_states(py::module_& m) {
                              field("stop", &DeviceCommand::stop), field("contact", &DeviceCommand::contact));
   bind_bits<OutputChange>(m, "OutputChange");
   bind_described<DeviceOutput>(m, "DeviceOutput");
-  m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
+  m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe(DeviceFault)"));
   m.def(
       "describe", [](std::uint32_t changes) { return describe(OutputChange(changes)); }, py::arg("changes"),
       "The bits of OutputChange in words, separated by commas.");
   m.def(
       "has_any", [](std::uint32_t changes, OutputChange wanted) { return has_any(OutputChange(changes), wanted); },
-      py::arg("changes"), py::arg("bits"), doc("has_any"));
+      py::arg("changes"), py::arg("bits"), doc("has_any(OutputChange, OutputChange)"));
   bind_enum<ArmingState>(m, "ArmingState");
 }
 

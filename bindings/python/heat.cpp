@@ -105,13 +105,13 @@ void bind_heat(py::module_& m) {
           [](F& self, const PythonWorkpiece& workpiece, const py::array_t<std::int32_t, py::array::c_style>& origins) {
             self.update(workpiece.read(), origins_from(origins));
           },
-          py::arg("workpiece"), py::arg("origins"), doc("HeatField::update#2"))
+          py::arg("workpiece"), py::arg("origins"), doc("HeatField::update(Workpiece, span)"))
       .def(
           "update",
           [](F& self, const ChangedBlock& block) {
             self.update(block.origin, block.material.data(), block.fill.data());
           },
-          py::arg("block"), doc("HeatField::update"))
+          py::arg("block"), doc("HeatField::update(VoxelIndex, MaterialId, float)"))
       .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"), Interruptible())
       .def("set_irrigation", &F::set_irrigation, py::arg("coefficient"), doc("HeatField::set_irrigation"))
       .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of its configuration.")

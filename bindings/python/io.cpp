@@ -45,9 +45,9 @@ m.def(
       workpiece.read_released([&](const Workpiece& w) { save_vdb(w, path); });
     },
     py::arg("workpiece"), py::arg("path"), doc("save_vdb"));
-m.def("load_vdb", making(py::overload_cast<const Path&>(&load_vdb)), py::arg("path"), doc("load_vdb"));
+m.def("load_vdb", making(py::overload_cast<const Path&>(&load_vdb)), py::arg("path"), doc("load_vdb(path)"));
 m.def("load_vdb", making(py::overload_cast<const Path&, const VdbImport&>(&load_vdb)), py::arg("path"),
-      py::arg("options"), doc("load_vdb#2"));
+      py::arg("options"), doc("load_vdb(path, VdbImport)"));
 }  // namespace
 
 /// Functions for both grey values and labels.
@@ -70,21 +70,23 @@ void bind_operations(py::module_& m) {
   bind_operations_of<GreyVolume>(m);
   bind_operations_of<LabelVolume>(m);
   m.def("box_around", py::overload_cast<Labels, const Numbers&, double>(&box_around), py::arg("volume"),
-        py::arg("labels") = Numbers{}, py::arg("margin") = 0.0, doc("box_around"), Released());
+        py::arg("labels") = Numbers{}, py::arg("margin") = 0.0, doc("box_around(LabelVolume, vector, double)"),
+        Released());
   m.def("box_around", py::overload_cast<Grey, double, double>(&box_around), py::arg("volume"), py::arg("threshold"),
-        py::arg("margin") = 0.0, doc("box_around#2"), Released());
+        py::arg("margin") = 0.0, doc("box_around(GreyVolume, double, double)"), Released());
   m.def("label_range", &label_range, py::arg("volume"), py::arg("from_"), py::arg("to"), py::arg("label") = 1,
         doc("label_range"), Released());
   m.def("grey_range", &grey_range, py::arg("volume"), doc("grey_range"), Released());
   m.def("count_from", &count_from, py::arg("volume"), py::arg("threshold"), doc("count_from"), Released());
-  m.def("count_labels", py::overload_cast<Labels>(&count_labels), py::arg("volume"), doc("count_labels"), Released());
+  m.def("count_labels", py::overload_cast<Labels>(&count_labels), py::arg("volume"), doc("count_labels(LabelVolume)"),
+        Released());
   m.def("count_labels", py::overload_cast<Grey, std::size_t>(&count_labels), py::arg("volume"),
-        py::arg("max_labels") = 64, doc("count_labels#2"), Released());
+        py::arg("max_labels") = 64, doc("count_labels(GreyVolume, size_t)"), Released());
   m.def("unused_label", &unused_label, py::arg("volume"), doc("unused_label"));
   m.def("keep_largest_component", py::overload_cast<LabelVolume>(&keep_largest_component), py::arg("volume"),
-        doc("keep_largest_component"), Released());
+        doc("keep_largest_component(LabelVolume)"), Released());
   m.def("keep_largest_component", py::overload_cast<GreyVolume, double>(&keep_largest_component), py::arg("volume"),
-        py::arg("threshold"), doc("keep_largest_component#2"), Released());
+        py::arg("threshold"), doc("keep_largest_component(GreyVolume, double)"), Released());
   m.def("fill_cavities", &fill_cavities, py::arg("volume"), py::arg("label"), doc("fill_cavities"), Released());
 }
 
@@ -99,13 +101,14 @@ void bind_meshes(py::module_& m) {
   m.def("write_stl", &write_stl, py::arg("mesh"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_stl"),
         Released());
   m.def("write_ply", py::overload_cast<const TriangleMesh&, const Path&, double>(&write_ply), py::arg("mesh"),
-        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply"), Released());
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply(TriangleMesh, path, double)"), Released());
   m.def("write_ply", py::overload_cast<const ColoredMesh&, const Path&, double>(&write_ply), py::arg("mesh"),
-        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply#2"), Released());
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply(ColoredMesh, path, double)"), Released());
   m.def("write_obj", py::overload_cast<const TriangleMesh&, const Path&, double>(&write_obj), py::arg("mesh"),
-        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj"), Released());
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj(TriangleMesh, path, double)"), Released());
   m.def("write_obj", py::overload_cast<const std::vector<NamedMesh>&, const Path&, double>(&write_obj),
-        py::arg("objects"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj#2"), Released());
+        py::arg("objects"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj(vector, path, double)"),
+        Released());
 
   py::class_<RecognizedProfile> recognized_class(m, "RecognizedProfile", doc("RecognizedProfile"));
   pickled_by_members(recognized_class, &RecognizedProfile::profile, &RecognizedProfile::X_MT,
@@ -165,7 +168,7 @@ void bind_volume_files(py::module_& m) {
         "Reads labels from a file without a header.", Released());
   m.def(
       "write_nrrd", [](const GreyVolume& volume, const Path& path) { write_nrrd(volume, path); }, py::arg("volume"),
-      py::arg("path"), doc("write_nrrd"), Released());
+      py::arg("path"), doc("write_nrrd(GreyVolume, path)"), Released());
   m.def(
       "write_nrrd", [](const LabelVolume& volume, const Path& path) { write_nrrd(volume, path); }, py::arg("volume"),
       py::arg("path"), Released());

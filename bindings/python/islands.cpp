@@ -41,16 +41,17 @@ void bind_islands(py::module_& m) {
       .def(py::init([](const PythonWorkpiece& workpiece, const IslandOptions& options) {
              return F(workpiece.read(), options);
            }),
-           py::arg("workpiece"), py::arg("options") = IslandOptions{}, doc("IslandFinder::IslandFinder"))
+           py::arg("workpiece"), py::arg("options") = IslandOptions{},
+           doc("IslandFinder::IslandFinder(Workpiece, IslandOptions)"))
       .def(
           "update",
           [](F& self, const PythonWorkpiece& workpiece, const py::array_t<std::int32_t, py::array::c_style>& origins) {
             self.update(workpiece.read(), origins_from(origins));
           },
-          py::arg("workpiece"), py::arg("origins"), doc("IslandFinder::update#2"))
+          py::arg("workpiece"), py::arg("origins"), doc("IslandFinder::update(Workpiece, span)"))
       .def(
           "update", [](F& self, const ChangedBlock& block) { self.update(block.origin, block.fill.data()); },
-          py::arg("block"), doc("IslandFinder::update"))
+          py::arg("block"), doc("IslandFinder::update(VoxelIndex, float)"))
       .def("find", &F::find, doc("IslandFinder::find"));
   m.def(
       "find_islands",

@@ -11,7 +11,7 @@ void bind_materials(py::module_& m) {
   m.attr("kEmpty") = kEmpty;
   m.attr("kMaxMaterials") = kMaxMaterials;
   bind_described<Material>(m, "Material");
-  m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate"));
+  m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate(Material)"));
 
   py::class_<MaterialTable>(m, "MaterialTable", doc("MaterialTable"))
       .def(py::init<>())

@@ -15,7 +15,7 @@ void bind_result_of_step(py::module_& m) {
   m.attr("kRejected") = std::uint32_t(kRejected);
   m.def(
       "has_any", [](std::uint32_t bits, StepStatus wanted) { return has_any(StepStatus(bits), wanted); },
-      py::arg("status"), py::arg("bits"), doc("has_any"));
+      py::arg("status"), py::arg("bits"), doc("has_any(StepStatus, StepStatus)"));
   m.def(
       "describe_status", [](std::uint32_t status) { return describe(StepStatus(status)); }, py::arg("status"),
       "The names of all bits that are set: \"ok\", \"blocks_low | engaged_layer_thick\".");

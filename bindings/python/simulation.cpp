@@ -31,7 +31,7 @@ void bind_config(py::module_& m) {
   bind_enum<ContactTime>(m, "ContactTime");
   bind_enum<ProbedMotions>(m, "ProbedMotions");
   bind_described<C>(m, "SimulationConfig");
-  m.def("validate", py::overload_cast<const C&>(&validate), py::arg("config"), doc("validate"));
+  m.def("validate", py::overload_cast<const C&>(&validate), py::arg("config"), doc("validate(SimulationConfig)"));
   using M = ThesisMode;
   bind_struct<M>(m, "ThesisMode", field("law", &M::law), field("update_rate", &M::update_rate),
                  field("tool_mass", &M::tool_mass), field("center_of_mass", &M::center_of_mass),
@@ -158,14 +158,15 @@ void bind_the_simulation(py::module_& m) {
           "set_spindle_speed", [](S& self, AngularSpeed speed) { self.write().spindle().set_speed(speed); },
           py::arg("speed"), doc("SpindleDrive::set_speed"))
       .def("set_effects", writing<S>(py::overload_cast<const Effects&>(&Simulation::set)), py::arg("effects"),
-           doc("Simulation::set#5"))
-      .def("set_tool", writing<S>(py::overload_cast<Tool>(&Simulation::set)), py::arg("tool"), doc("Simulation::set"))
+           doc("Simulation::set(Effects)"))
+      .def("set_tool", writing<S>(py::overload_cast<Tool>(&Simulation::set)), py::arg("tool"),
+           doc("Simulation::set(Tool)"))
       .def("set_materials", writing<S>(py::overload_cast<MaterialTable>(&Simulation::set)), py::arg("materials"),
-           doc("Simulation::set#2"))
+           doc("Simulation::set(MaterialTable)"))
       .def("set_friction", writing<S>(py::overload_cast<const std::optional<DryFriction>&>(&Simulation::set)),
-           py::arg("friction"), doc("Simulation::set#3"))
+           py::arg("friction"), doc("Simulation::set(optional)"))
       .def("set_removal", writing<S>(static_cast<void (Simulation::*)(RemovalLaw) noexcept>(&Simulation::set)),
-           py::arg("removal"), doc("Simulation::set#4"))
+           py::arg("removal"), doc("Simulation::set(RemovalLaw)"))
       .def(
           "halt_spindle", [](S& self) { self.write().spindle().halt(); }, doc("SpindleDrive::halt"))
       .def(

@@ -68,13 +68,13 @@ void bind_whole_surface(py::module_& m) {
   m.def(
       "extract_surface",
       [](const PythonWorkpiece& w) { return w.read_released([](const Workpiece& x) { return extract_surface(x); }); },
-      py::arg("workpiece"), doc("extract_surface"));
+      py::arg("workpiece"), doc("extract_surface(Workpiece)"));
   m.def(
       "extract_surface",
       [](const PythonWorkpiece& w, MaterialId material) {
         return w.read_released([material](const Workpiece& x) { return extract_surface(x, material); });
       },
-      py::arg("workpiece"), py::arg("material"), doc("extract_surface#2"));
+      py::arg("workpiece"), py::arg("material"), doc("extract_surface(Workpiece, MaterialId)"));
 }
 
 void bind_page(py::module_& m) {
@@ -131,13 +131,13 @@ void bind_surface(py::module_& m) {
           [](S& self, const PythonWorkpiece& workpiece, const py::array_t<std::int32_t, py::array::c_style>& origins) {
             return self.update(workpiece.read(), origins_from(origins));
           },
-          py::arg("workpiece"), py::arg("origins"), doc("SurfaceStream::update#2"))
+          py::arg("workpiece"), py::arg("origins"), doc("SurfaceStream::update(Workpiece, span)"))
       .def(
           "update",
           [](S& self, const ChangedBlock& block) {
             return self.update(block.origin, block.material.data(), block.fill.data());
           },
-          py::arg("block"), doc("SurfaceStream::update"))
+          py::arg("block"), doc("SurfaceStream::update(VoxelIndex, MaterialId, float)"))
       .def(
           "next_page",
           [](S& self) {

@@ -126,7 +126,7 @@ void bind_tool(py::module_& m) {
   bind_handles(m);
   m.attr("kMaxSpindleSpeed") = kMaxSpindleSpeed;
   bind_described<Spindle>(m, "Spindle").def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
-  m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
+  m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate(Spindle)"));
   py::class_<SpindleMotor> motor_class(m, "SpindleMotor", doc("SpindleMotor"));
   pickled_by_bytes(motor_class);
   motor_class.def(py::init<const Spindle&>(), py::arg("spindle"))
@@ -145,11 +145,12 @@ void bind_tool(py::module_& m) {
   m.def("common_motor", &common_motor, py::arg("speed"), doc("common_motor"));
   m.def("max_speed", &max_speed, py::arg("motor"), doc("max_speed"));
   m.def("common_spindle", py::overload_cast<MotorKind, AngularSpeed>(&common_spindle), py::arg("motor"),
-        py::arg("speed"), doc("common_spindle"));
-  m.def("common_spindle", py::overload_cast<AngularSpeed>(&common_spindle), py::arg("speed"), doc("common_spindle"));
+        py::arg("speed"), doc("common_spindle(MotorKind, AngularSpeed)"));
+  m.def("common_spindle", py::overload_cast<AngularSpeed>(&common_spindle), py::arg("speed"),
+        doc("common_spindle(AngularSpeed)"));
   bind_enum<CutterKind>(m, "CutterKind");
   bind_described<Cutter>(m, "Cutter");
-  m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate"));
+  m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate(Cutter)"));
   m.def("lips_of", &lips_of, py::arg("cutter"), doc("lips_of"));
   m.def("usual_cutter", &usual_cutter, py::arg("head"), doc("usual_cutter"));
   m.def("tooth_rate", &tooth_rate, py::arg("cutter"), py::arg("spindle_speed"), doc("tooth_rate"));

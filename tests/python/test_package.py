@@ -67,6 +67,13 @@ def test_every_class_function_and_method_has_a_docstring_and_says_no_cpp_type():
     assert not undocumented
 
 
+def test_an_overload_has_its_own_text_and_not_that_of_the_first():
+    text = hapticut.validate.__doc__
+    assert text.count("Checks the parameters") == 1  # of a molar
+    assert "Naming the material" in text
+    assert "for a speed" in hapticut.common_spindle.__doc__
+
+
 SHAPE = re.compile(r"\((?:n|m|nx|\d+)(?:, ?(?:n|m|ny|nz|\d+))*,?\)")
 
 
