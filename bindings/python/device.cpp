@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "device/use_vendor_devices.hpp"
+#include "device/use_maker_devices.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
 #include "hapticut/device/simulated/playback.hpp"
@@ -181,7 +181,7 @@ void bind_map(py::module_& m) {
 }  // namespace
 
 void bind_device(py::module_& m) {
-  use_vendor_devices();
+  use_maker_devices();
   bind_models(m);
   bind_runs(m);
   bind_devices(m);

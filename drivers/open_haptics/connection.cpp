@@ -133,7 +133,7 @@ void Connection::initialise(const OpenHapticsOptions& options) {
   }
   throw Error("OpenHaptics opens no device (" + reasons +
               "); check cable, power, the permission to use /dev/ttyACM* (group dialout), and the name in the "
-              "manufacturer's setup program.");
+              "maker's setup program.");
 }
 
 void Connection::ask() {

@@ -41,7 +41,7 @@
 #include "hapticut/simulation/status_sentences.hpp"  // sentences_of(status)
 #include "hapticut/simulation/thesis_mode.hpp"       // the model as the thesis has it
 
-// Devices, here simulated ones; each manufacturer's devices have a header in `device/`. The guard of the hand is in
+// Devices, here simulated ones; each maker's devices have a header in `device/`. The guard of the hand is in
 // `safety/`; devices and loop include it.
 #include "hapticut/device/device.hpp"           // Device, DeviceState, DeviceCapabilities
 #include "hapticut/device/simulated/mock.hpp"   // MockDevice

@@ -3,7 +3,7 @@
 
 #include "c/device_object.hpp"
 #include "c/structs.hpp"
-#include "device/use_vendor_devices.hpp"
+#include "device/use_maker_devices.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/playback.hpp"
 #endif
@@ -18,7 +18,7 @@ void use_all_devices() {
 #ifdef HAPTICUT_HAS_IO
     use_recordings();
 #endif
-    use_vendor_devices();
+    use_maker_devices();
   });
 }
 

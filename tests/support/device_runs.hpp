@@ -9,7 +9,7 @@
 #include "hapticut/device/simulated/plant.hpp"
 
 /// @file
-/// Runs of vendors' devices against a stand-in of their SDK.
+/// Runs of makers' devices against a stand-in of their SDK.
 namespace hapticut::test {
 
 /// Options with quick arming and no signals; the clock is that of the stand-in.

@@ -34,7 +34,7 @@ struct DeviceTraits {
   bool has_buttons = true;  ///< those of the script
   bool has_cable = true;    ///< it can be unplugged
   bool has_motors = true;   ///< it renders forces
-  bool is_makers = false;   ///< it uses its manufacturer's library: opened only once, in real time only
+  bool is_makers = false;   ///< it uses its maker's library: opened only once, in real time only
   bool own_thread = false;  ///< its driver's thread runs the loop
   const char* name = "";    ///< name for `open_device`; empty: not found by name
 };
@@ -67,7 +67,7 @@ class DeviceUnderTest {
   /// The wrench that the motors hold now.
   [[nodiscard]] virtual Wrench held() const { return commands() > 0 ? command(commands() - 1) : Wrench{}; }
 
-  /// Expects that a run has left the manufacturer's library in order.
+  /// Expects that a run has left the maker's library in order.
   virtual void expect_left_in_order() const {}
 
   DeviceScript script = [](long) { return ScriptedTick{}; };

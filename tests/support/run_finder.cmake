@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Tests a find module: a project that uses it finds the stand-in of a vendor's SDK. If the SDK is absent, the message says
+# Tests a find module: a project that uses it finds the stand-in of a maker's SDK. If the SDK is absent, the message says
 # what to do:
 #   cmake -DPACKAGE=OpenHaptics -DLIBRARY=OpenHaptics_HD_LIBRARY -DSOURCE=... -DBINARY=... -DSDK=... -DFLAGS=... -DMODULES=...
 #         -DCOMPILER=... -DGENERATOR=... -P run_finder.cmake

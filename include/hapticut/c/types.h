@@ -178,8 +178,8 @@ typedef struct hapticut_device_info {
   double peak_force;       /**< [N] this and all fields below are 0 if the driver does not report them */
   double continuous_force; /**< [N] */
   double peak_torque;      /**< [N m] */
-  double stiffness;        /**< [N/m] maximum that the manufacturer promises to be stable */
-  double damping;          /**< [N s/m] maximum that the manufacturer promises to be stable */
+  double stiffness;        /**< [N/m] maximum that the maker promises to be stable */
+  double damping;          /**< [N s/m] maximum that the maker promises to be stable */
   double workspace_min[3]; /**< [m] in B */
   double workspace_max[3];
   char model[64];

@@ -128,7 +128,7 @@ TEST(CThreads, LookSendAndAskAtTheSameTime) {
   EXPECT_EQ(wrong, 0);
 }
 
-/// Another copy of the library, as in a plug-in of another vendor.
+/// Another copy of the library, as in a plug-in of another maker.
 class Copy {
  public:
   explicit Copy(const std::filesystem::path& file) : library_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {}

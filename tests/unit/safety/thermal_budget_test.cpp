@@ -24,7 +24,7 @@ TEST(ThermalBudget, ObeysTheTemperatureThatTheDeviceMeasures) {
   ThermalBudget budget(3.3, 0.88, {});
   budget.tick(2, 0.75, kPeriod);
   EXPECT_NEAR(budget.limit(), 2 * (1 - 1e-3),
-              1e-12);  // the vendor's factor of 0.999 per tick, starting from the present force
+              1e-12);  // the maker's factor of 0.999 per tick, starting from the present force
   for (int n = 0; n < 2000; ++n) budget.tick(0, 0.6, kPeriod);
   EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
   budget.tick(0, 0.4, kPeriod);

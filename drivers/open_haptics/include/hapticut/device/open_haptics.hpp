@@ -15,7 +15,7 @@ namespace hapticut {
 
 /// How an OpenHaptics device is opened.
 struct OpenHapticsOptions {
-  /// Name of the device in the manufacturer's setup program; empty: the default device
+  /// Name of the device in the maker's setup program; empty: the default device
   std::string device_name;
 
   /// Whether to try the usual names of the default device when the driver refuses the name.
@@ -36,7 +36,7 @@ constexpr auto fields_of(Of<OpenHapticsOptions>) {
   using O = OpenHapticsOptions;
   return std::tuple{
       field("device_name", &O::device_name,
-            "name of the device in the manufacturer's setup program; empty: the default device"),
+            "name of the device in the maker's setup program; empty: the default device"),
       field("other_names", &O::other_names,
             "whether to try the usual names of the default device when the driver refuses the name"),
       field("reset_encoders", &O::reset_encoders,

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # Components that need the SDK of a device maker, which is not in Debian and which no script can install.
 
-# hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME>
-# from HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names with an SDK on this machine,
-# HAPTICUT_VENDOR_PACKAGES their packages; a component has the name of its package in lower case.
-macro(hapticut_vendor_sdk name purpose package library install)
+# hapticut_maker_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME>
+# from HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_MAKERS are the names with an SDK on this machine,
+# HAPTICUT_MAKER_PACKAGES their packages; a component has the name of its package in lower case.
+macro(hapticut_maker_sdk name purpose package library install)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
   set(HAPTICUT_${name} FALSE)
   if(HAPTICUT_WITH_${name})
     find_package(${package} QUIET MODULE)
     if(${package}_FOUND)
       set(HAPTICUT_${name} TRUE)
-      list(APPEND HAPTICUT_VENDORS ${name})
-      list(APPEND HAPTICUT_VENDOR_PACKAGES ${package})
+      list(APPEND HAPTICUT_MAKERS ${name})
+      list(APPEND HAPTICUT_MAKER_PACKAGES ${package})
       list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose}, ${${library}})")
     elseif(NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
       message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON, but the SDK was not found: install ${install}, or set ${package}_ROOT.")
@@ -24,9 +24,9 @@ macro(hapticut_vendor_sdk name purpose package library install)
   endif()
 endmacro()
 
-# hapticut_use_vendor_devices(target): provides the functions of device/use_vendor_devices.hpp.
-function(hapticut_use_vendor_devices target)
-  foreach(name IN LISTS HAPTICUT_VENDORS)
+# hapticut_use_maker_devices(target): provides the functions of device/use_maker_devices.hpp.
+function(hapticut_use_maker_devices target)
+  foreach(name IN LISTS HAPTICUT_MAKERS)
     string(TOLOWER ${name} component)
     target_compile_definitions(${target} PRIVATE HAPTICUT_HAS_${name})
     target_link_libraries(${target} PRIVATE hapticut::${component})

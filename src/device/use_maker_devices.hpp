@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The devices of the manufacturers whose SDK was found; cmake/HapticutVendorSdk.cmake defines the macros.
+// The devices of the makers whose SDK was found; cmake/HapticutMakerSdk.cmake defines the macros.
 #ifdef HAPTICUT_HAS_FORCEDIMENSION
 #include "hapticut/device/force_dimension.hpp"
 #endif
@@ -12,7 +12,7 @@
 namespace hapticut {
 
 /// Registers these devices for `open_device`. Static, because a program may link a target with an SDK and one without.
-[[maybe_unused]] static void use_vendor_devices() {
+[[maybe_unused]] static void use_maker_devices() {
 #ifdef HAPTICUT_HAS_FORCEDIMENSION
   use_force_dimension();
 #endif

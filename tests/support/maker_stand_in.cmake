@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Functions for the stand-ins of vendors' SDKs.
+# Functions for the stand-ins of makers' SDKs.
 
-# vendor_adapter_under_test(name STAND_IN PART): builds the adapter of HAPTICUT_WITH_<PART> against its stand-in, in strict
+# maker_adapter_under_test(name STAND_IN PART): builds the adapter of HAPTICUT_WITH_<PART> against its stand-in, in strict
 # ISO C++. The sources are those that a machine with the SDK builds.
-function(vendor_adapter_under_test name stand_in part)
+function(maker_adapter_under_test name stand_in part)
   get_property(sources GLOBAL PROPERTY HAPTICUT_${part}_SOURCES)
   get_property(headers GLOBAL PROPERTY HAPTICUT_${part}_HEADERS)
   add_library(${name} STATIC ${sources})
@@ -12,18 +12,18 @@ function(vendor_adapter_under_test name stand_in part)
   target_link_libraries(${name} PUBLIC hapticut::hapticut ${stand_in} PRIVATE hapticut_build_flags)
 endfunction()
 
-# vendor_header_test(Suite.Name WILL_FAIL flags...): tests that uses_header.cpp parses with these flags; with WILL_FAIL ON,
+# maker_header_test(Suite.Name WILL_FAIL flags...): tests that uses_header.cpp parses with these flags; with WILL_FAIL ON,
 # that it does not parse.
-function(vendor_header_test name will_fail)
+function(maker_header_test name will_fail)
   add_test(NAME "${name}" COMMAND ${CMAKE_CXX_COMPILER} ${ARGN} -fsyntax-only
     -isystem ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/uses_header.cpp)
   set_tests_properties("${name}" PROPERTIES WILL_FAIL ${will_fail} LABELS unit)
 endfunction()
 
-# vendor_finder_test(Suite.Name PACKAGE LIBRARY modules): tests the find module in the folder `modules`. It must find an
+# maker_finder_test(Suite.Name PACKAGE LIBRARY modules): tests the find module in the folder `modules`. It must find an
 # SDK with the layout of ${CMAKE_CURRENT_BINARY_DIR}/sdk, whose include folder is that of the stand-in, and must report an
 # absent SDK.
-function(vendor_finder_test name package library modules)
+function(maker_finder_test name package library modules)
   file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/sdk")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/include" "${CMAKE_CURRENT_BINARY_DIR}/sdk/include" SYMBOLIC)
   add_test(NAME "${name}" COMMAND ${CMAKE_COMMAND} -DPACKAGE=${package} -DLIBRARY=${library}
