@@ -24,7 +24,7 @@ macro(hapticut_maker_sdk name purpose package library install)
   endif()
 endmacro()
 
-# hapticut_use_maker_devices(target): provides the functions of device/use_maker_devices.hpp.
+# hapticut_use_maker_devices(target): defines the macros of device/use_maker_devices.hpp, and links the components.
 function(hapticut_use_maker_devices target)
   foreach(name IN LISTS HAPTICUT_MAKERS)
     string(TOLOWER ${name} component)

@@ -17,7 +17,7 @@ struct Registry {
   std::vector<DeviceDriver> drivers;
 };
 
-/// A driver of a separate component, as long as its function was not called.
+/// The component that contains a driver. Its function, e.g. use_recordings, registers the driver.
 struct Component {
   bool is_built;
   std::string name, option, function;

@@ -3,7 +3,7 @@
 #   cmake -DPARTS=part,... -DFOLDER=... -DKERNELS=... -DSOURCE=... -DBUILD=... -DCXX=... -DCC=... -DLAUNCHER=... -P alone.cmake
 #
 # PARTS   parts whose option is ON, e.g. IO,IMPORT; all others are OFF
-# FOLDER  the folder in tests/unit
+# FOLDER  the folder in tests/unit, or the folder of a driver; its test program is test_FOLDER
 # BUILD   build folder; ccache finds the objects of build/release
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
