@@ -20,9 +20,12 @@
 namespace hapticut {
 
 struct MeshFormat {
-  std::string_view ending;  ///< lower case
+  std::string_view ending;                      ///< extension, in lower case
+  std::string_view name;                        ///< for messages, with its article
+  std::array<std::string_view, 5> first_words;  ///< a text of this format begins with one of them; may be empty
   Polygons (*read)(const std::filesystem::path& path);
-  double unit_mm;  ///< [mm] default length of one unit
+  double unit_mm;           ///< [mm] default length of one unit
+  bool is_archive = false;  ///< may be one
 };
 
 /// Reads a file with a parser of this library.
@@ -33,10 +36,14 @@ Polygons parsed(const std::filesystem::path& path) {
 
 /// All supported formats. glTF is in metres by its specification; the others define no unit. Other formats of Assimp
 /// are not supported: on damaged 3MF, COLLADA and other files Assimp ends the program or hangs, and it reads the
-/// transforms of 3DS objects wrongly.
-inline constexpr MeshFormat kMeshFormats[] = {{".stl", parsed<parse_stl>, 1},    {".ply", parsed<parse_ply>, 1},
-                                              {".obj", parsed<parse_obj>, 1},    {".off", parsed<parse_off>, 1},
-                                              {".gltf", read_with_assimp, 1000}, {".glb", read_with_assimp, 1000}};
+/// transforms of 3DS objects wrongly. So another format needs a parser of this library.
+inline constexpr MeshFormat kMeshFormats[] = {
+    {".stl", "an STL file", {"solid"}, parsed<parse_stl>, 1},
+    {".ply", "a PLY file", {"ply"}, parsed<parse_ply>, 1},
+    {".obj", "an OBJ file", {"mtllib", "v", "o", "g"}, parsed<parse_obj>, 1},
+    {".off", "an OFF file", {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}, parsed<parse_off>, 1},
+    {".gltf", "a glTF file", {}, read_with_assimp, 1000},
+    {".glb", "a binary glTF file", {}, read_with_assimp, 1000}};
 
 /// The extensions of the table, for callers that do not link the parsers.
 inline constexpr auto kMeshEndings = [] {

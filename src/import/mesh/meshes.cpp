@@ -25,8 +25,7 @@ void require_readable(const std::filesystem::path& path) {
 /// Throws what the file is when it is of another kind than its ending.
 void require_own_ending(const std::filesystem::path& path, const MeshFormat& format) {
   constexpr std::size_t kHead = 1000;
-  const std::string other =
-      kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format.ending);
+  const std::string other = kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format);
   if (!other.empty()) throw Error(other);
 }
 

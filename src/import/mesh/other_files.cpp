@@ -2,7 +2,6 @@
 #include "import/mesh/other_files.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "import/mesh/stl_layout.hpp"
 #include "io/file_errors.hpp"
@@ -28,20 +27,6 @@ constexpr Kind kKinds[] = {
     {"\x89HDF", "an HDF5 file", kNoMesh},
 };
 
-/// A mesh format of this library, as its first word shows it.
-struct Format {
-  std::string_view word;
-  std::string_view name;
-  std::string_view ending;
-};
-
-constexpr Format kFormats[] = {
-    {"solid", "an STL file", ".stl"}, {"ply", "a PLY file", ".ply"},     {"OFF", "an OFF file", ".off"},
-    {"COFF", "an OFF file", ".off"},  {"NOFF", "an OFF file", ".off"},   {"CNOFF", "an OFF file", ".off"},
-    {"STOFF", "an OFF file", ".off"}, {"mtllib", "an OBJ file", ".obj"}, {"v", "an OBJ file", ".obj"},
-    {"o", "an OBJ file", ".obj"},     {"g", "an OBJ file", ".obj"},
-};
-
 std::string renamed(std::string_view name, std::string_view ending) {
   return "it is " + std::string(name) + "; rename it to end in " + std::string(ending) + ".";
 }
@@ -57,9 +42,10 @@ bool is_binary_stl(std::string_view head, std::uintmax_t size) {
 
 }  // namespace
 
-std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::string_view ending) {
+std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, const MeshFormat& own) {
+  const std::string_view ending = own.ending;
   if (const std::string archive = archive_instead(head); !archive.empty())
-    return archive + "; unpack it, and name the mesh in it.";
+    return own.is_archive ? "" : archive + "; unpack it, and name the mesh in it.";
   for (const Kind& kind : kKinds)
     if (head.starts_with(kind.begin)) return "it is " + std::string(kind.name) + "; " + std::string(kind.cure) + ".";
   if (ending != ".stl" && is_binary_stl(head, size)) return renamed("an STL file", ".stl");
@@ -71,8 +57,9 @@ std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, std::
     return "it is an XML file; " + std::string(kConvert) + ".";
   if (word.starts_with('{') && head.find("\"asset\"") != std::string_view::npos)
     return ending == ".gltf" ? "" : renamed("a glTF file", ".gltf");
-  for (const Format& format : kFormats)
-    if (word == format.word) return ending == format.ending ? "" : renamed(format.name, format.ending);
+  for (const MeshFormat& format : kMeshFormats)
+    if (!word.empty() && std::ranges::find(format.first_words, word) != format.first_words.end())
+      return ending == format.ending ? "" : renamed(format.name, format.ending);
   if (ending == ".stl" && !head.empty() && std::ranges::none_of(head, [](char c) {
         return static_cast<unsigned char>(c) < ' ' && std::string_view("\t\r\n\f\v").find(c) == std::string_view::npos;
       }))

@@ -19,7 +19,7 @@ struct NamedMesh {
   TriangleMesh mesh;
 };
 
-/// Reads an OBJ, STL, PLY or OFF file; with Assimp (HAPTICUT_WITH_ASSIMP) also glTF (.gltf, .glb). Each object (OBJ:
+/// Reads a mesh file of a format that docs/files.md lists; glTF needs Assimp (HAPTICUT_WITH_ASSIMP). Each object (OBJ:
 /// `o` or `g`, STL: `solid`) becomes a separate mesh. Vertices at the same place are merged, triangles without area are
 /// dropped, and polygons are split into triangles. Normals, colours and textures are ignored.
 /// @param unit_mm  [mm] length of one unit of the file; default 1, for glTF 1000, because glTF is in metres
