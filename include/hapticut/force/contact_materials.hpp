@@ -50,17 +50,18 @@ inline void require_contact_stiffness(const MaterialTable& table, double referen
   for (int id = 1; id <= table.size(); ++id) {
     const Material& m = *table.find(MaterialId(id));
     const double stiffness = m.relative_stiffness * reference_stiffness;
-    constants[std::size_t(id)] = {float(stiffness),
-                                  float(m.damping + contact_damping),
-                                  float(m.cutting_ratio),
-                                  float(m.specific_cutting_energy),
-                                  float(std::sqrt(2 * m.edge_pressure / stiffness)),
-                                  float(m.edge_length),
-                                  float(m.size_length),
-                                  m.compressive_strength > 0 ? float(std::sqrt(2 * m.compressive_strength / stiffness))
-                                                             : ContactMaterial::kNeverCrushed};
-    constants[std::size_t(id)].sliding_ratio = float(m.dynamic_friction);
-    constants[std::size_t(id)].land = float(kLayersOfLand * std::sqrt(2 * kPressureOfLand / stiffness));
+    constants[std::size_t(id)] = {.stiffness = float(stiffness),
+                                  .damping = float(m.damping + contact_damping),
+                                  .cutting_ratio = float(m.cutting_ratio),
+                                  .cutting_energy = float(m.specific_cutting_energy),
+                                  .cutting_depth = float(std::sqrt(2 * m.edge_pressure / stiffness)),
+                                  .edge_length = float(m.edge_length),
+                                  .size_length = float(m.size_length),
+                                  .crushing_depth = m.compressive_strength > 0
+                                                        ? float(std::sqrt(2 * m.compressive_strength / stiffness))
+                                                        : ContactMaterial::kNeverCrushed,
+                                  .sliding_ratio = float(m.dynamic_friction),
+                                  .land = float(kLayersOfLand * std::sqrt(2 * kPressureOfLand / stiffness))};
   }
   return constants;
 }

@@ -44,8 +44,8 @@ struct Material {
   double density = 1000;  ///< [kg/m^3] mass over volume
 
   /// Kind of cutter that the cutting constants are for; none: not known, and not checked.
-  /// The kind of cutter that the cutting constants are for. Presets set it, workpieces and recordings keep it, and a
-  /// scene sets it from its tool; see StepStatus::other_cutter.
+  /// Presets set it, workpieces and recordings keep it, and a scene sets it from its tool; see
+  /// StepStatus::other_cutter.
   std::optional<CutterKind> cutter = {};
 };
 
@@ -54,8 +54,8 @@ namespace detail {
 inline constexpr double kMinPressure = 1e3;
 }  // namespace detail
 
-/// To add a number to materials, add a member above and a line here; files, settings, Python and checks follow. A file
-/// that is older than the number gives it its default.
+/// To add a number to materials, see "A material constant" in CONTRIBUTING.md. A file that is older than the number
+/// gives it its default.
 ///
 /// The contact is computed in single precision. The upper limits are far beyond any real material, and all results at
 /// the limits are still finite.

@@ -55,10 +55,33 @@ struct RandomBlock {
 inline ContactMaterials three_materials(float damping) {
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
-  materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F, 0.0F, 0.0F, 1.2e-4F, 0.3F, 0.25F, 0.0F};
-  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // chips matter only with a tooth rate
-                  2e-4F, 0.2F,        0.2F, 500.0F};
-  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F, ContactMaterial::kNeverCrushed, 0.6F, 0.1F, 0.0F};
+  materials[1] = {.stiffness = 1e13F,
+                  .damping = damping,
+                  .cutting_ratio = 0.5F,
+                  .cutting_energy = 3e8F,
+                  .cutting_depth = 0.0F,
+                  .crushing_depth = 1.2e-4F,
+                  .static_friction = 0.3F,
+                  .dynamic_friction = 0.25F};
+  materials[2] = {.stiffness = 4e12F,
+                  .damping = 2 * damping,
+                  .cutting_ratio = 0.3F,
+                  .cutting_energy = 1e8F,
+                  .cutting_depth = 1e-5F,
+                  .edge_length = 1e-5F,
+                  .size_length = 3e-5F,
+                  .crushing_depth = 2e-4F,
+                  .static_friction = 0.2F,
+                  .dynamic_friction = 0.2F,
+                  .tangential_stiffness = 500.0F};  // chips matter only with a tooth rate
+  materials[3] = {.stiffness = 2e14F,
+                  .damping = 0.0F,
+                  .cutting_ratio = 0.9F,
+                  .cutting_energy = 5e9F,
+                  .cutting_depth = 3e-6F,
+                  .size_length = 1e-4F,
+                  .static_friction = 0.6F,
+                  .dynamic_friction = 0.1F};
   return materials;
 }
 
