@@ -75,12 +75,19 @@ struct Number {
   }
 };
 
+/// Whether a number may be enough for a command: it has at most one field.
+template <class Command>
+constexpr bool is_of_a_number() {
+  if constexpr (Described<Command>) return kFieldsOf<Command> < 2;
+  return false;
+}
+
 LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
   LoopCommand command;
   const Number number{given.value, removal};
   bool known = false;
   find_alternative<LoopCommand>([&]<class Command>(std::size_t n, Of<Command>) {
-    if constexpr (Described<Command>)
+    if constexpr (is_of_a_number<Command>())
       if (known = n == given.kind; known) {
         Command& own = command.emplace<Command>();
         for_each_field<Command>([&](const auto& field) { known = number.put(own.*field.member); });

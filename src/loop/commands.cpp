@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
@@ -92,6 +95,19 @@ void SimulationModel::after_exchange() noexcept {
 
 // --- check and effect of each command -------------------------------------------------------------------------------
 
+namespace {
+
+/// "SetScale", for messages.
+template <class Command>
+constexpr std::string_view name_of_command() {
+  constexpr std::string_view kScope = "commands::", kSelf = __PRETTY_FUNCTION__;  // ends: Command = commands::SetScale]
+  constexpr std::size_t kBegin = kSelf.find(kScope) + kScope.size();
+  return kSelf.substr(kBegin, kSelf.find_first_of("];", kBegin) - kBegin);
+}
+static_assert(name_of_command<commands::SetScale>() == "SetScale");
+
+}  // namespace
+
 /// @tparam Model  const for checks in the sending thread
 template <class Model>
 struct SimulationModel::Commands {
@@ -101,7 +117,11 @@ struct SimulationModel::Commands {
     if (!has_all) throw Error("the command was already sent and has no content any more; prepare another one.");
   }
 
-  void check(const auto& /*command*/) const {}
+  /// A command without a check of its own: its numbers are within the ranges of `fields_of`.
+  template <Described Command>
+  void check(const Command& command) const {
+    require_fields_within(command, std::string(name_of_command<Command>()) + "::");
+  }
 
   void check(const commands::SetSpindleSpeed& command) const { validate(Spindle{command.speed}); }
 

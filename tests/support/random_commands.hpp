@@ -39,6 +39,10 @@ inline constexpr std::size_t kDescribedCommands = [] {
   return count;
 }();
 
+/// The commands that tests with a case for each command draw without one: described ones behind ExchangeWorkpiece.
+inline constexpr std::size_t kFirstWithoutACase = 12;  // of the described commands
+inline constexpr int kCommandsWithoutACase = int(kDescribedCommands - kFirstWithoutACase);
+
 /// A command with random fields.
 /// @param n  0 ... kDescribedCommands - 1, in the order of LoopCommand
 template <class Between>

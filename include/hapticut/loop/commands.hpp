@@ -25,8 +25,8 @@ namespace hapticut {
 /// pointers; the replaced objects go back in the command and are freed outside the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
-/// (`SafetyEvent::model_swapped`), because the tool may be inside material. docs/files.md lists the commands that
-/// end a recording.
+/// (`SafetyEvent::model_swapped`), because the tool may be inside material. docs/files.md lists the setters of
+/// Simulation that end a recording; a command that calls one ends it too.
 namespace commands {
 
 /// A command without fields.

@@ -12,6 +12,7 @@
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
 #include "support/followed_mock.hpp"
+#include "support/random_commands.hpp"
 
 namespace hapticut::composed_loop_test {
 namespace {
@@ -125,7 +126,7 @@ class Course {
     hand_.begin(snapshot_.tool.status == StepStatus::ok ? Motion(below(9, random_)) : Motion::lift, random_);
     spoilt_ = &spoilt()[below(3, random_) == 0 ? std::size_t(below(int(spoilt().size()), random_)) : 0];
     every_ = below(2, random_) == 0 ? 1000 : 1 + below(30, random_);
-    command_ = below(2, random_) == 0 ? -1 : below(15, random_);
+    command_ = below(2, random_) == 0 ? -1 : below(15 + test::kCommandsWithoutACase, random_);
     if (is_open_ && below(3, random_) != 0) command_ = 1;  // else nothing would happen
     std::optional<LoopCommand> command = next();
     if (!command) return;
@@ -171,8 +172,11 @@ class Course {
       case 14:
         return SetForceMask{{{below(4, random_) != 0, true, true}, {true, true, true}}};
       default:
-        return std::nullopt;
+        break;
     }
+    if (command_ < 0) return std::nullopt;
+    return test::random_command(test::kFirstWithoutACase + std::size_t(command_ - 15),
+                                [this](double low, double high) { return random_.between(low, high); });
   }
 
   RandomPoses random_;

@@ -11,6 +11,7 @@
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
 #include "support/followed_mock.hpp"
+#include "support/random_commands.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -66,7 +67,7 @@ class RecordedLoop {
     (void)device_.run(
         [&](const DeviceState& reading) {
           if (left_-- <= 0) begin_action(snapshot);
-          if (below(20, random_) == 0) tell(model, tick >= end ? below(16, random_) : below(11, random_));
+          if (below(20, random_) == 0) tell(model, below(tick >= end ? 16 + test::kCommandsWithoutACase : 11, random_));
           DeviceCommand command;
           command.wrench = model.step(reading, 1e-3, snapshot);
           command.contact = model.contact();
@@ -137,8 +138,11 @@ class RecordedLoop {
         return SetRemoval{RemovalLaw::none};
       case 14:
         return model.prepare_materials(some_materials(random_));
-      default:
+      case 15:
         return exchange(model);
+      default:
+        return test::random_command(test::kFirstWithoutACase + std::size_t(what - 16),
+                                    [this](double low, double high) { return random_.between(low, high); });
     }
   }
 
