@@ -77,7 +77,7 @@ struct HeadPlacement {
   Pose X_VT;          ///< pose of the head in the grid's frame
   HeadMotion motion;  ///< where the contact is evaluated: at the middle of the sub-step, or its end
 
-  /// [1] Part of the cutting ratio that acts: less than 1 for slow and stalled heads.
+  /// [1] Share of the cutting ratio that acts: less than 1 for slow and stalled heads.
   double cutting_share = 1;
 
   /// The head at this place if it did not spin.
@@ -217,7 +217,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit
-  unsigned subset_ = 0;       // phase of the level of detail
+  unsigned subset_ = 0;       // of strips, the one that this step evaluates with a level of detail
   IndexBox bounds_;           // voxels that were ever solid
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once

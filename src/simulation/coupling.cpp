@@ -14,8 +14,9 @@ namespace hapticut {
 namespace {
 
 // Brake of a tool that the spindle throws about.
-constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
-constexpr double kMuchBraked = 0.1;             // [1] brake over the force between tool and material
+constexpr double kBrake = 60;        // [N s/m] its damping
+constexpr double kUnbraked = 0.1;    // [m/s] how much faster than the hand a tool moves without it
+constexpr double kMuchBraked = 0.1;  // [1] its force over the one between tool and material, from which it is reported
 
 /// [J] Energy of a spring whose force is limited.
 double energy_of(double stretch, double stiffness, double max_force) {
@@ -233,7 +234,8 @@ VirtualCoupling::CouplingForces VirtualCoupling::forces_at(const Pose& X_WH, con
 void VirtualCoupling::brake(CouplingForces& forces, const Vec3& tool, const Vec3& hand) const noexcept {
   forces.brake.setZero();
   forces.brake_slope.setZero();
-  const double speed = tool.norm(), unbraked = (hand.norm() + kUnbraked) / speed;  // [m/s], [1] its unbraked part
+  const double speed = tool.norm();                           // [m/s]
+  const double unbraked = (hand.norm() + kUnbraked) / speed;  // [1] part of the speed that is not braked
   if (simulation_->last_result().spindle.speed == 0 || !(unbraked < 1)) return;
   const Vec3 along = tool / speed;
   forces.brake = -kBrake * (1 - unbraked) * tool;

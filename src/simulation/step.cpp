@@ -45,7 +45,8 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   finish_step(path);
 }
 
-/// The stages of each sub-step. A probe has the same, except those that change workpiece, motor or ledger.
+/// The stages of each sub-step. A probe has the same, except those that change workpiece, motor or ledger, and
+/// except `transport_to_handle`, because it adds the wrench itself.
 /// @param acting  springs that the head moves: those of the simulation, or a copy for a probe
 /// @param probe   to add to; null in a step
 void Simulation::State::take_sub_steps(const HandlePath& path, Springs& acting, ContactProbe* probe) noexcept {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python has the names in the lists of bindings/python/hapticut. Exactly one module exports each name, and the
-``__module__`` of the name is that module. New names of the library are bound if Python needs them."""
+"""Each compiled name is in the list of exactly one module of bindings/python/hapticut, and its ``__module__`` is that
+module. Bound types of the folders in ROOMS are in the module of their folder."""
 from __future__ import annotations
 
 import importlib

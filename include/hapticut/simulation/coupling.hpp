@@ -132,8 +132,9 @@ struct CoupledResult {
 ///
 /// In a corner between faces that cut with a ratio of 3 or more, a spinning head has no steady balance: the motor
 /// throws the tool about. So a tool whose spindle turns is braked, as the flesh of a hand would brake it. The brake
-/// also acts when the tool breaks through a plate. Beyond the hand's speed plus v_0 = 0.1 m/s its force is -b (1 -
-/// v_0/v) V with b = 60 N s/m. The hand does not feel the brake; StepStatus::tool_braked reports it.
+/// also acts when the tool breaks through a plate. At a speed v of the tool and v_h of the hand its
+/// force is -b (1 - (v_h + v_0)/v) V if v > v_h + v_0, else 0, with v_0 = 0.1 m/s and b = 60 N s/m. The hand does not
+/// feel the brake. StepStatus::tool_braked reports a brake above a tenth of the force between tool and material.
 ///
 /// Gains: k_T and b_T must be what the device renders stably at its rate; see docs/devices.md.
 class VirtualCoupling {

@@ -6,12 +6,12 @@
 
 namespace hapticut {
 
-/// Where the work went (docs/model.md, energy ledger). All in [J]. All terms are accumulated since construction, except
-/// the stored energies, which are those at the end of the last step. Losses are never negative, with two exceptions:
-/// `damping`, when the given velocity lags so far behind the poses that the damper pulls; and `released` with
-/// RemovalLaw::elastic_release, which subtracts an estimate of the energy that helped cutting (measured: down to -0.6 %
-/// of the work). How the work is divided among the losses depends on the stiffness: in bone, a stiffer foundation moves
-/// work from `cutting` to `rubbing`. The sum of the losses does not depend on it.
+/// Where the work went (docs/model.md, energy ledger). All in [J]. All terms are accumulated since construction or
+/// Simulation::reset, except the stored energies, which are those at the end of the last step. Losses are never
+/// negative, with two exceptions: `damping`, when the given velocity lags so far behind the poses that the damper
+/// pulls; and `released` with RemovalLaw::elastic_release, which subtracts an estimate of the energy that helped
+/// cutting (measured: down to -0.6 % of the work). How the work is divided among the losses depends on the stiffness:
+/// in bone, a stiffer foundation moves work from `cutting` to `rubbing`. The sum of the losses does not depend on it.
 ///
 ///     hand_work + motor_work + credited + entered = stored() + losses()
 ///
@@ -30,7 +30,10 @@ struct EnergyLedger {
   double cutting = 0;
   /// [J] compressive strength times crushed volume, less what came under the surface without being pressed there
   double crushed = 0;
-  double released = 0;  ///< [J] elastic energy of removed material that did not help cutting
+  /// [J] elastic energy of removed material that did not help cutting.
+  /// With ContactTime::middle also that of crushed material as it leaves (negative `entered`), beyond what entered
+  /// before.
+  double released = 0;
   /// [J] Hunt-Crossley damping, and the excess work of springs that are evaluated at the end of a sub-step
   double damping = 0;
   /// [J] tangential work that removes nothing: of edges, of thin chips below the threshold of their layer, on smooth

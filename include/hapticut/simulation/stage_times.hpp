@@ -19,7 +19,7 @@ struct StageTimes {
   double remove_emptied = 0;       ///< [s] removal of voxels that became empty
   double tether_deep_ball = 0;     ///< [s] force on a ball pushed beyond its radius
   double add_friction = 0;         ///< [s] dry friction of a standing head
-  double book_energy = 0;          ///< [s] work of hand and motor
+  double book_energy = 0;          ///< [s] work of hand and motor, and energies
   double transport_to_handle = 0;  ///< [s] force and torque about Ho
   double advance_spindle = 0;      ///< [s] ramp and inertia of the motor
   double give_output = 0;          ///< [s] output to the hand
@@ -38,7 +38,7 @@ constexpr auto fields_of(Of<StageTimes>) {
       field("remove_emptied", &T::remove_emptied, "s", "removal of voxels that became empty"),
       field("tether_deep_ball", &T::tether_deep_ball, "s", "force on a ball pushed beyond its radius"),
       field("add_friction", &T::add_friction, "s", "dry friction of a standing head"),
-      field("book_energy", &T::book_energy, "s", "work of hand and motor"),
+      field("book_energy", &T::book_energy, "s", "work of hand and motor, and energies"),
       field("transport_to_handle", &T::transport_to_handle, "s", "force and torque about Ho"),
       field("advance_spindle", &T::advance_spindle, "s", "ramp and inertia of the motor"),
       field("give_output", &T::give_output, "s", "output to the hand"),

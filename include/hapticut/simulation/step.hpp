@@ -59,6 +59,7 @@ enum class StepStatus : std::uint32_t {
   /// More voxels were emptied than the list holds. All are removed and their volume is counted, but not all are listed.
   /// Cure: raise SimulationConfig::removed_voxel_capacity.
   removed_list_full = 1U << 6,
+  // Bit 7 is free: it never had a meaning.
 
   /// The spindle is loaded beyond its maximum power, or at its limit of power or torque: it slows down, and more load
   /// stalls it. Cure: press less, or change Spindle::power_limit, torque_limit, droop.
@@ -281,7 +282,7 @@ struct StepResult {
   Contact contact;                               ///< what the head touches
   /// Wrench of the contact about Ho, in W: before coupling, effects and limits; mean over the step
   Wrench model;
-  EnergyLedger energy;                 ///< accumulated since construction
+  EnergyLedger energy;                 ///< accumulated since construction or reset
   SpindleState spindle;                ///< speed and torque of this step
   int sub_steps = 0;                   ///< [1] 0 when the input was rejected
   StepStatus status = StepStatus::ok;  ///< bits of StepStatus; 0 = nothing to report
@@ -297,7 +298,7 @@ constexpr auto fields_of(Of<StepResult>) {
       field("contact", &R::contact, "what the head touches"),
       field("model", &R::model,
             "wrench of the contact about Ho, in W: before coupling, effects and limits; mean over the step"),
-      field("energy", &R::energy, "accumulated since construction"),
+      field("energy", &R::energy, "accumulated since construction or reset"),
       field("spindle", &R::spindle, "speed and torque of this step"),
       field("sub_steps", &R::sub_steps, "1", "0 when the input was rejected"),
       field("status", &R::status, "bits of StepStatus; 0 = nothing to report"),

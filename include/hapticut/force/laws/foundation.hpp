@@ -30,18 +30,19 @@ namespace formulas {
 /// multiplies it by g_d(chi w_dot), with g_d(e) = 1 + e while the contact closes and 1/(1 - e) while it opens. Where
 /// the head turns, the material also drags along the slip v_t, tangential to the cutting surface:
 ///
-///     force = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
+///     force = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)
 ///
 /// Each voxel is integrated over its filled part (VoxelSection). t is the depth of its top; <w> is the mean of
 /// max(w, 0) over that part, and <w>_0 that of w where w > w0, and else 0. Material shallower than w0 is not cut:
 ///
-///     f = k_v g_d phi l^3 (<w> - <w>_0 + r <w>_0)      phi <- phi e^-x      x = 2 k_d r <w>_0 dt
+///     f = k_v g_d phi l^3 (<w> - <w>_0 + r <w>_0 (1 - e^-x)/x)      phi <- phi e^-x      x = 2 k_d r <w>_0 dt
 ///
 /// where k_d = kappa k_v g_d s/(2 u), and r is the recession of the layer within the sub-step over the recession at the
-/// speed at the evaluation (LayerRecession). Cutting removes the deepest material, so material that only rubs stays.
-/// The force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so the tangential work of the cut is exactly u
-/// l^3 times the lost fill, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V +
-/// Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
+/// speed at the evaluation (LayerRecession). Where nothing is cut, f = k_v g_d phi l^3 <w>. Cutting removes the deepest
+/// material, so material that only rubs stays. What is cut presses with the mean of phi over the sub-step, phi (1 -
+/// e^-x)/x, so the tangential work of the cut is exactly u l^3 times the lost fill, for any step. Law G replaces u by
+/// max(u - k_v w^2/2, 1e-6 u). w_dot = (V + Omega x r) . n is the speed along the path; only in g_d it is that of the
+/// velocity that the device measures.
 ///
 /// Before that, material that would be pressed harder than it can bear is removed, below the crushing depth w_c =
 /// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while
@@ -58,8 +59,8 @@ namespace formulas {
 class FoundationLaw final : public ForceLaw {
  public:
   /// The formulas of hapticut/formulas, in the order of docs/model.md, voxel by voxel. A simulation runs the same
-  /// formulas for vectors of voxels instead (src/kernels/stages-inl.hpp). The block must be sampled with
-  /// Quadrature::sub_voxel.
+  /// formulas for vectors of voxels instead (src/kernels/stages-inl.hpp), and shorter ones for whole voxels in a head
+  /// that stands and removes nothing (whole-inl.hpp). The block must be sampled with Quadrature::sub_voxel.
   LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
     return evaluate(m, materials, b, nullptr);
   }
