@@ -70,7 +70,8 @@ template <class Springs, class Real>
 //   to skip whole blocks that the head cannot touch.
 // The kernels also need:
 // * `at(x, y, z)`: the spring at a point in space.
-// * `grown(margin)`: a bound of the head grown by a margin [m], also a negative one. Its `hits(x, y, z)` tells which
-//   points may be inside, as far as is known without a square root.
+// * `grown(margin)`: a bound of the head grown by `margin` [m]. Its `hits(x, y, z)` takes no square root. With a margin
+//   >= 0 it is true at each point nearer to the head than the margin, and may be true at others. With a negative margin
+//   it is true only at points deeper than -margin, and may be false everywhere, as that of a profile.
 // * `kCentral`: all normals meet in the head's origin, so that the springs have no torque about it.
 // * `kSmooth`: some of the surface may be smooth.

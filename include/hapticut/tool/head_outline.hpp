@@ -7,13 +7,17 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "hapticut/tool/head.hpp"
 
 namespace hapticut {
 
 /// The surface of a head, for distances from outside. `ToolHead::spring_at` gives depths inside, and outside only near
-/// the surface; this gives the exact distance of any point, for any shape.
+/// the surface; this gives the exact distance of any point, for any shape, from its `tip()` and `edges()`.
 ///
 /// A head is a body of revolution, so the nearest point of its surface lies in the meridian plane of the point: the
 /// distance is that of a point from a few lines and arcs.
@@ -23,6 +27,13 @@ class HeadOutline {
   explicit HeadOutline(const ToolHead& head) noexcept {
     head.visit([this](const auto& shape) { take(shape); });
   }
+  /// @param shape  has `tip()` and `edges()` as ShapeOfHead; a ProfileHead must outlive the outline
+  template <class Shape>
+  requires requires(const Shape& shape) {
+    shape.tip();
+    shape.edges();
+  }
+  explicit HeadOutline(const Shape& shape) noexcept { take(shape); }
 
   /// A point seen from the head.
   struct Place {
@@ -70,17 +81,46 @@ class HeadOutline {
 
   void take(const SphereHead& ball) noexcept { ball_radius_ = ball.radius; }
   void take(const ProfileHead& profile) noexcept { profile_ = profile.table().exact_pieces; }
-  void take(const auto& shape) noexcept {  // a shape of straight edges
-    const auto edges = shape.edges();
-    static_assert(edges.size() <= kMaxEdges);
-    double rho = 0, z = shape.tip();
-    for (const ProfileEdge& edge : edges) {
-      straight_[count_++] = {rho, z, edge.rho, edge.z, 0, 0, 0, 0, 0};
-      rho = edge.rho, z = edge.z;
+  template <class Shape>
+  void take(const Shape& shape) noexcept {
+    static_assert(kEdgesOf<Shape> > 0,
+                  "edges() of a shape must return a std::array, as that of ConeHead, because HeadOutline must not "
+                  "allocate; a shape with a variable number of edges is a ProfileHead");
+    static_assert(kEdgesOf<Shape> <= kMaxEdges, "a shape must not have more edges than each of ToolHead::Shape");
+    ProfileEdge from = {0, shape.tip()};
+    for (const ProfileEdge& edge : shape.edges()) {
+      add(from, edge);
+      from = edge;
+    }
+  }
+
+  /// Appends the pieces of an edge. An arc is divided where it is highest or lowest, so that each piece has one rho at
+  /// each height.
+  /// @param from  the end of the previous edge
+  void add(const ProfileEdge& from, const ProfileEdge& to) noexcept {
+    if (to.radius == 0) {
+      own_[count_++] = {from.rho, from.z, to.rho, to.z, 0, 0, 0, 0, 0};
+      return;
+    }
+    const double sense = to.radius > 0 ? 1 : -1, radius = std::abs(to.radius);
+    const double along_rho = to.rho - from.rho, along_z = to.z - from.z;
+    const double squared = along_rho * along_rho + along_z * along_z;
+    const double left = sense * std::sqrt(std::max(0.0, radius * radius / squared - 0.25));  // of the chord, over it
+    const double center_rho = (from.rho + to.rho) / 2 - left * along_z,
+                 center_z = (from.z + to.z) / 2 + left * along_rho;
+    const auto add_piece = [&](double rho_0, double z_0, double rho_1, double z_1) {
+      own_[count_++] = {rho_0, z_0, rho_1, z_1, center_rho, center_z, radius, sense, z_1 > z_0 ? sense : -sense};
+    };
+    if ((from.rho - center_rho) * (to.rho - center_rho) < 0) {
+      const double z = center_z + (sense * (from.rho - center_rho) > 0 ? radius : -radius);
+      add_piece(from.rho, from.z, center_rho, z);
+      add_piece(center_rho, z, to.rho, to.z);
+    } else {
+      add_piece(from.rho, from.z, to.rho, to.z);
     }
   }
   [[nodiscard]] std::span<const ProfilePiece<double>> pieces() const noexcept {
-    return count_ > 0 ? std::span<const ProfilePiece<double>>(straight_.data(), count_) : profile_;
+    return count_ > 0 ? std::span<const ProfilePiece<double>>(own_.data(), count_) : profile_;
   }
 
   [[nodiscard]] static Nearest nearest_on(const ProfilePiece<double>& p, double rho, double z) noexcept {
@@ -111,11 +151,23 @@ class HeadOutline {
     return found;
   }
 
-  static constexpr std::size_t kMaxEdges = 3;
-  double ball_radius_ = 0;                                     // [m] 0: not a ball
-  std::array<ProfilePiece<double>, kMaxEdges> straight_ = {};  // edges of a shape of straight edges
-  std::size_t count_ = 0;                                      // number of pieces in `straight_`
-  std::span<const ProfilePiece<double>> profile_;              // pieces of a profile
+  /// Number of edges of a shape; 0 if its type does not tell.
+  template <class Shape>
+  static constexpr std::size_t kEdgesOf = [] {
+    using Edges = std::remove_cvref_t<decltype(std::declval<const Shape&>().edges())>;
+    if constexpr (requires { std::tuple_size<Edges>::value; })
+      return std::tuple_size_v<Edges>;
+    else
+      return std::size_t(0);
+  }();
+  static constexpr std::size_t kMaxEdges = []<class... Shape>(Of<std::variant<Shape...>>) {
+    return std::max({kEdgesOf<Shape>...});
+  }(Of<ToolHead::Shape>{});
+
+  double ball_radius_ = 0;                                    // [m] 0: not a ball
+  std::array<ProfilePiece<double>, 2 * kMaxEdges> own_ = {};  // pieces of a shape with a fixed number of edges
+  std::size_t count_ = 0;                                     // number of pieces in `own_`
+  std::span<const ProfilePiece<double>> profile_;             // pieces of a profile
 };
 
 }  // namespace hapticut

@@ -94,7 +94,7 @@ concept ShapeOfHead = requires(const S& shape) {
   { shape.reach() } -> std::same_as<double>;
   { shape.cutting_radius() } -> std::same_as<double>;
   { shape.volume() } -> std::same_as<double>;
-  // [m] Where the meridian begins on the axis; its edges. Surfaces without a spring are smooth.
+  // [m] Where the meridian begins on the axis; its edges, a std::array. Surfaces without a spring are smooth.
   { shape.tip() } -> std::same_as<double>;
   { *shape.edges().begin() } -> std::convertible_to<ProfileEdge>;
 };
