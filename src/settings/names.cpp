@@ -11,6 +11,7 @@
 namespace hapticut::settings {
 namespace {
 
+/// The numbers of heads follow from the shapes.
 constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
     {"MeshImport::voxel_size", "workpiece.voxel_mm"},
     {"RawLayout::dims", "workpiece.raw_dims"},
@@ -33,15 +34,32 @@ constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
     {"unit_mm", "workpiece.unit_mm"},
 };
 
-std::map<std::string, std::string, std::less<>> flags_of_scenes() {
+using Words = std::map<std::string, std::string, std::less<>>;
+
+/// The keys of the numbers of each shape of head: "tool.height_mm" for `ConeHead::height`.
+const Words& keys_of_shapes() {
+  static const Words keys = [] {
+    Words of_fields;
+    for_each_shape([&]<class Shape>(Of<Shape>) {
+      if constexpr (Described<Shape>)
+        for_each_number<Shape>([&](const auto& field) {
+          of_fields[std::string(Shape::kName) + "::" + field.name] = key_of_dimension(field.name, field.unit);
+        });
+    });
+    return of_fields;
+  }();
+  return keys;
+}
+
+Words flags_of_scenes() {
   SceneSettings scene;
-  std::map<std::string, std::string, std::less<>> flags;
+  Words flags;
   for (const Setting& setting : settings_of(scene))
     if (!setting.flag.empty()) flags[setting.key] = setting.flag;
   return flags;
 }
 
-const std::map<std::string, std::string, std::less<>>& flags() {
+const Words& flags() {
   static const auto known = flags_of_scenes();
   return known;
 }
@@ -52,6 +70,7 @@ std::optional<std::string_view> key_of(const Name& name) {
   const auto* const field =
       std::ranges::find(kKeys, name.text(), &std::pair<std::string_view, std::string_view>::first);
   if (field != std::end(kKeys)) return field->second;
+  if (const auto shape = keys_of_shapes().find(name.text()); shape != keys_of_shapes().end()) return shape->second;
   const auto setting = flags().find(name.text());
   if (setting == flags().end()) return std::nullopt;
   return setting->first;

@@ -70,7 +70,10 @@ ShownUnit shown_unit(std::string_view unit) {
   return {unit_in_names(unit), 1};
 }
 
-Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high, std::string meaning) {
+namespace {
+
+template <class Number, class Target>
+Setting whole_number(std::string key, std::string flag, Target& target, double low, double high, std::string meaning) {
   const Range range = Range::between(low, high);
   return {std::move(key),
           std::move(flag),
@@ -80,9 +83,20 @@ Setting integer(std::string key, std::string flag, std::size_t& target, double l
           [&target, range](const Value& value) {
             const double given = std::get<double>(value);
             if (!range.contains(given) || given != std::floor(given)) return false;
-            target = std::size_t(given);
+            target = Number(given);
             return true;
           }};
+}
+
+}  // namespace
+
+Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high, std::string meaning) {
+  return whole_number<std::size_t>(std::move(key), std::move(flag), target, low, high, std::move(meaning));
+}
+
+Setting integer(std::string key, std::string flag, std::optional<double>& target, double low, double high,
+                std::string meaning) {
+  return whole_number<double>(std::move(key), std::move(flag), target, low, high, std::move(meaning));
 }
 
 Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count, Range range,

@@ -109,6 +109,8 @@ struct ShownUnit {
 /// A whole number within `low` ... `high`.
 [[nodiscard]] Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high,
                               std::string meaning);
+[[nodiscard]] Setting integer(std::string key, std::string flag, std::optional<double>& target, double low, double high,
+                              std::string meaning);
 
 /// Exactly `count` numbers.
 [[nodiscard]] Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count,

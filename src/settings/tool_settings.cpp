@@ -2,7 +2,6 @@
 #include "settings/tool_settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -29,17 +28,13 @@ ToolHead head_of_profile(const std::string& file) {
   }
 }
 
-/// The key of a dimension: "tool.tip_diameter_mm".
-std::string key_of(HeadDimension dimension) {
-  const std::string unit = shown_unit(unit_of(dimension)).name;
-  return "tool." + std::string(name_or_null(dimension)) + (unit.empty() ? "" : "_" + unit);
-}
+std::string key_of(const HeadDimension& dimension) { return key_of_dimension(dimension.name, dimension.unit); }
 
 /// Names the heads that have a dimension: "choose tool.head cone or flat".
-Sentence heads_with(HeadDimension dimension) {
+Sentence heads_with(const HeadDimension& dimension) {
   std::vector<std::string> names;
   for (const HeadShape& shape : head_shapes())
-    if (shape.find(dimension) != nullptr) names.emplace_back(shape.name);
+    if (shape.find(dimension.name) != nullptr) names.emplace_back(shape.name);
   return "choose " + "tool.head"_name + " " + joined(names, " or ");
 }
 
@@ -57,9 +52,9 @@ ToolHead make_head(const ToolSettings& s) {
   const HeadShape* shape = *s.head;
   const char* owner = shape != nullptr ? shape->in_sentences : "a profile head";
   const bool is_flat = shape != nullptr && shape->name == std::string_view(FlatHead::kWord);
-  for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
-    if (shape == nullptr || shape->find(one.value) == nullptr)
-      refuse(s.dimension(one.value), key_of(one.value), owner, heads_with(one.value));
+  for (const HeadDimension& one : head_dimensions())
+    if (shape == nullptr || shape->find(one.name) == nullptr)
+      refuse(s.dimension(one.name), key_of(one), owner, heads_with(one));
   if (!is_flat) refuse(s.flat_rule, "tool.flat_rule", owner, "choose " + "tool.head"_name + " flat");
   if (shape == nullptr) {
     if (s.profile.empty()) fail_missing("tool.profile", owner);
@@ -69,8 +64,8 @@ ToolHead make_head(const ToolSettings& s) {
     refuse(std::optional(s.profile), "tool.profile", owner, "choose " + "tool.head"_name + " profile");
   std::vector<double> dimensions;
   for (const HeadShape::Dimension& needed : shape->dimensions) {
-    const std::optional<double> given = s.dimension(needed.what);
-    const double factor = shown_unit(unit_of(needed.what)).factor;
+    const std::optional<double> given = s.dimension(needed.what.name);
+    const double factor = shown_unit(needed.what.unit).factor;
     dimensions.push_back(given || !needed.optional ? required(given, key_of(needed.what), owner) * factor
                                                    : needed.usual);
   }
@@ -87,22 +82,22 @@ std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
 }
 
 /// Text of a dimension, with its default if it has one: "full angle of its point [118]".
-std::string meaning_of(const Named<HeadDimension>& dimension) {
-  std::string meaning = dimension.words;
+std::string meaning_of(const HeadDimension& dimension) {
+  std::string meaning(dimension.meaning);
   for (const HeadShape& shape : head_shapes())
-    if (const auto* found = shape.find(dimension.value); found != nullptr && found->optional)
-      meaning += " [" + format_number(found->usual / shown_unit(unit_of(dimension.value)).factor) + "]";
+    if (const auto* found = shape.find(dimension.name); found != nullptr && found->optional)
+      meaning += " [" + format_number(found->usual / shown_unit(dimension.unit).factor) + "]";
   return meaning;
 }
 
-Setting setting_of(const Named<HeadDimension>& dimension, ToolSettings& t) {
-  using enum HeadDimension;
-  const std::string key = key_of(dimension.value), flag = "--" + key.substr(key.find('.') + 1);
-  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, kMaxTiers, dimension.words);
-  const Range range = dimension.value == half_angle    ? Range{0, 90, true}
-                      : dimension.value == point_angle ? Range{0, 180, true}
-                                                       : Range::positive();
-  return number(key, flag, t.lengths_and_angles[std::size_t(dimension.value)], range, meaning_of(dimension));
+Setting setting_of(const HeadDimension& dimension, ToolSettings& t) {
+  const std::string key = key_of(dimension), flag = "--" + key.substr(key.find('.') + 1);
+  const double factor = shown_unit(dimension.unit).factor;
+  Range shown = dimension.range;
+  shown.low /= factor, shown.high /= factor;
+  std::optional<double>& given = t.dimensions[dimension.name];
+  if (dimension.is_whole) return integer(key, flag, given, shown.low, shown.high, meaning_of(dimension));
+  return number(key, flag, given, shown, meaning_of(dimension));
 }
 
 Handle make_handle(const ToolSettings& s) {
@@ -119,26 +114,30 @@ Handle make_handle(const ToolSettings& s) {
 
 }  // namespace
 
-std::optional<double> ToolSettings::dimension(HeadDimension dimension) const {
-  if (dimension != HeadDimension::tiers) return lengths_and_angles[std::size_t(dimension)];
-  return tiers > 0 ? std::optional(double(tiers)) : std::nullopt;
+std::string key_of_dimension(std::string_view name, std::string_view unit) {
+  const std::string shown = shown_unit(unit).name;
+  return "tool." + std::string(name) + (shown.empty() ? "" : "_" + shown);
+}
+
+std::optional<double> ToolSettings::dimension(std::string_view name) const {
+  const auto found = dimensions.find(name);
+  return found == dimensions.end() ? std::nullopt : found->second;
 }
 
 void ToolSettings::set_sphere(double radius_mm) {
   head = &head_shapes().front();
-  lengths_and_angles[std::size_t(HeadDimension::radius)] = radius_mm;
+  dimensions["radius"] = radius_mm;
 }
 
 std::vector<Setting> settings_of(ToolSettings& t) {
   std::vector<Setting> settings = {choice("tool.head", "--head", t.head, names_of_heads(),
                                           "shape of the cutting head; docs/heads-and-materials.md shows the shapes")};
   settings.back().begin_anew = [&t] {
-    t.lengths_and_angles = {};
-    t.tiers = 0;
+    for (auto& [name, given] : t.dimensions) given.reset();
     t.flat_rule.reset();
     t.profile.clear();
   };
-  for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{})) settings.push_back(setting_of(one, t));
+  for (const HeadDimension& one : head_dimensions()) settings.push_back(setting_of(one, t));
   std::vector<Setting> others = {
       choice("tool.flat_rule", "--flat_rule", t.flat_rule,
              "surface of a flat head that determines depth and direction [nearest]"),

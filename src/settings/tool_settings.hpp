@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hapticut/tool/catalogue.hpp"
@@ -19,10 +20,8 @@ namespace hapticut::settings {
 struct ToolSettings {
   enum class HandleKind { ray, angled };
 
-  std::optional<const HeadShape*> head;  ///< null: a profile head
-  /// [mm, deg] by HeadDimension, without the tiers
-  std::array<std::optional<double>, kHeadDimensions> lengths_and_angles;
-  std::size_t tiers = 0;  ///< 0: not set
+  std::optional<const HeadShape*> head;                          ///< null: a profile head
+  std::map<std::string_view, std::optional<double>> dimensions;  ///< [mm, deg, 1] of the head, by name
   std::optional<FlatRule> flat_rule;
   std::string profile;  ///< file
   std::optional<ShankKind> shank;
@@ -36,11 +35,14 @@ struct ToolSettings {
   std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm, torque_limit_Nmm, rotor_inertia_gmm2;
 
   /// [mm, deg, 1]
-  [[nodiscard]] std::optional<double> dimension(HeadDimension dimension) const;
+  [[nodiscard]] std::optional<double> dimension(std::string_view name) const;
   void set_sphere(double radius_mm);
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(ToolSettings& tool);
+
+/// The key of a dimension of heads: "tool.tip_diameter_mm".
+[[nodiscard]] std::string key_of_dimension(std::string_view name, std::string_view unit);
 
 /// @throws Error when this kind of head or handle lacks a setting, or a setting of another kind is set
 [[nodiscard]] Tool make_tool(const ToolSettings& settings);

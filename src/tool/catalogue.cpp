@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/tool/catalogue.hpp"
 
+#include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -150,24 +153,75 @@ namespace {
 
 using Values = std::span<const double>;
 
+/// The dimensions of burs, and those of shapes whose text says more than that of the field; in the order of the help.
+constexpr HeadDimension kTold[] = {
+    {"radius", "m", Range::positive(), "radius of a sphere or flat head"},
+    {"height", "m", Range::positive(), "height of a cone or flat head"},
+    {"half_angle", "rad", range_of(&ConeHead::half_angle), "angle of a cone between axis and side"},
+    {"diameter", "m", Range::positive(), "largest diameter of a catalogue head"},
+    {"length", "m", Range::positive(), "length of a catalogue head, thickness of a wheel"},
+    {"tip_diameter", "m", Range::positive(),
+     "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"},
+    {"neck_diameter", "m", Range::positive(), "diameter at the shank of an inverted_cone, flame or pear"},
+    {"shank_diameter", "m", Range::positive(), "of a wheel: its upper face does not cut within this diameter"},
+    {"widest_height", "m", Range::positive(), "of a flame: from the tip to its widest place"},
+    {"tiers", "1", Range::between(1, kMaxTiers), "of a christmas_tree: number of cones", true},
+    {"point_angle", "rad", Range{0, kPi, true}, "of a twist_drill: full angle of its point"}};
+
+constexpr const HeadDimension* find_told(std::string_view name) {
+  for (const HeadDimension& one : kTold)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+/// Not a constant, and so refused by the compiler, for a name that kTold does not have.
+constexpr HeadDimension told(std::string_view name) { return *find_told(name); }
+
+/// A field of a shape as a dimension.
+template <class S, class T>
+constexpr HeadDimension dimension_of(const Field<S, T>& field) {
+  if (const HeadDimension* known = find_told(field.name); known != nullptr) return *known;
+  return {field.name, field.unit, field.range, field.text, std::is_integral_v<T>};
+}
+
+/// Whether what kTold says holds for the fields of all shapes.
+constexpr bool is_told_right() {
+  bool right = true;
+  for_each_shape([&]<class Shape>(Of<Shape>) {
+    if constexpr (Described<Shape>)
+      for_each_number<Shape>([&](const auto& field) {
+        const HeadDimension* known = find_told(field.name);
+        right = right && (known == nullptr ||
+                          (known->unit == field.unit && known->meaning.find(Shape::kWord) != std::string_view::npos));
+      });
+  });
+  return right;
+}
+static_assert(is_told_right(),
+              "a shape has a field with the name of a dimension in kTold: that text must name the shape, and the units "
+              "must be equal; add the shape to the text, or rename the field");
+
 /// The entry of a shape; its dimensions are those of its fields that are numbers.
 template <class Shape>
 HeadShape entry_of() {
-  HeadShape entry = {
-      Shape::kWord, Shape::kInSentences, {}, [](Values values) {
-        Shape shape = Shape::usual();
-        for_each_number<Shape>([&, n = values.begin()](const auto& field) mutable { shape.*field.member = *n++; });
-        return ToolHead(shape);
-      }};
+  HeadShape entry = {Shape::kWord, Shape::kInSentences, {}, [](Values values) {
+                       Shape shape = Shape::usual();
+                       for_each_number<Shape>([&, n = values.begin()]<class T>(const Field<Shape, T>& field) mutable {
+                         shape.*field.member = T(*n++);
+                       });
+                       return ToolHead(shape);
+                     }};
   for_each_number<Shape>([&](const auto& field) {
-    entry.dimensions.push_back({value_named<HeadDimension>(field.name).value(), Shape::usual().*field.member});
+    entry.dimensions.push_back({dimension_of(field), double(Shape::usual().*field.member)});
   });
   return entry;
 }
 
 std::vector<HeadShape> burs() {
-  using enum HeadDimension;
   using units::mm;
+  constexpr HeadDimension diameter = told("diameter"), length = told("length"), tip_diameter = told("tip_diameter"),
+                          neck_diameter = told("neck_diameter"), shank_diameter = told("shank_diameter"),
+                          widest_height = told("widest_height"), tiers = told("tiers"),
+                          point_angle = told("point_angle");
   return {{"round", "a round head", {{diameter, 1.4 * mm}}, [](Values v) { return round_head(v[0]); }},
           {"inverted_cone",
            "an inverted cone",
@@ -217,9 +271,9 @@ std::vector<HeadShape> burs() {
 
 }  // namespace
 
-const HeadShape::Dimension* HeadShape::find(HeadDimension dimension) const {
+const HeadShape::Dimension* HeadShape::find(std::string_view dimension) const {
   for (const Dimension& one : dimensions)
-    if (one.what == dimension) return &one;
+    if (one.what.name == dimension) return &one;
   return nullptr;
 }
 
@@ -227,6 +281,17 @@ ToolHead HeadShape::usual() const {
   std::vector<double> values;
   for (const Dimension& dimension : dimensions) values.push_back(dimension.usual);
   return make(values);
+}
+
+const std::vector<HeadDimension>& head_dimensions() {
+  static const std::vector<HeadDimension> dimensions = [] {
+    std::vector<HeadDimension> all(std::begin(kTold), std::end(kTold));
+    for (const HeadShape& shape : head_shapes())
+      for (const auto& [what, usual, optional] : shape.dimensions)
+        if (std::ranges::find(all, what.name, &HeadDimension::name) == all.end()) all.push_back(what);
+    return all;
+  }();
+  return dimensions;
 }
 
 const std::vector<HeadShape>& head_shapes() {

@@ -89,7 +89,7 @@ void complete(LoopSettings& s) {
     if (!s.workpiece.size_mm) s.workpiece.size_mm = Vec3(30, 30, 15);
     if (s.workpiece.material.empty()) s.workpiece.material = "cortical_bone";
   }
-  if (!s.tool.head) s.tool.set_sphere(s.tool.dimension(HeadDimension::radius).value_or(1.5));
+  if (!s.tool.head) s.tool.set_sphere(s.tool.dimension("radius").value_or(1.5));
   if (!s.tool.spindle_rpm) s.tool.spindle_rpm = 30000;
 }
 

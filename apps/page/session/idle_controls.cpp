@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which controls of a page do nothing at present, and why.
+#include <algorithm>
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
@@ -20,12 +21,10 @@ void ViewControls::tell_idle_ones() {
   for (view::Control& control : controls_) control.idle = why_idle(control.id);
 }
 
-/// Whether the chosen head has one of two dimensions.
-bool ViewControls::head_has(HeadDimension first, HeadDimension second) const {
+/// Whether the chosen head has a dimension for which `is` holds.
+bool ViewControls::head_has(bool (*is)(const HeadShape::Dimension&)) const {
   const auto chosen = std::size_t(at(kHead));
-  if (chosen == 0) return false;
-  const HeadShape& shape = head_shapes()[chosen - 1];
-  return shape.find(first) != nullptr || shape.find(second) != nullptr;
+  return chosen != 0 && std::ranges::any_of(head_shapes()[chosen - 1].dimensions, is);
 }
 
 std::string ViewControls::why_idle(std::uint16_t id) const {
@@ -37,7 +36,6 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
   }
   if (id >= kGravity && id != kSound && id != kVolume && !haptics()) return "haptics is off";
   const bool is_of_scene = at(kHead) == 0;
-  using enum HeadDimension;
   switch (id) {
     case kRemoval:
       if (dynamic_cast<const ThesisLaw*>(config_.law.get()) != nullptr) return "the law of the thesis removes by power";
@@ -49,9 +47,9 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
     case kDiameter:
       return unless(!is_of_scene, "choose a head first");
     case kLength:
-      return is_of_scene ? "choose a head first" : unless(head_has(height, length), "this head has no length");
+      return is_of_scene ? "choose a head first" : unless(head_has(is_height), "this head has no length");
     case kAngle:
-      return is_of_scene ? "choose a head first" : unless(head_has(half_angle, half_angle), "only a cone has one");
+      return is_of_scene ? "choose a head first" : unless(head_has(is_cone_angle), "only a cone has one");
     case kNeck:
     case kBend:
       return unless(at(kHandle) != 0, "only an L has one");

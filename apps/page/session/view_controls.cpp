@@ -23,12 +23,6 @@ std::string names_of_heads() {
 constexpr double kMaxWatts = 1000;
 constexpr const char* kAxisNames[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
 
-/// The dimension `part`, scaled by the ratio of `chosen` to the usual value of `whole`; its usual value when `whole` is
-/// null.
-double in_proportion(const HeadShape::Dimension& part, const HeadShape::Dimension* whole, double chosen) {
-  return whole != nullptr ? part.usual * chosen / whole->usual : part.usual;
-}
-
 }  // namespace
 
 ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config,
@@ -258,36 +252,28 @@ MaterialTable ViewControls::materials() const {
   return MaterialTable(std::move(changed));
 }
 
+/// Whether a dimension is set by the control of the length; other lengths follow that of the diameter.
+bool ViewControls::is_height(const HeadShape::Dimension& dimension) {
+  return dimension.what.name.ends_with("length") || dimension.what.name.ends_with("height");
+}
+
+/// Whether a dimension is set by the control of the cone angle; other angles, and numbers, keep their usual values.
+bool ViewControls::is_cone_angle(const HeadShape::Dimension& dimension) { return dimension.what.name == "half_angle"; }
+
+/// The usual head with the diameter, length and angle of the controls.
 ToolHead ViewControls::head() const {
-  using enum HeadDimension;
   const auto chosen = std::size_t(at(kHead));
   if (chosen == 0) return tool_.head();
   const HeadShape& shape = head_shapes()[chosen - 1];
-  const double diameter_m = at(kDiameter) * units::mm, length_m = at(kLength) * units::mm;
-  const HeadShape::Dimension* across =
-      shape.find(diameter) != nullptr ? shape.find(diameter) : shape.find(tip_diameter);
+  const ToolHead usual = shape.usual();
+  const HeadBox box = usual.bounding_box();
+  const double diameter = at(kDiameter) * units::mm, length = at(kLength) * units::mm;
   const auto value_of = [&](const HeadShape::Dimension& dimension) {
-    switch (dimension.what) {
-      case radius:
-        return diameter_m / 2;
-      case diameter:
-        return diameter_m;
-      case height:
-      case length:
-        return length_m;
-      case half_angle:
-        return at(kAngle) * units::deg;
-      case widest_height:
-        return std::max(diameter_m / 2, in_proportion(dimension, shape.find(length), length_m));
-      case tip_diameter:
-      case neck_diameter:
-      case shank_diameter:
-        return in_proportion(dimension, across, diameter_m);
-      case tiers:
-      case point_angle:
-        break;
-    }
-    return dimension.usual;
+    if (is_cone_angle(dimension)) return at(kAngle) * units::deg;
+    if (dimension.what.unit != "m") return dimension.usual;
+    if (!is_height(dimension)) return dimension.usual / (2 * usual.max_radius()) * diameter;
+    const double height = dimension.usual / (box.max.z() - box.min.z()) * length;
+    return dimension.what.name == "widest_height" ? std::max(diameter / 2, height) : height;
   };
   std::vector<double> values;
   for (const HeadShape::Dimension& dimension : shape.dimensions) values.push_back(value_of(dimension));

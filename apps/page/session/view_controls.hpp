@@ -102,7 +102,9 @@ class ViewControls {
   void tell_idle_ones();
   [[nodiscard]] std::string why_idle(std::uint16_t id) const;
   [[nodiscard]] std::string why_idle(double Material::*number, const Material& material) const;
-  [[nodiscard]] bool head_has(HeadDimension first, HeadDimension second) const;
+  [[nodiscard]] static bool is_height(const HeadShape::Dimension& dimension);
+  [[nodiscard]] static bool is_cone_angle(const HeadShape::Dimension& dimension);
+  [[nodiscard]] bool head_has(bool (*is)(const HeadShape::Dimension&)) const;
   [[nodiscard]] ToolHead head() const;
 
   std::vector<view::Control> controls_, before_;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "hapticut/core/abi.hpp"
@@ -67,47 +66,19 @@ inline constexpr double kCommonDrillPoint = 118 * units::deg;  ///< [rad] full a
 /// @param length       [m] of the whole head, more than that of the point
 [[nodiscard]] ToolHead twist_drill_head(double diameter, double length, double point_angle = kCommonDrillPoint);
 
-/// The numbers that describe heads.
-enum class HeadDimension {
-  radius,
-  height,
-  half_angle,
-  diameter,
-  length,
-  tip_diameter,
-  neck_diameter,
-  shank_diameter,
-  widest_height,
-  tiers,
-  point_angle
+/// A number that describes heads. All heads that have it have it in the same unit.
+struct HeadDimension {
+  std::string_view name;     ///< "tip_diameter"
+  std::string_view unit;     ///< "m", "rad"; "1" for a number without unit
+  Range range;               ///< [SI] allowed values
+  std::string_view meaning;  ///< "largest diameter of a catalogue head"
+  bool is_whole = false;     ///< a number of things
 };
-constexpr auto names_of(Of<HeadDimension>) {
-  using enum HeadDimension;
-  return std::array{
-      Named{radius, "radius", "radius of a sphere or flat head"},
-      Named{height, "height", "height of a cone or flat head"},
-      Named{half_angle, "half_angle", "angle of a cone between axis and side"},
-      Named{diameter, "diameter", "largest diameter of a catalogue head"},
-      Named{length, "length", "length of a catalogue head, thickness of a wheel"},
-      Named{tip_diameter, "tip_diameter", "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"},
-      Named{neck_diameter, "neck_diameter", "diameter at the shank of an inverted_cone, flame or pear"},
-      Named{shank_diameter, "shank_diameter", "of a wheel: its upper face does not cut within this diameter"},
-      Named{widest_height, "widest_height", "of a flame: from the tip to its widest place"},
-      Named{tiers, "tiers", "of a christmas_tree: number of cones"},
-      Named{point_angle, "point_angle", "of a twist_drill: full angle of its point"}};
-}
-inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).size();
+/// The dimensions of all heads of `head_shapes`, each once. A number among the fields of a shape is one of them.
+[[nodiscard]] const std::vector<HeadDimension>& head_dimensions();
 
-/// Unit of a dimension: "m", "rad", or "1" for the number of tiers.
-[[nodiscard]] constexpr const char* unit_of(HeadDimension dimension) {
-  using enum HeadDimension;
-  if (dimension == half_angle || dimension == point_angle) return "rad";
-  return dimension == tiers ? "1" : "m";
-}
-
-/// A head shape: its name, its dimensions and the function that makes it. Settings, the browser page, tests and the
-/// drawing in docs/heads-and-materials.md read `head_shapes`. A shape has a `diameter` or a `tip_diameter`; the browser
-/// page scales the other dimensions with it. CONTRIBUTING.md lists the places to add a new bur.
+/// A kind of head: its name, its dimensions and the function that makes it. Settings, the browser page and tests read
+/// `head_shapes`. CONTRIBUTING.md lists the places to add a new shape or bur.
 struct HeadShape {
   struct Dimension {
     HeadDimension what;
@@ -119,8 +90,8 @@ struct HeadShape {
   std::vector<Dimension> dimensions;                     ///< ordered like the arguments of `make`
   ToolHead (*make)(std::span<const double> dimensions);  ///< [SI]
 
-  /// Null if this shape has no such dimension.
-  [[nodiscard]] const Dimension* find(HeadDimension dimension) const;
+  /// Null if this shape has no dimension of that name.
+  [[nodiscard]] const Dimension* find(std::string_view dimension) const;
   /// The head with its usual dimensions.
   [[nodiscard]] ToolHead usual() const;
 };

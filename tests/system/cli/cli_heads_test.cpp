@@ -35,8 +35,8 @@ TEST_F(HeadSettings, EveryHeadOfTheCatalogueIsPressedIn) {
   for (const HeadShape& shape : head_shapes()) {
     std::string head = "--head " + std::string(shape.name);
     for (const HeadShape::Dimension& dimension : shape.dimensions) {
-      const settings::ShownUnit shown = settings::shown_unit(unit_of(dimension.what));
-      head += " --" + std::string(name_or_null(dimension.what)) + (shown.name.empty() ? "" : "_" + shown.name) + " " +
+      const settings::ShownUnit shown = settings::shown_unit(dimension.what.unit);
+      head += " --" + std::string(dimension.what.name) + (shown.name.empty() ? "" : "_" + shown.name) + " " +
               format_number(dimension.usual / shown.factor);
     }
     EXPECT_GT(plunge(head)["force_N"]["max"], 1e-3) << head;
