@@ -12,6 +12,7 @@
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
 #include "support/springs.hpp"
+#include "support/usual_heads.hpp"
 
 namespace hapticut::head_contract_test {
 namespace {
@@ -33,14 +34,14 @@ NamedHead profile(const test::NamedProfile& p) {
 
 std::vector<NamedHead> heads() {
   const auto of = [](const auto& shape) { return [shape] { return ToolHead(shape); }; };
-  std::vector<NamedHead> all = {{"Ball", of(SphereHead{1 * mm})},
-                                {"SlenderCone", of(ConeHead{12 * deg, 3 * mm})},
+  std::vector<NamedHead> all = {{"SlenderCone", of(ConeHead{12 * deg, 3 * mm})},
                                 {"BluntCone", of(ConeHead{70 * deg, 1 * mm})},
                                 {"FlatNearest", of(FlatHead{0.8 * mm, 2 * mm})},
                                 {"FlatBottomOnly", of(FlatHead{0.8 * mm, 2 * mm, FlatRule::bottom_only})},
                                 {"FlatSideOnly", of(FlatHead{0.8 * mm, 2 * mm, FlatRule::side_only})},
                                 {"FlatBoth", of(FlatHead{0.8 * mm, 2 * mm, FlatRule::both})},
                                 {"FlatDisc", of(FlatHead{2 * mm, 0.4 * mm})}};
+  for (const ToolHead& head : test::usual_heads()) all.push_back({"Usual_" + test::word_of(head), of(head)});
   for (const auto& p : test::closed_profiles()) all.push_back(profile(p));
   for (const auto& p : test::profiles_with_smooth_edges()) all.push_back(profile(p));
   for (const test::CatalogueHead& head : test::catalogue_heads()) all.push_back({"Catalogue_" + head.name, head.make});

@@ -4,15 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "page/session/watched_model.hpp"
 #include "support/refusal.hpp"
 #include "support/scripted_loop.hpp"
@@ -55,6 +58,12 @@ struct Panel {
   [[nodiscard]] const Material& material() const { return scripted.simulation.workpiece().materials()[MaterialId(1)]; }
 };
 
+/// The value of the control of the head for a head of the list; 0 is the scene's own.
+double head_named(std::string_view name) {
+  const auto found = std::ranges::find(head_shapes(), name, &HeadShape::name);
+  return double(found - head_shapes().begin()) + 1;
+}
+
 /// A value set by a control, and the resulting value of the model in the unit of the control.
 struct Turned {
   double value;
@@ -70,7 +79,8 @@ const LHandle& bent(const Panel& p) { return std::get<LHandle>(p.tool().handle()
 const std::map<std::string, Turned>& turned() {
   using P = const Panel&;
   const std::map<std::string, double> shaking = {{"vibration/Vibration", 1}}, filtering = {{"additional/Filter", 1}},
-                                      bending = {{"tool/Handle", 1}}, cylinder = {{"tool/Head", 6}};
+                                      bending = {{"tool/Handle", 1}},
+                                      cylinder = {{"tool/Head", head_named("cylinder")}};
   static const std::map<std::string, Turned> all = {
       {"application/Haptics", {0, [](P p) { return p.effects().enabled.force[1]; }}},
       {"application/Cutting", {0, [](P p) { return p.scripted.simulation.config().removal != RemovalLaw::none; }}},
@@ -78,13 +88,17 @@ const std::map<std::string, Turned>& turned() {
        {1, [](P p) { return p.scripted.simulation.config().removal == RemovalLaw::elastic_release; }}},
       {"application/Spindle", {0, [](P p) { return p.scripted.model.spindle_speed(); }}},
       {"tool/Speed", {12345, [](P p) { return p.scripted.model.spindle_speed() / rpm; }}},
-      {"tool/Head", {15, [](P p) { return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? 15 : 0; }}},
+      {"tool/Head",
+       {head_named("twist_drill"),
+        [](P p) {
+          return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? head_named("twist_drill") : 0;
+        }}},
       {"tool/Diameter", {2.5, [](P p) { return 2 * p.tool().head().max_radius() / mm; }, cylinder}},
       {"tool/Length", {4.5, length, cylinder}},
       {"tool/Cone angle",
        {20,
         [](P p) { return std::atan(p.tool().head().max_radius() / (length(p) * mm)) / units::deg; },
-        {{"tool/Head", 2}}}},
+        {{"tool/Head", head_named("cone")}}}},
       {"tool/Power limit", {12, [](P p) { return p.tool().spindle().power_limit; }}},
       {"tool/Handle", {1, [](P p) { return p.tool().handle().index() == 1; }}},
       {"tool/Handle length", {77, [](P p) { return std::get<RayHandle>(p.tool().handle()).length / mm; }}},
@@ -176,14 +190,16 @@ TEST(ViewControls, GiveEachHeadOfTheListItsShape) {
     const view::Message drawn = view::encode(panel.tool());
     shapes.emplace(drawn.begin(), drawn.end());
   }
-  EXPECT_EQ(shapes.size(), 13U);  // the scene's own and a round head are spheres, and a cylinder is flat
+  // The scene's own and a round head are spheres, and a cylinder is flat.
+  EXPECT_EQ(shapes.size(), 1 + head_shapes().size() - 3);
 }
 
 TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   Panel panel;
   panel.turn("tool/Diameter", 8);
   panel.turn("tool/Length", 4);
-  ASSERT_EQ(panel.set("tool/Head", 9), Change::tool);  // a round end needs a length of at least half the diameter
+  // A round end needs a length of at least half the diameter.
+  ASSERT_EQ(panel.set("tool/Head", head_named("round_end_tapered")), Change::tool);
   EXPECT_THROW((void)panel.controls.tool(), Error);
   panel.controls.revert();
   EXPECT_EQ(panel.control("tool/Head").value, 0);
@@ -254,7 +270,7 @@ TEST(ViewControls, SayWhyTheyDoNothing) {
   panel.turn("material/plain damping", 100);
   EXPECT_EQ(idle("material/plain damping"), "");
   EXPECT_EQ(idle("tool/Diameter"), "choose a head first");
-  panel.turn("tool/Head", 1);
+  panel.turn("tool/Head", head_named("sphere"));
   EXPECT_EQ(idle("tool/Diameter"), "");
   EXPECT_EQ(idle("tool/Cone angle"), "only a cone has one");
   EXPECT_EQ(idle("vibration/Amplitude"), "vibration is off");

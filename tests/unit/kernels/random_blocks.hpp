@@ -11,6 +11,7 @@
 #include "kernels/kernels.hpp"
 #include "kernels/targets/which.hpp"
 #include "support/profiles.hpp"
+#include "support/usual_heads.hpp"
 
 /// @file
 /// Random blocks, all heads, and each instruction set of this machine.
@@ -107,6 +108,7 @@ inline std::vector<ToolHead> all_heads() {
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::bottom_only},
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
+  for (const ToolHead& head : test::usual_heads<SphereHead, ConeHead, FlatHead>(0.5)) heads.push_back(head);
   for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
   for (const Profile& profile : plain_profiles()) {
     heads.emplace_back(ProfileHead(profile));

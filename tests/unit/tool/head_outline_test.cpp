@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "hapticut/core/units.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
+#include "support/usual_heads.hpp"
 
 namespace hapticut::head_outline_test {
 namespace {
@@ -25,10 +27,8 @@ struct NamedHead {
 void PrintTo(const NamedHead& named, std::ostream* out) { *out << named.name; }
 
 std::vector<NamedHead> all_heads() {
-  std::vector<NamedHead> heads = {{"Sphere", SphereHead{0.8 * mm}},
-                                  {"Cone", ConeHead{25 * deg, 1.5 * mm}},
-                                  {"Flat", FlatHead{0.7 * mm, 2 * mm}},
-                                  {"FlatThatCutsWithItsSide", FlatHead{0.7 * mm, 2 * mm, FlatRule::side_only}}};
+  std::vector<NamedHead> heads = {{"FlatThatCutsWithItsSide", FlatHead{0.7 * mm, 2 * mm, FlatRule::side_only}}};
+  for (const ToolHead& head : test::usual_heads()) heads.push_back({"Usual_" + test::word_of(head), head});
   for (const test::NamedProfile& named : test::closed_profiles())
     heads.push_back({named.name, ProfileHead(named.profile)});
   for (const test::CatalogueHead& named : test::catalogue_heads()) heads.push_back({named.name, named.make()});
@@ -114,6 +114,38 @@ TEST_P(ClosedOutline, DistanceInsideIsMinusTheDepth) {
 
 INSTANTIATE_TEST_SUITE_P(Profiles, ClosedOutline, testing::ValuesIn(test::closed_profiles()),
                          [](const auto& named) { return named.param.name; });
+
+/// A shape with arcs that ToolHead does not have: one that passes its largest rho, one that passes its highest and a
+/// hollow one that passes its lowest point.
+struct Bowl {
+  [[nodiscard]] static double tip() { return 0; }
+  [[nodiscard]] static std::array<ProfileEdge, 3> edges() {
+    return {{{0.6 * mm, 1.2 * mm, 0.8 * mm}, {0.2 * mm, 1.2 * mm, 0.3 * mm}, {0, 1.2 * mm, -0.3 * mm}}};
+  }
+};
+
+/// A ball as any shape: an arc of half a circle.
+struct HalfCircle {
+  [[nodiscard]] static double tip() { return -1 * mm; }
+  [[nodiscard]] static std::array<ProfileEdge, 1> edges() { return {{{0, 1 * mm, 1 * mm}}}; }
+};
+
+TEST(Outline, OfAShapeWithArcsIsThatOfTheProfileWithTheseEdges) {
+  const auto check = []<class Shape>(const Shape& shape) {
+    const auto edges = shape.edges();
+    const ToolHead twin(ProfileHead({shape.tip(), {edges.begin(), edges.end()}}));
+    const HeadOutline outline(shape), expected(twin);
+    test::RandomPoses random(7);
+    const HeadBox box = twin.bounding_box();
+    for (int n = 0; n < 2000; ++n) {
+      const double rho = random.between(0, 1.5 * box.max.x());
+      const double z = random.between(box.min.z() - box.max.x(), box.max.z() + box.max.x());
+      ASSERT_NEAR(outline.distance(rho, z), expected.distance(rho, z), 1e-15) << rho << " " << z;
+    }
+  };
+  check(Bowl{});
+  check(HalfCircle{});
+}
 
 TEST(Outline, OfASphereConeAndFlatHeadIsTheClosedForm) {
   const ToolHead cone(ConeHead{30 * deg, 2 * mm}), flat(FlatHead{1 * mm, 2 * mm});

@@ -5,11 +5,14 @@
 
 #include <limits>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "experiments/setup/random_pose.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/profiles.hpp"
 #include "support/refusal.hpp"
+#include "support/usual_heads.hpp"
 
 namespace hapticut::head_test {
 namespace {
@@ -21,8 +24,9 @@ using units::mm;
 struct Expected {
   const char* name;
   ToolHead head;
-  Vec3 min, max;         // [m] corners of the box
-  double volume, reach;  // [m^3], [m]
+  Vec3 min, max;            // [m] corners of the box
+  double volume, reach;     // [m^3], [m]
+  double rounding = 1e-14;  // [1]
 };
 
 void PrintTo(const Expected& e, std::ostream* out) { *out << e.name; }
@@ -31,12 +35,12 @@ class Heads : public testing::TestWithParam<Expected> {};
 
 TEST_P(Heads, BoxVolumeReachAndRadiusAreExact) {
   const Expected& e = GetParam();
-  constexpr double kRounding = 1e-14;  // [1]
-  EXPECT_LT((e.head.bounding_box().min - e.min).norm(), kRounding * e.reach);
-  EXPECT_LT((e.head.bounding_box().max - e.max).norm(), kRounding * e.reach);
-  EXPECT_NEAR(e.head.volume() / e.volume, 1, kRounding);
-  EXPECT_NEAR(e.head.reach() / e.reach, 1, kRounding);
-  EXPECT_DOUBLE_EQ(e.head.max_radius(), e.max.x());
+  EXPECT_LT((e.head.bounding_box().min - e.min).norm(), e.rounding * e.reach);
+  EXPECT_LT((e.head.bounding_box().max - e.max).norm(), e.rounding * e.reach);
+  EXPECT_NEAR(e.head.volume() / e.volume, 1, e.rounding);
+  EXPECT_NEAR(e.head.reach() / e.reach, 1, e.rounding);
+  EXPECT_NEAR(e.head.max_radius() / e.max.x(), 1, e.rounding);
+  EXPECT_NEAR(e.head.cutting_radius() / ProfileHead(e.head.profile()).cutting_radius(), 1, 1e-12);
 }
 
 // The volume is the fraction of random points of the box that have a spring. 4e5 points give it to 0.1 %; four standard
@@ -93,17 +97,35 @@ INSTANTIATE_TEST_SUITE_P(
                              std::hypot(0.8, 1.9) * mm}),
     [](const auto& e) { return std::string(e.param.name); });
 
+/// Each shape, with the numbers of the profile that has its edges.
+std::vector<Expected> usual_heads() {
+  std::vector<Expected> heads;
+  for (const ToolHead& head : test::usual_heads()) {
+    const ToolHead twin(ProfileHead(head.profile()));
+    const HeadBox box = twin.bounding_box();
+    heads.push_back({"", head, box.min, box.max, twin.volume(), twin.reach(), 1e-12});
+  }
+  return heads;
+}
+
+INSTANTIATE_TEST_SUITE_P(Usual, Heads, testing::ValuesIn(usual_heads()),
+                         [](const auto& e) { return test::word_of(e.param.head); });
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(ToolHead, RefusesDimensionsThatAreNotPositiveOrFinite) {
-  for (const double bad : {0.0, -1e-3, kNan, kInfinity}) {
-    EXPECT_THROW(ToolHead(SphereHead{bad}), Error) << bad;
-    EXPECT_THROW(ToolHead(ConeHead{0.5, bad}), Error) << bad;
-    EXPECT_THROW(ToolHead(ConeHead{bad, 1 * mm}), Error) << bad;
-    EXPECT_THROW(ToolHead(FlatHead{bad, 1 * mm}), Error) << bad;
-    EXPECT_THROW(ToolHead(FlatHead{1 * mm, bad}), Error) << bad;
-  }
+  for_each_shape([]<class Shape>(Of<Shape>) {
+    if constexpr (Described<Shape>)
+      for_each_number<Shape>([]<class T>(const Field<Shape, T>& field) {
+        for (const double bad : {0.0, -1e-3, kNan, kInfinity}) {
+          if (!std::is_same_v<T, double> || field.range.contains(bad)) continue;
+          Shape shape = Shape::usual();
+          shape.*field.member = T(bad);
+          EXPECT_THROW((void)ToolHead(shape), Error) << Shape::kName << "::" << field.name << " = " << bad;
+        }
+      });
+  });
   EXPECT_THROW(ToolHead(ConeHead{kPi / 2, 1 * mm}), Error);
   test::expect_refused([] { (void)ToolHead(SphereHead{-0.5}); }, {"SphereHead::radius", "-0.5"});
 }

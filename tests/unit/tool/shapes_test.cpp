@@ -10,6 +10,7 @@
 #include <string>
 
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/head_outline.hpp"
 #include "support/generators.hpp"
 #include "support/places.hpp"
 #include "support/springs.hpp"
@@ -24,14 +25,14 @@ using test::spring_at;
 using units::kPi;
 using units::mm;
 
-/// Whether a point of the meridian plane is inside the body, from its definition.
+/// Whether a point of the meridian plane is inside the body, from the definition of a known shape, else from its edges.
 bool is_inside(const ToolHead& head, double rho, double z) {
   if (const auto* sphere = std::get_if<SphereHead>(&head.shape()))
     return rho * rho + z * z < sphere->radius * sphere->radius;
   if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
     return z > 0 && z < cone->height && rho < z * std::tan(cone->half_angle);
-  const auto& flat = std::get<FlatHead>(head.shape());
-  return z > 0 && z < flat.height && rho < flat.radius;
+  if (const auto* flat = std::get_if<FlatHead>(&head.shape())) return z > 0 && z < flat->height && rho < flat->radius;
+  return HeadOutline(head).distance(rho, z) < 0;
 }
 
 RC_GTEST_PROP(Shapes, MarginChangesByAtMostTheDistance, ()) {
@@ -111,7 +112,7 @@ TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
   EXPECT_NEAR(spring_at(cone, rho, z).depth, -std::hypot(side, 0.1 * mm), 1e-12);
 }
 
-// Recordings and the kernels read the list itself.
+// A new shape needs no other line for settings, browser page, recordings, kernels and these tests: they read the list.
 TEST(Shapes, AreInTheCatalogueInPythonAndOnThePages) {
   const auto text_of = [](const char* file) {
     std::ifstream in(test::source_path(file));
@@ -134,6 +135,10 @@ TEST(Shapes, AreInTheCatalogueInPythonAndOnThePages) {
       ASSERT_TRUE(std::holds_alternative<Shape>(head.shape())) << word;
       for_each_number<Shape>([&](const auto& field) {
         EXPECT_EQ(std::get<Shape>(head.shape()).*field.member, Shape::usual().*field.member) << word << field.name;
+        const HeadShape::Dimension* dimension = entry->find(field.name);
+        ASSERT_NE(dimension, nullptr) << word << field.name;
+        EXPECT_EQ(dimension->what.unit, field.unit) << word << field.name;
+        EXPECT_EQ(std::ranges::count(head_dimensions(), field.name, &HeadDimension::name), 1) << word << field.name;
       });
     }
   });
