@@ -12,6 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM, C, KEYS = "apps/reports/flag_words.cpp", "src/c/words_of_c.cpp", "src/settings/names.cpp"
 SENTENCE, C_HEADERS = "include/hapticut/core/sentence.hpp", "include/hapticut/c/"
+HEAD = "include/hapticut/tool/head.hpp"
 
 # They search messages of other libraries, which have no types.
 OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/import/mesh/assimp.cpp", "src/io/recording/hdf5.cpp",
@@ -26,7 +27,7 @@ CPP_NAME = re.compile(r"\b[A-Z]\w*::\w+")
 # Users of the program and of C do not have these structs, or their settings are checked first, in their own words. If a
 # message names a member, it stands without the struct. The structs of drivers/*/include are such, and not in Python.
 IN_CODE_ONLY = {
-    "ClosedLoop", "ClosedLoopConfig", "ConeHead", "CouplingGains", "DeltaFilter", "Device", "DryFriction", "GridFrame",
+    "ClosedLoop", "ClosedLoopConfig", "CouplingGains", "DeltaFilter", "Device", "DryFriction", "GridFrame",
     "GridImport", "GuardOptions", "HeatConfig", "HeatField", "IslandOptions", "Material", "Profile", "Shank", "Spindle",
     "StabilitySearch", "Vibration", "Volume", "Workpiece", "WorkspaceMapOptions"}
 NOT_IN_PYTHON = {"GridImport", "units"}
@@ -42,6 +43,13 @@ def pairs(text: str, table: str) -> dict[str, str]:
     """The pairs of texts of a table in C++."""
     body = text[text.index(table + "[]"):]
     return dict(re.findall(r'\{"([^"]+)",\s*"([^"]*)"\}', body[:body.index("};")]))
+
+
+def numbers_of_shapes(code: dict[str, str]) -> set[str]:
+    """The numbers of the shapes of ToolHead, as ConeHead::height. Their keys follow from fields_of."""
+    shapes = re.search(r"using Shape = std::variant<([^>]*)>", code[HEAD])[1].split(", ")
+    fields = re.findall(r'\bfield\("\w+",\s*&(\w+)::(\w+),\s*"[^"]*",', "".join(code.values()))
+    return {f"{shape}::{field}" for shape, field in fields if shape in shapes}
 
 
 def words_in(text: str) -> set[str]:
@@ -93,10 +101,13 @@ def main() -> int:
     mistakes += [f"no setting has the key {name}" for name in names if is_key[name] and not is_setting(name)]
     mistakes += [f"no header declares {name}" for name in names | subjects
                  if not is_key.get(name) and not is_declared(name)]
+    of_shapes = numbers_of_shapes(code)
+    if len(of_shapes) < 5:
+        mistakes.append(f"only {len(of_shapes)} numbers of shapes were found; has {HEAD} changed?")
     for name in sorted(name for name in names if not is_key[name]):
         scope = name.rpartition("::")[0]
         for where, words, scopes in ((PROGRAM, program, set()), (C, c, set(scopes_of_c))):
-            if name not in words | keys and scope not in scopes | IN_CODE_ONLY | of_drivers:
+            if name not in {*words, *keys, *of_shapes} and scope not in scopes | IN_CODE_ONLY | of_drivers:
                 mistakes.append(f"{where} has no word for {name}")
         if not {scope, name} & (NOT_IN_PYTHON | of_drivers) and (scope or name) not in in_python:
             mistakes.append(f"Python has no {name}")
