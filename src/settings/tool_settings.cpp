@@ -125,7 +125,7 @@ std::optional<double> ToolSettings::dimension(std::string_view name) const {
 }
 
 void ToolSettings::set_sphere(double radius_mm) {
-  head = &head_shapes().front();
+  head = &*std::ranges::find(head_shapes(), std::string_view(SphereHead::kWord), &HeadShape::name);
   dimensions["radius"] = radius_mm;
 }
 

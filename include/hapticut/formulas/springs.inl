@@ -75,3 +75,4 @@ template <class Springs, class Real>
 //   it is true only at points deeper than -margin, and may be false everywhere, as that of a profile.
 // * `kCentral`: all normals meet in the head's origin, so that the springs have no torque about it.
 // * `kSmooth`: some of the surface may be smooth.
+// A function `with_springs<Real>(shape, function)` beside them calls `function(springs)`.
