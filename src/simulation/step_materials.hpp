@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 
 namespace hapticut {
