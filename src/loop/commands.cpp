@@ -4,17 +4,15 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
-#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "loop/command_ranges.hpp"
 
 namespace hapticut {
 
@@ -95,19 +93,6 @@ void SimulationModel::after_exchange() noexcept {
 
 // --- check and effect of each command -------------------------------------------------------------------------------
 
-namespace {
-
-/// "SetScale", for messages.
-template <class Command>
-constexpr std::string_view name_of_command() {
-  constexpr std::string_view kScope = "commands::", kSelf = __PRETTY_FUNCTION__;  // ends: Command = commands::SetScale]
-  constexpr std::size_t kBegin = kSelf.find(kScope) + kScope.size();
-  return kSelf.substr(kBegin, kSelf.find_first_of("];", kBegin) - kBegin);
-}
-static_assert(name_of_command<commands::SetScale>() == "SetScale");
-
-}  // namespace
-
 /// @tparam Model  const for checks in the sending thread
 template <class Model>
 struct SimulationModel::Commands {
@@ -120,7 +105,7 @@ struct SimulationModel::Commands {
   /// A command without a check of its own: its numbers are within the ranges of `fields_of`.
   template <Described Command>
   void check(const Command& command) const {
-    require_fields_within(command, std::string(name_of_command<Command>()) + "::");
+    require_in_range(command);
   }
 
   void check(const commands::SetSpindleSpeed& command) const { validate(Spindle{command.speed}); }
