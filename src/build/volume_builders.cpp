@@ -18,7 +18,6 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
-#include "workpiece/coverage.hpp"
 
 namespace hapticut {
 namespace {

@@ -94,6 +94,7 @@ Setting setting_of(const HeadDimension& dimension, ToolSettings& t) {
   const std::string key = key_of(dimension), flag = "--" + key.substr(key.find('.') + 1);
   const double factor = shown_unit(dimension.unit).factor;
   Range shown = dimension.range;
+  if (dimension.unit == std::string_view("m")) shown.high = std::min(shown.high, kMaxHeadReach);
   shown.low /= factor, shown.high /= factor;
   std::optional<double>& given = t.dimensions[dimension.name];
   if (dimension.is_whole) return integer(key, flag, given, shown.low, shown.high, meaning_of(dimension));
@@ -138,6 +139,7 @@ std::vector<Setting> settings_of(ToolSettings& t) {
     t.profile.clear();
   };
   for (const HeadDimension& one : head_dimensions()) settings.push_back(setting_of(one, t));
+  const Range up_to_a_handle = Range::between(0, kMaxHandleReach / units::mm);
   std::vector<Setting> others = {
       choice("tool.flat_rule", "--flat_rule", t.flat_rule,
              "surface of a flat head that determines depth and direction [nearest]"),
@@ -149,9 +151,9 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "diameter of the neck between head and shank"),
       choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
              "straight (ray) or angled (L) handpiece [ray with handle_length_mm; without it the hand is at the head]"),
-      number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
+      number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, up_to_a_handle,
              "distance from the hand to the head, or to the elbow of an L handle"),
-      number("tool.handle_neck_mm", "--handle_neck_mm", t.handle_neck_mm, Range::not_negative(),
+      number("tool.handle_neck_mm", "--handle_neck_mm", t.handle_neck_mm, up_to_a_handle,
              "L handle: distance from the elbow to the head"),
       number("tool.handle_bend_deg", "--handle_bend_deg", t.handle_bend_deg, Range::between(-180, 180),
              "L handle: angle between stylus and spindle axis [90]"),

@@ -102,7 +102,7 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
   std::vector<Setting> settings = {
       path("workpiece.source", "--workpiece", w.source,
            "source of the workpiece: block, slab, molar, or a file or folder", built_in_workpieces()),
-      number("workpiece.voxel_mm", "--voxel_mm", w.voxel_mm, positive,
+      number("workpiece.voxel_mm", "--voxel_mm", w.voxel_mm, Range{0, kMaxVoxelSize / units::mm, true},
              "edge length of a voxel [0.1; for a volume its smallest spacing]"),
       vector("workpiece.size_mm", "--size_mm", w.size_mm, positive,
              "block, slab: size along x, y, z; one corner is at the origin"),

@@ -143,7 +143,7 @@ ToolHead twist_drill_head(double diameter, double length, double point_angle) {
   require_dimensions("twist_drill_head", {{"diameter", diameter}, {"length", length}});
   if (!(point_angle > 0 && point_angle < kPi))
     throw Error("twist_drill_head point_angle = " + format_number(point_angle) +
-                " rad; must be between 0 and pi. Give the full angle of the point, in radians.");
+                " rad; must be > 0 and < pi. Give the full angle of the point.");
   const double R = diameter / 2, point = R / std::tan(point_angle / 2);
   require_less(point, "height of the twist_drill_head's point", length, "length");
   return closed({{R, point}, {R, length, 0, kSmooth}});

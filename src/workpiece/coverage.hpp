@@ -10,8 +10,6 @@
 /// The part of a voxel that a body fills: antialiasing of a surface that is a function of the position.
 namespace hapticut {
 
-inline constexpr double kMaxVoxelSize = 0.02;  // [m]
-
 /// The filled fraction of a voxel and the centroid of that part.
 struct Coverage {
   double fill;  ///< [1] 0 ... 1

@@ -56,18 +56,20 @@ struct Range {
 
   /// Completes "must be": "a number > 0".
   [[nodiscard]] std::string text() const { return "a number" + limits(); }
-  /// Completes "a number": " > 0", " from 0 to 1"; "" when every number is allowed.
+  /// Completes "a number": " > 0", " > 0 and <= 20", " from 0 to 1"; "" when every number is allowed.
   [[nodiscard]] std::string limits() const {
     if (!std::isfinite(low)) return "";
-    if (std::isfinite(high)) return " from " + format_number(low) + " to " + format_number(high);
-    return std::string(low_open ? " > " : " >= ") + format_number(low);
+    if (std::isfinite(high) && !low_open) return " from " + format_number(low) + " to " + format_number(high);
+    const std::string least = std::string(low_open ? " > " : " >= ") + format_number(low);
+    return std::isfinite(high) ? least + " and <= " + format_number(high) : least;
   }
 
-  /// For documentation: "> 0", "0 ... 1e+06"; "" when every number is allowed.
+  /// For documentation: "> 0", "> 0, <= 20", "0 ... 1e+06"; "" when every number is allowed.
   [[nodiscard]] std::string short_text() const {
     if (!std::isfinite(low)) return "";
-    if (std::isfinite(high)) return format_number(low) + " ... " + format_number(high);
-    return (low_open ? "> " : ">= ") + format_number(low);
+    if (std::isfinite(high) && !low_open) return format_number(low) + " ... " + format_number(high);
+    const std::string least = (low_open ? "> " : ">= ") + format_number(low);
+    return std::isfinite(high) ? least + ", <= " + format_number(high) : least;
   }
 };
 
@@ -80,7 +82,7 @@ inline void require_within(double value, const Range& range, const Subject& what
   const std::string low = format_number(range.low, value), high = format_number(range.high, value);
   if (range.allows_infinity) throw Error(given + "> " + low + ". Leave it at infinity for no limit.");
   if (std::isfinite(range.low) && std::isfinite(range.high))
-    throw Error(given + "between " + low + " and " + high + ".");
+    throw Error(given + (range.low_open ? "> " + low + " and <= " + high : "between " + low + " and " + high) + ".");
   if (std::isfinite(range.low)) throw Error(given + "a finite number " + (range.low_open ? "> " : ">= ") + low + ".");
   throw Error(given + "a finite number.");
 }
@@ -166,29 +168,6 @@ template <class S, class T>
   return range;
 }
 
-/// Checks every number of a struct against its range.
-/// @param prefix  text before the field's name in messages: "Spindle::"
-/// @throws Error naming the field, its unit, its value and the allowed range
-/// @realtime no allocation if every number is within its range
-template <Described S>
-void require_fields_within(const S& s, std::string_view prefix) {
-  for_each_field<S>([&](const auto& field) {
-    using T = typename std::remove_cvref_t<decltype(field)>::Type;
-    const auto check = [&](double number) {
-      if (!field.range.contains(number))
-        require_within(number, field.range,
-                       {Name(std::string(prefix) + field.name), " [" + std::string(field.unit) + "]"});
-    };
-    if constexpr (kIsNumber<T>) {
-      check(double(s.*field.member));
-    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
-      if (s.*field.member) check(*(s.*field.member));
-    } else if constexpr (requires(const T& vector) { vector.x() + vector.y() + vector.z(); }) {
-      for (const double number : {(s.*field.member).x(), (s.*field.member).y(), (s.*field.member).z()}) check(number);
-    }
-  });
-}
-
 /// One value of an enumeration and the word for it in files, on the command line and in Python.
 template <class E>
 struct Named {
@@ -229,6 +208,33 @@ template <NamedEnum E>
   std::string list;
   for (const Named<E>& one : names_of(Of<E>{})) list += (list.empty() ? "" : ", ") + std::string(one.name);
   return list;
+}
+
+/// Checks every number of a struct against its range, and every choice against the names of its enumeration.
+/// @param prefix  text before the field's name in messages: "Spindle::"
+/// @throws Error naming the field, its unit, its value and what is allowed
+/// @realtime no allocation if every field is as allowed
+template <Described S>
+void require_fields_within(const S& s, std::string_view prefix) {
+  for_each_field<S>([&](const auto& field) {
+    using T = typename std::remove_cvref_t<decltype(field)>::Type;
+    const auto check = [&](double number) {
+      if (!field.range.contains(number))
+        require_within(number, field.range,
+                       {Name(std::string(prefix) + field.name), " [" + std::string(field.unit) + "]"});
+    };
+    if constexpr (kIsNumber<T>) {
+      check(double(s.*field.member));
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      if (s.*field.member) check(*(s.*field.member));
+    } else if constexpr (requires(const T& vector) { vector.x() + vector.y() + vector.z(); }) {
+      for (const double number : {(s.*field.member).x(), (s.*field.member).y(), (s.*field.member).z()}) check(number);
+    } else if constexpr (NamedEnum<T>) {
+      if (name_or_null(s.*field.member) == nullptr)
+        throw Error(Name(std::string(prefix) + field.name) + " = " + std::to_string(int(s.*field.member)) +
+                    "; must be one of: " + list_of_names<T>() + ".");
+    }
+  });
 }
 
 /// Calls `visit(bit, name)` for each bit of an enumeration of bits.

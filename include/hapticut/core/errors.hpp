@@ -97,8 +97,10 @@ inline void require_metres(double value, double limit, const Subject& what) {
                 ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
-inline constexpr double kMaxHeadReach = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
-inline constexpr double kMaxFeed = 0.5;       ///< [m/s] feed of a cutting head; larger ones were meant in mm/s
+inline constexpr double kMaxVoxelSize = 0.02;  ///< [m] larger ones were meant in mm
+inline constexpr double kMaxHeadReach = 0.3;   ///< [m] reach of a head; larger ones were meant in mm
+inline constexpr double kMaxHandleReach = 5;   ///< [m] from hand to head; longer ones were meant in mm
+inline constexpr double kMaxFeed = 0.5;        ///< [m/s] feed of a cutting head; larger ones were meant in mm/s
 
 /// Throws unless a feed [m/s] is positive and at most kMaxFeed.
 inline void require_feed(double value, const Subject& what) {

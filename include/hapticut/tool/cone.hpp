@@ -34,8 +34,8 @@ struct ConeHead {
   /// @throws Error if the half angle is pi/2
   void validate() const {
     if (!(half_angle < units::kPi / 2))
-      throw Error("ConeHead::half_angle"_name + " = " + format_number(half_angle) +
-                  " rad; must be less than pi/2. Give half of the opening angle, in radians.");
+      throw Error("ConeHead::half_angle"_name + " is " + format_number(half_angle / units::deg) +
+                  " deg; must be less than 90 deg (pi/2). Give half of the opening angle.");
   }
 };
 

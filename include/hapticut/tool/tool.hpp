@@ -43,7 +43,6 @@ class Tool {
     validate(spindle_);
     validate(cutter_);
     cutter_.lips = lips_of(cutter_);
-    constexpr double kMaxHandleReach = 5;  // [m]
     require_metres(head_.reach(), kMaxHeadReach, "reach of the head [m]");
     require_metres(X_HT_.translation.norm(), kMaxHandleReach, "length of the handle [m]");
   }

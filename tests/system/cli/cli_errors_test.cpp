@@ -53,6 +53,11 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
 TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
   expect("drill --radius_mm 2mm", kWrongUsage, "--radius_mm 2mm: must be a number > 0");
   expect("drill --spindle_rpm 1e7", kWrongUsage, "must be a number from -1e+06 to 1e+06");
+  expect("drill --voxel_mm 100", kWrongUsage, "--voxel_mm 100: must be a number > 0 and <= 20");
+  expect("drill --radius_mm 1000", kWrongUsage, "--radius_mm 1000: must be a number > 0 and <= 300");
+  expect("drill --handle_length_mm 1e5", kWrongUsage, "--handle_length_mm 1e5: must be a number from 0 to 5000");
+  expect("drill " + kBlock + kLine + "--spindle_rpm 1000 --head cone --half_angle_deg 90 --height_mm 1", kFailed,
+         "--half_angle_deg is 90 deg; must be less than 90 deg (pi/2)");
   expect("drill --grey bone=1", kWrongUsage, "--grey bone=1: must be MATERIAL=FROM:TO");
   expect("drill --radius_mm", kWrongUsage, "--radius_mm");
   expect("validate --only a --only b", kWrongUsage, "--only is given 2 times; give it once.");

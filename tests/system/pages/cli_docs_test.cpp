@@ -41,13 +41,15 @@ std::string default_in(const std::string& meaning) {
   return meaning.substr(open + 2, meaning.size() - open - 3);
 }
 
-/// The allowed values as the tables of the page write them: "a number from 0 to 90" -> "0 ... 90".
+/// The allowed values as the tables of the page write them: "a number from 0 to 90" -> "0 ... 90", "a number > 0 and <=
+/// 20" -> "> 0, <= 20".
 std::string shortened(const std::string& allowed) {
   if (allowed == "a text that is not empty") return "text";
   if (allowed == "true or false") return "true, false";
   if (allowed == "a number") return "number";
   std::string text = allowed.substr(0, allowed.find(", where"));
   text = std::regex_replace(text, std::regex(R"(^a number from (\S+) to (\S+)$)"), "$1 ... $2");
+  text = std::regex_replace(text, std::regex(R"(^a number (> \S+) and (<= \S+)$)"), "$1, $2");
   text = std::regex_replace(text, std::regex(R"(^(?:a|a list of) whole numbers? from (\S+) to (\S+)$)"),
                             "whole, $1 ... $2");
   return std::regex_replace(text, std::regex("^(a number|one of) "), "");

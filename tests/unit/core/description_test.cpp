@@ -183,6 +183,7 @@ TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
   EXPECT_EQ(refusal(2.5, Range::between(-1, 2)), "x [m] = 2.5; must be between -1 and 2.");
   EXPECT_EQ(refusal(infinity, Range::limit()), "");
   EXPECT_EQ(refusal(0, Range::limit()), "x [m] = 0; must be > 0. Leave it at infinity for no limit.");
+  EXPECT_EQ(refusal(0, {0, 20, true}), "x [m] = 0; must be > 0 and <= 20.");
   for (const Range& range : {Range::any(), Range::positive(), Range::not_negative(), Range::between(0, 1)}) {
     EXPECT_NE(refusal(infinity, range), "");
     EXPECT_NE(refusal(nan, range), "");
@@ -195,6 +196,8 @@ TEST(RangeOfAField, IncludesItsEndsAsDescribed) {
 TEST(RangeOfAField, ReadsAsASentence) {
   EXPECT_EQ(Range::positive().text(), "a number > 0");
   EXPECT_EQ(Range::between(0, 1e6).text(), "a number from 0 to 1e+06");
+  EXPECT_EQ((Range{0, 20, true}).text(), "a number > 0 and <= 20");
+  EXPECT_EQ((Range{0, 20, true}).short_text(), "> 0, <= 20");
   EXPECT_EQ(Range::any().text(), "a number");
   EXPECT_EQ(Range::not_negative().short_text(), ">= 0");
   EXPECT_EQ(Range::between(0, 1e6).short_text(), "0 ... 1e+06");
