@@ -52,6 +52,17 @@ function(hapticut_library name)
     DEFINE_SYMBOL "")  # all symbols are visible, and static and shared libraries have the same objects
 endfunction()
 
+# hapticut_place_of_program(source target): tells a source where the program of a target is, in the build and after the
+# installation. Only such a source contains the path of the build folder; ccache can share all others between clones.
+function(hapticut_place_of_program source target)
+  set(built "")
+  if(TARGET ${target})
+    set(built "$<TARGET_FILE:${target}>")
+  endif()
+  set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS
+    HAPTICUT_PROGRAMS_INSTALLED="${CMAKE_INSTALL_FULL_LIBEXECDIR}/hapticut/" HAPTICUT_PROGRAM_BUILT="${built}")
+endfunction()
+
 # Compile options of the project's targets. They do not affect users' code.
 add_library(hapticut_build_flags INTERFACE)
 target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)

@@ -23,8 +23,6 @@ struct ChildProgram {
   const char* unbuilt;    ///< continues it when the program was not built: ", which needs ITK"
   const char* otherwise;  ///< ends the message: ", or save the file uncompressed"; may be empty
 };
-extern const ChildProgram kDecoder;          ///< unpacks compressed DICOM pictures
-extern const ChildProgram kRecordingReader;  ///< reads recordings
 
 /// A child process for reading code that a damaged file can crash: the child dies, and this process reports an error.
 /// Its side is `child::serve`. The child ends with this object. docs/decisions/0011-readers.md explains why it is not a

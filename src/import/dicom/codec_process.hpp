@@ -9,6 +9,8 @@
 
 namespace hapticut {
 
+extern const ChildProgram kDecoder;
+
 /// Unpacks compressed pictures in a child process, because damaged data can crash the codecs. The child starts at the
 /// first frame and ends with this object; docs/decisions/0011-readers.md explains why it is not a fork.
 class CodecProcess {

@@ -11,6 +11,8 @@
 
 namespace hapticut {
 
+extern const ChildProgram kRecordingReader;
+
 /// Reads a recording through the program `hapticut-recording-reader`, so a malicious file can crash only that program.
 /// The program runs as long as this object, unless the file crashes it; then all functions throw. Several threads may
 /// call the functions; the calls run one after the other.
