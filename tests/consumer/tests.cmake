@@ -70,11 +70,12 @@ if(NOT BUILD_SHARED_LIBS)
     OPTIONS -DCMAKE_UNITY_BUILD=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0)
   hapticut_configuration_test(AsSharedCoreAlone WITHOUT ${all} OPTIONS -DBUILD_SHARED_LIBS=ON)
 endif()
-# Each component is configured, built and tested with nothing but what it needs.
-function(hapticut_alone_test name folder)
+# Each component is configured, built and tested with nothing but what it needs; the components that come with the core,
+# together.
+function(hapticut_alone_test name folders)
   list(JOIN ARGN "," parts)
-  add_test(NAME Package.Has${name}ThatStandsAlone COMMAND "${CMAKE_COMMAND}" "-DPARTS=${parts}" -DFOLDER=${folder}
-    "-DKERNELS=${HAPTICUT_KERNELS}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DBUILD=${PROJECT_BINARY_DIR}/../alone_${folder}"
+  add_test(NAME Package.Has${name}ThatStandsAlone COMMAND "${CMAKE_COMMAND}" "-DPARTS=${parts}" "-DFOLDERS=${folders}"
+    "-DKERNELS=${HAPTICUT_KERNELS}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DBUILD=${PROJECT_BINARY_DIR}/../alone_${name}"
     "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
     -P "${PROJECT_SOURCE_DIR}/tests/consumer/alone.cmake")
   set_tests_properties(Package.Has${name}ThatStandsAlone PROPERTIES LABELS "package;slow" TIMEOUT 1800 RUN_SERIAL ON)
@@ -85,7 +86,8 @@ if(NOT BUILD_SHARED_LIBS)
   hapticut_alone_test(Settings settings SETTINGS)
   hapticut_alone_test(C c C)
   hapticut_alone_test(View view VIEW)
-  hapticut_alone_test(HeatWithTheCore heat)
+  list(JOIN HAPTICUT_COMPONENTS_WITH_CORE "," with_core)
+  hapticut_alone_test(Core "${with_core}")
   foreach(driver IN LISTS HAPTICUT_DRIVERS)
     get_filename_component(folder "${driver}" NAME)
     string(REPLACE "_" ";" words "${folder}")
