@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks that the rows, files and headings that the repository cites exist.
 
-    cited.py closed_forms|files [--root FOLDER]
+    cited.py closed_forms|files|names [--root FOLDER]
 
 closed_forms  each cited closed form (C1) and defect (D1) has a row in docs/model.md; a range "C1 ... C9" ends with the
               last closed form; each row of a closed form names its functions of include/hapticut/closed_forms; each
               cited measurement (B1a, DC4) has a source in docs/validation.md
 files         each file exists that a comment or a page names by its path in the repository; each page and heading
               exists that a page links to; README.md names no engine without a folder in bindings
+names         each name in backticks in docs/decisions, e.g. `Simulation::step`, stands in the code or on another page
 """
 import argparse
 import re
@@ -30,6 +31,10 @@ LINK = re.compile(r"\]\(([^)#:\s]*)(?:#([^)\s]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.M)
 ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")
 A_LANGUAGE = "C99"  # not a closed form
+IN_BACKTICKS = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")
+NAME = re.compile(r"[A-Za-z_]\w{4,}")
+DECISIONS = "docs/decisions"
+GIVEN_BY_TOOLS = {"__FILE__", "CMAKE_UNITY_BUILD"}
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
 
 
@@ -107,13 +112,30 @@ def check_files(root: Path) -> tuple[list[str], int]:
     return wrong, cited
 
 
+def check_names(root: Path) -> tuple[list[str], int]:
+    known = set(GIVEN_BY_TOOLS)
+    for path, text in texts(root):
+        if not path.is_relative_to(DECISIONS) and path.name != "CHANGELOG.md":
+            known |= {path.stem} | set(NAME.findall(text))
+    wrong, cited = [], 0
+    for path, text in texts(root):
+        for found in IN_BACKTICKS.finditer(text) if path.is_relative_to(DECISIONS) else ():
+            for name in NAME.findall(found[1]):
+                cited += 1
+                if name not in known:
+                    wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which stands nowhere in the code")
+    return wrong, cited
+
+
+CHECKS = {"closed_forms": check_closed_forms, "files": check_files, "names": check_names}
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("what", choices=("closed_forms", "files"))
+    parser.add_argument("what", choices=CHECKS)
     parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
     options = parser.parse_args()
-    check = check_closed_forms if options.what == "closed_forms" else check_files
-    wrong, cited = check(options.root)
+    wrong, cited = CHECKS[options.what](options.root)
     if cited < 100:
         wrong.append(f"only {cited} citations were found: the search for them is broken")
     for sentence in wrong:
