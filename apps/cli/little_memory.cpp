@@ -12,7 +12,7 @@
 
 #include "core/lack_of_memory.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr std::size_t kReserve = std::size_t(16) << 20U;  // [bytes] address space alone: its pages are never touched
@@ -58,4 +58,4 @@ void prepare_for_little_memory() {
   usual_end = std::set_terminate(on_terminate);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// What the program says when memory runs out.
 inline constexpr const char* kNoMemory =
@@ -15,4 +15,4 @@ inline constexpr const char* kNoMemory =
 /// sentence, unless a device runs: then the crash handlers of the loop stop its motors.
 void prepare_for_little_memory();
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -22,7 +22,7 @@
 #include "reports/flag_words.hpp"
 #include "settings/settings_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -209,20 +209,20 @@ int main_with(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps
 
 int main(int argc, char** argv) {
-  hapticut::cli::prepare_for_little_memory();
+  hapticut::apps::prepare_for_little_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit then becomes a write error
   std::signal(SIGPIPE, SIG_IGN);  // so does a reader that has gone, and the other outputs are still written
-  int code = hapticut::cli::kFailed;
+  int code = hapticut::apps::kFailed;
   try {
-    code = hapticut::cli::main_with(argc, argv);
-    hapticut::cli::print_on_stdout("");    // flushes what others have printed, e.g. the help
+    code = hapticut::apps::main_with(argc, argv);
+    hapticut::apps::print_on_stdout("");   // flushes what others have printed, e.g. the help
   } catch (const std::exception& error) {  // also out of memory while parsing the arguments
     std::fprintf(stderr, "hapticut: %s\n",
-                 hapticut::is_lack_of_memory(error) ? hapticut::cli::kNoMemory : error.what());
-    if (code == 0) code = hapticut::cli::kFailed;
+                 hapticut::is_lack_of_memory(error) ? hapticut::apps::kNoMemory : error.what());
+    if (code == 0) code = hapticut::apps::kFailed;
   } catch (...) {
     std::fputs("hapticut: failed for an unknown reason.\n", stderr);
   }

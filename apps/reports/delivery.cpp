@@ -14,7 +14,7 @@
 #include "reports/flag_words.hpp"
 #include "reports/json_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 void tell_error(const std::string& message) {
   const char* const erase_bar = ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
@@ -109,4 +109,4 @@ void Delivery::finish() const {
   if (failed_) throw AlreadyTold();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

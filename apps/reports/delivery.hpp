@@ -9,7 +9,7 @@
 
 /// @file
 /// Standard output and the output files of a command. One that fails does not take the others with it.
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// The name that stands for standard output instead of a file.
 inline constexpr const char* kStandardOutput = "-";
@@ -68,4 +68,4 @@ class Delivery {
   std::set<std::string> failed_files_;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -9,7 +9,7 @@
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -112,4 +112,4 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
   return result;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -10,7 +10,7 @@
 #include "hapticut/settings/motion.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// One row of the per-step file.
 struct StepRow {
@@ -57,4 +57,4 @@ struct DrillResult {
 /// @throws Error when the motion needs more than ten million steps
 [[nodiscard]] DrillResult drill(Simulation& simulation, const settings::Motion& motion, double rate, bool keep_rows);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// @param component  missing component: "io"
 /// @param what       what cannot be done: "'a.h5' cannot be read"
@@ -17,4 +17,4 @@ namespace hapticut::cli {
               option + "=ON.");
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -8,7 +8,7 @@
 #include "hapticut/core/errors.hpp"
 #include "settings/names.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 struct Word {
@@ -62,4 +62,4 @@ std::string in_words_of_flags(const std::exception& error) {
   return of_library == nullptr ? error.what() : of_library->sentence().written(word_for);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -7,7 +7,7 @@
 #include "io/atomic_file.hpp"
 #include "reports/delivery.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 Json build_json() {
   const BuildInfo build = build_info();
@@ -36,4 +36,4 @@ settings::Setting json_setting(std::string& file) {
   return settings::path("output.json", "--json", file, "report in JSON; -: to standard output", {kStandardOutput});
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -8,7 +8,7 @@
 
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 class Delivery;
 
@@ -28,4 +28,4 @@ void write_json(Delivery& delivery, const std::string& file, const Json& report)
 /// @throws Error that names the file
 void require_writable(const std::filesystem::path& path);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

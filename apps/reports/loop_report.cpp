@@ -6,7 +6,7 @@
 #include "hapticut/core/units.hpp"
 #include "reports/table.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr double kMicrosecond = 1e-6;
@@ -168,4 +168,4 @@ std::string to_table(const LoopReport& r) {
   return table.text();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -7,7 +7,7 @@
 #include "reports/json_file.hpp"
 #include "reports/report.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// Data of a loop that a screen received.
 struct LoopWatch {
@@ -33,4 +33,4 @@ struct LoopReport {
 [[nodiscard]] Json to_json(const LoopReport& report);
 [[nodiscard]] std::string to_table(const LoopReport& report);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -21,7 +21,7 @@
 #include "io/picture/blank_picture.hpp"
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -187,4 +187,4 @@ void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
   print_on_stdout(text.str());
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

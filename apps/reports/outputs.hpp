@@ -9,7 +9,7 @@
 #include "reports/drill.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// `[output]` of a settings file: the files that a run writes. Empty: no file.
 struct OutputSettings {
@@ -55,4 +55,4 @@ void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece)
 /// Writes one line per step. The poses are those of the head; a path of poses with `point = "head"` can read them.
 void write_steps(const std::string& path, const std::vector<StepRow>& rows);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

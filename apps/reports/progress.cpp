@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 using std::chrono::steady_clock;
@@ -81,4 +81,4 @@ void ProgressBar::wipe() {
   if (std::exchange(drawn_, false)) std::fputs("\r\033[K", stderr);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

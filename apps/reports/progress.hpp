@@ -11,7 +11,7 @@
 
 #include "settings/workpiece_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A progress bar on stderr, drawn immediately and erased when the work is done. Without a terminal it draws nothing. A
 /// separate thread redraws it, so it continues during one long call.
@@ -56,4 +56,4 @@ auto with_bar(const std::string& source, const Make& make) {
   return make();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

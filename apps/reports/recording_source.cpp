@@ -11,7 +11,7 @@
 #include "hapticut/io/recording/recorder.hpp"
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 #ifdef HAPTICUT_HAS_IO
 namespace {
@@ -70,4 +70,4 @@ void RunRecorder::require_complete() const {
   if (!failure_.empty()) throw Error(failure_);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

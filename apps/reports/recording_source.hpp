@@ -10,7 +10,7 @@
 
 /// @file
 /// Recordings for the subcommands, in programs with and without the io component.
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// Whether a hand makes the steps. A hand must not wait for the disk.
 enum class Pace { own, of_a_hand };
@@ -51,4 +51,4 @@ class RunRecorder {
 /// Registers the device `replay:FILE` if this program can read recordings.
 void use_recordings_if_possible();
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

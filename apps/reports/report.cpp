@@ -7,7 +7,7 @@
 #include "loop/hand_map.hpp"
 #include "reports/table.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr int kFewMaterials = 16;  // up to this number, uncut materials are listed too
@@ -185,4 +185,4 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   return table.text();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

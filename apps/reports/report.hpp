@@ -8,7 +8,7 @@
 #include "reports/drill.hpp"
 #include "reports/json_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A workpiece before cutting.
 struct WorkpieceSummary {
@@ -63,4 +63,4 @@ struct DrillReport {
 [[nodiscard]] Json to_json(const DrillReport& report, const DrillResult& result, const Simulation& simulation);
 [[nodiscard]] std::string to_table(const DrillReport& report, const DrillResult& result, const Simulation& simulation);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

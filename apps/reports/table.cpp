@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 std::string Table::text() const {
   std::size_t width = 0;
@@ -28,4 +28,4 @@ std::string bytes(std::size_t count) {
   return n < 1e9 ? rounded(n / 1e6, 3) + " MB" : rounded(n / 1e9, 3) + " GB";
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A text table with two columns.
 class Table {
@@ -26,4 +26,4 @@ class Table {
 /// `12.3 kB`, `4.5 MB`.
 [[nodiscard]] std::string bytes(std::size_t count);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr double kMaxClosure = 0.01;  // [1] above it, energies and forces are inconsistent
@@ -68,4 +68,4 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   return warnings;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

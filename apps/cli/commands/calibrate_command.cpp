@@ -15,7 +15,7 @@
 #include "reports/table.hpp"
 #include "settings/csv_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -147,4 +147,4 @@ Command calibrate_command() {
           [settings] { run_calibrate(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

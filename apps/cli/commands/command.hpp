@@ -8,7 +8,7 @@
 
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A subcommand of the program: a function in <name>_command.cpp, declared and listed below. A command that makes a
 /// workpiece calls `tell_on_stderr` for its settings and makes the workpiece in `with_bar`. A command that writes
@@ -40,4 +40,4 @@ struct Command {
           loop_command(),  replay_command(),  export_command(),  stability_command(), view_command()};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -7,7 +7,7 @@
 #include "reports/progress.hpp"
 #include "settings/workpiece_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -43,4 +43,4 @@ Command convert_command() {
           [settings] { run_convert(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -4,11 +4,11 @@
 #include "device/use_maker_devices.hpp"
 #include "reports/recording_source.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 void use_all_devices() {
   use_recordings_if_possible();
   use_maker_devices();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

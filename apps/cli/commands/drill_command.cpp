@@ -9,7 +9,7 @@
 #include "reports/report.hpp"
 #include "settings/scene_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -67,4 +67,4 @@ Command drill_command() {
           [settings] { run_drill(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

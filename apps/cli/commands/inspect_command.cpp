@@ -14,7 +14,7 @@
 #include "settings/volume_source.hpp"
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -155,4 +155,4 @@ Command inspect_command() {
           [settings] { run_inspect(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

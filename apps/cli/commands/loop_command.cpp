@@ -22,7 +22,7 @@
 #include "settings/tool_settings.hpp"
 #include "settings/workpiece_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -195,4 +195,4 @@ Command loop_command() {
           {"path"}};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

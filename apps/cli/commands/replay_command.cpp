@@ -20,7 +20,7 @@
 #endif
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -163,4 +163,4 @@ Command export_command() {
           }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

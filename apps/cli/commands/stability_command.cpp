@@ -23,7 +23,7 @@
 #include "reports/progress.hpp"
 #include "reports/table.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 namespace {
@@ -241,4 +241,4 @@ Command stability_command() {
           [settings] { run_stability(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 std::atomic<int> last_signal{0};
@@ -32,4 +32,4 @@ StopSignals::~StopSignals() {
 
 int StopSignals::came() noexcept { return last_signal.load(); }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -4,7 +4,7 @@
 #include <array>
 #include <csignal>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are stored and do not end the program, so it can end a run and
 /// write its report. A running device handles them first and passes them on when its force is zero. Only one object may
@@ -24,4 +24,4 @@ class StopSignals {
   std::array<struct sigaction, kSignals.size()> before_{};
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

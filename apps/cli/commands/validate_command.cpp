@@ -16,7 +16,7 @@
 #include "reports/progress.hpp"
 #include "reports/table.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -129,4 +129,4 @@ Command validate_command() {
       [settings] { run_validate(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -24,7 +24,7 @@
 #endif
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -126,4 +126,4 @@ Command view_command() {
       [settings] { run_view(*settings); }};
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -3,9 +3,9 @@
 
 #include "loop/hand_map.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using hapticut::map_above;
 using hapticut::Up;
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

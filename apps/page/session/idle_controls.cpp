@@ -8,7 +8,7 @@
 #include "page/session/material_numbers.hpp"
 #include "page/session/view_controls.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr double kHandSpeed = 5e-3;  // [m/s] speed of a careful hand
@@ -93,4 +93,4 @@ std::string ViewControls::why_idle(double Material::*number, const Material& mat
   return "";
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

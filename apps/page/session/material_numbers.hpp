@@ -5,7 +5,7 @@
 
 #include "hapticut/workpiece/material.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 inline constexpr int kShownMaterials = 15;
 
@@ -29,4 +29,4 @@ inline constexpr int kIdsOfAMaterial = 10;
 inline constexpr int kDynamicFriction = 5;  // place in the list
 static_assert(std::size(kMaterialNumbers) <= kIdsOfAMaterial);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

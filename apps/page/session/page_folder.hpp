@@ -5,7 +5,7 @@
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// Folder of the built page, relative to the program in a build tree or an installation.
 /// @param given  if not empty, this folder
@@ -26,4 +26,4 @@ namespace hapticut::cli {
       "and install again; or set --page to the folder of a built page.");
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 
 #include "hapticut/force/effects/output_limits.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr double kFollow = 10e-3;       // [s] time constant
@@ -81,4 +81,4 @@ bool PointerHand::read(DeviceState& state) noexcept {
   return true;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 #include "hapticut/realtime/triple_buffer.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A device whose hand is the pointer of a page. Its base is the world and its stylus the head of the tool, so the tip
 /// follows the pointer for any handle.
@@ -48,4 +48,4 @@ class PointerHand final : public PolledDevice {
   std::uint64_t tick_ = 0;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

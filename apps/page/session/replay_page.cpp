@@ -16,7 +16,7 @@
 #include "page/session/view_session.hpp"
 #include "reports/progress.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 constexpr double kPicture = 1.0 / 30;  // [s]
@@ -212,4 +212,4 @@ void write_replay_folder(const Recording& recording, const std::filesystem::path
   write_text(folder / "recording.bin", stream.data(), stream.size());
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

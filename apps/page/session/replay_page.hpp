@@ -8,7 +8,7 @@
 #include "hapticut/io/recording/recording.hpp"
 #include "hapticut/view/protocol.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// The messages that a server would have sent during a recording: "HCRP", version (uint32: 1), then for each message
 /// its time (float64, s), its length (uint32) and its bytes. Compressed by gzip. Replays the steps, with thirty
@@ -28,4 +28,4 @@ void write_replay_page(const Recording& recording, const std::filesystem::path& 
 void write_replay_folder(const Recording& recording, const std::filesystem::path& page,
                          const std::filesystem::path& folder);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

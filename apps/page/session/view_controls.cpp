@@ -11,7 +11,7 @@
 #include "page/session/material_numbers.hpp"
 #include "page/session/watched_model.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 std::string names_of_heads() {
@@ -294,4 +294,4 @@ Tool ViewControls::tool() const {
   return Tool(std::move(its_head), handle, spindle, cutter);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

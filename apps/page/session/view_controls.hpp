@@ -11,7 +11,7 @@
 #include "hapticut/view/protocol.hpp"
 #include "hapticut/workpiece/material.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// Effect of a changed control on the loop.
 enum class Change : std::uint8_t { none, haptics, removal, spindle, tool, materials, effects, restart, reset, record };
@@ -113,4 +113,4 @@ class ViewControls {
   Tool tool_;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -11,7 +11,7 @@
 #include "settings/scene_settings.hpp"
 #include "settings/settings_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 using namespace settings;
 
@@ -129,4 +129,4 @@ Pose start_pose(const ViewScene& scene) {
   return X_WT;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

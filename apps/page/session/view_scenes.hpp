@@ -7,7 +7,7 @@
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// A scene to drill by hand.
 struct ViewScene {
@@ -26,4 +26,4 @@ struct ViewScene {
 /// Initial pose of the tool: above the centre of the workpiece, along its axis.
 [[nodiscard]] Pose start_pose(const ViewScene& scene);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -13,7 +13,7 @@
 #include "page/session/hand_map.hpp"
 #include "reports/flag_words.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -383,4 +383,4 @@ void ViewSession::send_guard_notice() {
   }
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -15,7 +15,7 @@
 #include "page/session/watched_model.hpp"
 #include "reports/recording_source.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// An error as a sentence for a page. Messages of the program begin with a small letter.
 [[nodiscard]] std::string as_sentence(const std::exception& error);
@@ -122,4 +122,4 @@ class ViewSession {
        controls_outdated_ = false, is_looked_at_ = false;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -97,4 +97,4 @@ void Viewer::replace(std::unique_ptr<ViewSession> next) {
   session_->begin(has_writer_);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

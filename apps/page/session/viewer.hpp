@@ -9,7 +9,7 @@
 
 #include "page/session/view_session.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// Forwards urgent commands from a page to the motors without waiting: Stop, and the loss of the page that moves the
 /// tool. For any thread.
@@ -68,4 +68,4 @@ class Viewer {
   std::future<std::unique_ptr<ViewSession>> loading_;  // its destructor waits
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

@@ -10,7 +10,7 @@
 #include "hapticut/realtime/triple_buffer.hpp"
 #include "hapticut/view/protocol.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::apps {
 
 /// State of the model that the controls of a page change.
 struct ModelSettings {
@@ -134,4 +134,4 @@ class WatchedModel final : public LoopModel {
   std::array<std::atomic<double>, kMaterials> removed_{};
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::apps

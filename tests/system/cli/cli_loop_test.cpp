@@ -132,18 +132,18 @@ class LoopWarnings : public testing::Test {
   const Simulation simulation{
       build_block({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 2e-4, presets::cortical_bone()),
       Tool(SphereHead{1e-3}, RayHandle{2e-2}, Spindle{3000 * units::rad_per_s})};
-  cli::LoopReport report{cli::summarize("block", simulation.workpiece()), *device, simulation, true, {}, {}, 0};
+  apps::LoopReport report{apps::summarize("block", simulation.workpiece()), *device, simulation, true, {}, {}, 0};
 
   void expect_only(const std::string& part) {
-    ASSERT_EQ(cli::warnings_of(report).size(), 1U) << part;
-    EXPECT_NE(cli::warnings_of(report).front().find(part), std::string::npos) << cli::warnings_of(report).front();
+    ASSERT_EQ(apps::warnings_of(report).size(), 1U) << part;
+    EXPECT_NE(apps::warnings_of(report).front().find(part), std::string::npos) << apps::warnings_of(report).front();
   }
 };
 
 TEST_F(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
-  EXPECT_TRUE(cli::warnings_of(report).empty());
+  EXPECT_TRUE(apps::warnings_of(report).empty());
   report.seen.last.tool.status_seen = StepStatus::tool_waits;
-  EXPECT_TRUE(cli::warnings_of(report).empty()) << "the hand is free again";
+  EXPECT_TRUE(apps::warnings_of(report).empty()) << "the hand is free again";
   report.seen.last.tool.status = StepStatus::tool_waits;
   expect_only("at the end the hand was inside material");
 }
@@ -152,14 +152,14 @@ TEST_F(LoopWarnings, SayThatTheToolNeverTouched) {
   report.seen.last.tool.steps = 1000;
   expect_only("the tool never touched the workpiece; move loop.origin_mm");
   report.seen.last.tool.touched.insert(1);
-  EXPECT_TRUE(cli::warnings_of(report).empty());
+  EXPECT_TRUE(apps::warnings_of(report).empty());
 }
 
 TEST_F(LoopWarnings, SayThatManyTicksTookLongerThanTheirPeriod) {
   report.run.period = 1e-3;
   report.run.ticks = 1000;
   for (int n = 0; n < 1000; ++n) report.run.compute.add(n < 990 ? 0.5e-3 : 1.5e-3);
-  EXPECT_TRUE(cli::warnings_of(report).empty()) << "one of a hundred";
+  EXPECT_TRUE(apps::warnings_of(report).empty()) << "one of a hundred";
   report.run.compute.add(2e-3);
   expect_only("11 of 1000 ticks took longer than their period");
 }
@@ -168,7 +168,7 @@ TEST_F(LoopWarnings, BlameTheDiskForItsSpeedOnlyWhenTheRecordingCameToItsEnd) {
   report.steps_lost = 7;
   expect_only("too slow: 7 steps");
   report.recording_failure = "No space left on device.";
-  EXPECT_EQ(cli::warnings_of(report).front(),
+  EXPECT_EQ(apps::warnings_of(report).front(),
             "the recording failed early: 7 steps are missing in the recording. The reason: No space left on device.");
 }
 

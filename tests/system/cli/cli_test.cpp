@@ -48,7 +48,7 @@ TEST_F(Convert, KeepsAWorkpieceInVdb) {
 
 TEST_F(Program, HelpsAndSaysItsVersion) {
   std::vector<std::string> names = {""};
-  for (const cli::Command& command : cli::all_commands()) names.push_back(command.name + " ");
+  for (const apps::Command& command : apps::all_commands()) names.push_back(command.name + " ");
   for (const std::string& name : names) {
     const ProgramOutcome outcome = run(name + "--help");
     EXPECT_EQ(outcome.code, 0) << name;

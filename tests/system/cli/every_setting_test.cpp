@@ -29,7 +29,7 @@ const std::map<Kind, std::vector<std::string>>& wrong_texts() {
 
 TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
   std::size_t flags = 0;
-  for (const cli::Command& command : cli::all_commands())
+  for (const apps::Command& command : apps::all_commands())
     for (const Setting& setting : command.settings) {
       if (setting.flag.empty()) continue;
       ++flags;
@@ -74,7 +74,7 @@ void expect_refused_in_file(const std::vector<Setting>& all, const std::string& 
 }
 
 TEST(EverySetting, RefusesAValueOfAnotherTypeInAFileWithLineAndKey) {
-  for (const cli::Command& command : cli::all_commands())
+  for (const apps::Command& command : apps::all_commands())
     for (const Setting& setting : command.settings) expect_refused_in_file(command.settings, "", "", "", setting);
 }
 

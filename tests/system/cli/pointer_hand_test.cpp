@@ -14,7 +14,7 @@ using units::mm;
 const Box kAround{Vec3(-50, -50, -50) * mm, Vec3(50, 50, 50) * mm};
 
 /// The readings of the loop, tick by tick, without pressing.
-std::vector<DeviceState> read(cli::PointerHand& hand, int ticks) {
+std::vector<DeviceState> read(apps::PointerHand& hand, int ticks) {
   std::vector<DeviceState> states;
   RunOptions options;
   options.simulated_time = true;
@@ -32,13 +32,13 @@ std::vector<DeviceState> read(cli::PointerHand& hand, int ticks) {
 
 TEST(PointerHand, ComesToWhereThePointerIsNoFasterThanAHandThatWorks) {
   constexpr double kMaxSpeed = 0.2, kAngle = 0.5;  // [m/s], [rad]
-  cli::PointerHand hand(kAround);
+  apps::PointerHand hand(kAround);
   hand.put({});
   const Pose wanted{rotation_from_vector({0, kAngle, 0}), Vec3(20, -10, 5) * mm};
   hand.move_to(wanted, true);
   const std::vector<DeviceState> states = read(hand, 500);
   for (std::size_t n = 1; n < states.size(); ++n) {
-    ASSERT_TRUE(states[n].pressed(cli::PointerHand::kPress));
+    ASSERT_TRUE(states[n].pressed(apps::PointerHand::kPress));
     const double moved = (states[n].X_BS.translation - states[n - 1].X_BS.translation).norm();
     ASSERT_LE(moved, kMaxSpeed * 1e-3 * (1 + 1e-9));
     ASSERT_LE(states[n].velocity.linear.norm(), kMaxSpeed * (1 + 1e-9));
@@ -52,7 +52,7 @@ TEST(PointerHand, ComesToWhereThePointerIsNoFasterThanAHandThatWorks) {
 }
 
 TEST(PointerHand, StaysAroundTheWorkpiece) {
-  cli::PointerHand hand(kAround);
+  apps::PointerHand hand(kAround);
   hand.put({});
   hand.move_to(Pose::from_translation(Vec3(500, 0, 10) * mm), false);
   const Vec3 end = read(hand, 800).back().X_BS.translation;
@@ -60,12 +60,12 @@ TEST(PointerHand, StaysAroundTheWorkpiece) {
 }
 
 TEST(PointerHand, BeginsWhereItIsPut) {
-  cli::PointerHand hand(kAround);
+  apps::PointerHand hand(kAround);
   hand.move_to(Pose::from_translation(Vec3(9, 9, 9) * mm), true);
   hand.put(Pose::from_translation(Vec3(1, 2, 3) * mm));
   for (const DeviceState& state : read(hand, 20)) {
     EXPECT_LT((state.X_BS.translation - Vec3(1, 2, 3) * mm).norm(), 1e-12);
-    EXPECT_FALSE(state.pressed(cli::PointerHand::kPress));
+    EXPECT_FALSE(state.pressed(apps::PointerHand::kPress));
   }
 }
 

@@ -48,7 +48,7 @@ std::string unpacked(const std::vector<std::uint8_t>& gzip) {
 }
 
 std::vector<SentMessage> messages_in(const Recording& recording) {
-  const std::string bytes = unpacked(cli::replay_stream(recording));
+  const std::string bytes = unpacked(apps::replay_stream(recording));
   EXPECT_EQ(bytes.substr(0, 8), std::string("HCRP\1\0\0\0", 8));
   std::vector<SentMessage> messages;
   for (std::size_t at = 8; at < bytes.size();) {
@@ -151,11 +151,11 @@ TEST(ReplayPage, ThatCannotBeWrittenLeavesTheOlderOneAsItIs) {
   std::ofstream(folder / "index.html")
       << "<link rel=\"stylesheet\" href=\"page.css\"><script src=\"page.js\"></script>";
   const Recording recording = read_recording(test::record_scene(folder / "a.h5", kScene, 20));
-  cli::write_replay_page(recording, folder / "", folder / "a.html");
+  apps::write_replay_page(recording, folder / "", folder / "a.html");
   const std::string page = test::read_bytes(folder / "a.html");
   EXPECT_GT(page.size(), 1000U);
   const test::NoDiskSpace full;
-  EXPECT_THROW(cli::write_replay_page(recording, folder / "", folder / "a.html"), Error);
+  EXPECT_THROW(apps::write_replay_page(recording, folder / "", folder / "a.html"), Error);
   EXPECT_EQ(test::read_bytes(folder / "a.html"), page);
 }
 
@@ -200,7 +200,7 @@ class WrittenReplay : public testing::Test {
   [[nodiscard]] Recording recording() const { return read_recording(folder / "a.h5"); }
   void expect_refused(const std::string& reason) const {
     try {
-      cli::write_replay_page(recording(), folder / ".", folder / "a.html");
+      apps::write_replay_page(recording(), folder / ".", folder / "a.html");
       FAIL() << reason;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
@@ -210,7 +210,7 @@ class WrittenReplay : public testing::Test {
 };
 
 TEST_F(WrittenReplay, IsOnePageThatNeedsNothingElse) {
-  cli::write_replay_page(recording(), folder / ".", folder / "a.html");
+  apps::write_replay_page(recording(), folder / ".", folder / "a.html");
   const std::string html = test::read_bytes(folder / "a.html");
   EXPECT_NE(html.find("<style>body{}</style>"), std::string::npos);
   EXPECT_NE(html.find("const end = '<\\/script>';"), std::string::npos);  // does not end the element
@@ -219,13 +219,13 @@ TEST_F(WrittenReplay, IsOnePageThatNeedsNothingElse) {
   const std::size_t at = html.find(begin) + begin.size();
   // gzip begins with 1f 8b 08, and base64 takes three bytes for four digits.
   EXPECT_EQ(html.substr(at, 4), "H4sI");
-  EXPECT_EQ(html.find('<', at) - at, (cli::replay_stream(recording()).size() + 2) / 3 * 4);
+  EXPECT_EQ(html.find('<', at) - at, (apps::replay_stream(recording()).size() + 2) / 3 * 4);
 }
 
 TEST_F(WrittenReplay, IsAFolderForAServer) {
   std::filesystem::create_directory(folder / "out");
-  cli::write_replay_folder(recording(), folder / ".", folder / "out");
-  const std::vector<std::uint8_t> stream = cli::replay_stream(recording());
+  apps::write_replay_folder(recording(), folder / ".", folder / "out");
+  const std::vector<std::uint8_t> stream = apps::replay_stream(recording());
   EXPECT_EQ(test::read_bytes(folder / "out/recording.bin"), std::string(stream.begin(), stream.end()));
   EXPECT_NE(test::read_bytes(folder / "out/index.html").find("data-from=\"recording.bin\""), std::string::npos);
   for (const char* name : {"page.css", "page.js"})

@@ -13,7 +13,7 @@
 namespace hapticut::test {
 
 /// A block of bone below z = 0, and a ball of 1 mm.
-inline cli::ViewScene small_scene(const std::string& name) {
+inline apps::ViewScene small_scene(const std::string& name) {
   using units::mm;
   SimulationConfig config;
   config.contact_time = ContactTime::end;

@@ -23,15 +23,15 @@
 namespace hapticut::view_controls_test {
 namespace {
 
-using cli::Change;
-using cli::ViewControls;
+using apps::Change;
+using apps::ViewControls;
 using units::mm;
 using units::rpm;
 
 /// A model as in a loop, and the controls of a page that change it as in a session.
 struct Panel {
   test::scripted_loop::ScriptedLoop scripted{3000, true};
-  cli::WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
+  apps::WatchedModel watched{scripted.model, scripted.simulation, *scripted.device, 1e-3};
   ViewControls controls{scripted.simulation.tool(), scripted.simulation.workpiece().materials(),
                         scripted.simulation.config(), true};
 

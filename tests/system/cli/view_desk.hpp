@@ -18,7 +18,7 @@ namespace hapticut::test {
 
 /// A session with running frames, and a page that sends commands.
 struct Desk {
-  explicit Desk(cli::ViewScene scene = small_scene("block")) : session{std::move(scene), server, nullptr} {
+  explicit Desk(apps::ViewScene scene = small_scene("block")) : session{std::move(scene), server, nullptr} {
     session.begin(true);
   }
   /// Waits until the model has executed the commands and the force is on (without it the spindle stands), plus one
@@ -29,7 +29,7 @@ struct Desk {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   void turn(const std::string& label, double value) {
-    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
+    const apps::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())
       if (control.label == label) return session.apply(view::SetControl{control.id, value});
     ADD_FAILURE() << "there is no control " << label;
@@ -52,7 +52,7 @@ struct Desk {
     return session.simulation();
   }
   view::ViewServer server{{}};
-  cli::ViewSession session;
+  apps::ViewSession session;
 };
 
 }  // namespace hapticut::test

@@ -15,8 +15,8 @@
 namespace hapticut::view_scenes_test {
 namespace {
 
-using cli::make_view_scene;
-using cli::ViewScene;
+using apps::make_view_scene;
+using apps::ViewScene;
 using units::mm;
 
 Simulation simulation_of(const ViewScene& scene) { return {scene.workpiece.clone(), scene.tool, scene.config}; }
@@ -24,7 +24,7 @@ Simulation simulation_of(const ViewScene& scene) { return {scene.workpiece.clone
 /// Whether the tool starts in free air and meets material on its axis through the centre.
 void expect_ready_to_drill(const ViewScene& scene) {
   const Simulation simulation = simulation_of(scene);
-  Pose X_WT = cli::start_pose(scene);
+  Pose X_WT = apps::start_pose(scene);
   const auto touches = [&] { return simulation.touches(X_WT * scene.tool.X_HT().inverse()); };
   EXPECT_FALSE(touches()) << scene.name;
   EXPECT_LT((X_WT.rotation.col(2) - scene.axis).norm(), 1e-12) << scene.name;
@@ -46,7 +46,7 @@ TEST(ViewScenes, AreReadyToBeDrilled) {
 TEST(ViewScenes, OfClayIsFelt) {
   const ViewScene scene = make_view_scene("clay");
   Simulation simulation = simulation_of(scene);
-  Pose X_WT = cli::start_pose(scene);
+  Pose X_WT = apps::start_pose(scene);
   double felt = 0;  // [N]
   for (int tick = 0; tick < 10'000 && felt < 0.5; ++tick) {
     X_WT.translation -= 5e-6 * scene.axis;
@@ -111,7 +111,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   constexpr double kWanted = 3e-9, kMaxTrabecular = 0.2, kDt = 1e-3;
   const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, scene.tool.spindle());
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
-  Pose X_WT = cli::start_pose(scene);
+  Pose X_WT = apps::start_pose(scene);
   const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};
   const auto& removed = simulation.totals().removed_volume;
   for (int n = 0; n < 2000 && removed[1] + removed[2] < kWanted; ++n) {

@@ -20,7 +20,7 @@ using units::mm;
 using view_test::soon;
 
 TEST(ViewSession, BeginsASentenceWithACapitalButKeepsNames) {
-  const auto sentence = [](const char* text) { return cli::as_sentence(Error(text)); };
+  const auto sentence = [](const char* text) { return apps::as_sentence(Error(text)); };
   EXPECT_EQ(sentence("there is no scene"), "There is no scene");
   EXPECT_EQ(sentence("cannot, however"), "Cannot, however");
   for (const char* name :
@@ -100,7 +100,7 @@ TEST(ViewSession, InThesisModeCutsWithTheHeadsOfTheThesis) {
                       "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"clay\"\nvoxel_mm = 0.1\n"
                       "[simulation]\nthesis_mode = true\n[tool]\nspindle_rpm = 40000\nhead = " +
                           std::string(head) + "\n");
-    Desk desk(cli::make_view_scene(scene));
+    Desk desk(apps::make_view_scene(scene));
     desk.lead(Vec3(3, 3, 4) * mm, false);
     desk.lead(Vec3(3, 3, 2) * mm, true);
     EXPECT_GT(desk.session.latest().tool.removed_volume, 1e-10) << head;

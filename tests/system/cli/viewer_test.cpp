@@ -26,7 +26,7 @@ namespace hapticut::viewer_test {
 namespace {
 
 using namespace std::chrono_literals;
-using cli::ViewScene;
+using apps::ViewScene;
 using test::small_scene;
 using view_test::Bytes;
 using view_test::CommandKind;
@@ -40,7 +40,7 @@ constexpr int kTries = 20;       // number of tries; the best counts, because th
 /// Makes scenes. On request, a scene waits for a signal, and some scenes cannot be made.
 class Maker {
  public:
-  cli::Viewer::MakeScene function() {
+  apps::Viewer::MakeScene function() {
     return [this](const std::string& name) {
       ++made;
       std::unique_lock lock(mutex_);
@@ -67,7 +67,7 @@ class Maker {
 /// Runs frames in a separate thread, like the program.
 class Frames {
  public:
-  explicit Frames(cli::Viewer& viewer)
+  explicit Frames(apps::Viewer& viewer)
       : thread_([this, &viewer] {
           while (!ends_) {
             viewer.frame();
@@ -142,7 +142,7 @@ TEST(Viewer, ReleasesTheHandWhenALoadBeginsAndStopsOnRequestMeanwhile) {
   for (int n = 0; n < kTries && std::max(released, stopped) >= kSoonEnough; ++n) {
     Maker maker;
     const auto device = open_device("mock:rest");
-    cli::Viewer viewer("first", {}, device.get(), maker.function());
+    apps::Viewer viewer("first", {}, device.get(), maker.function());
     Page page(viewer.server());
     const Frames frames(viewer);
     ASSERT_TRUE(soon([&] { return has_ticks(*device); }));
@@ -169,7 +169,7 @@ TEST(Viewer, StopsOnRequestAndOnTheLossOfThePageInEveryState) {
     for (int n = 0; n < kTries && at_best >= kSoonEnough; ++n) {
       Maker maker;
       const auto device = open_device("mock:rest");
-      cli::Viewer viewer("first", {}, device.get(), maker.function());
+      apps::Viewer viewer("first", {}, device.get(), maker.function());
       auto page = std::make_unique<Page>(viewer.server());
       ASSERT_TRUE(page->read());
       ASSERT_TRUE(soon([&] { return has_ticks(*device); }));
@@ -184,7 +184,7 @@ TEST(Viewer, StopsOnRequestAndOnTheLossOfThePageInEveryState) {
 
 TEST(Viewer, AStopOfThePointerHoldsInTheNextScene) {
   Maker maker;
-  cli::Viewer viewer("first", {}, nullptr, maker.function());
+  apps::Viewer viewer("first", {}, nullptr, maker.function());
   Page page(viewer.server());
   const Frames frames(viewer);
   Listener listener(viewer.server());
@@ -202,7 +202,7 @@ TEST(Viewer, EndsWithoutAnErrorInEveryState) {
   // Each of these sequences once aborted the program.
   {
     Maker maker;
-    cli::Viewer viewer("first", {}, nullptr, maker.function());
+    apps::Viewer viewer("first", {}, nullptr, maker.function());
     {
       Page page(viewer.server());
       ASSERT_TRUE(page.read());
@@ -212,7 +212,7 @@ TEST(Viewer, EndsWithoutAnErrorInEveryState) {
   }
   {
     Maker maker;
-    cli::Viewer viewer("first", {}, nullptr, maker.function());
+    apps::Viewer viewer("first", {}, nullptr, maker.function());
     {
       Page page(viewer.server());
       ASSERT_TRUE(page.read());
@@ -228,7 +228,7 @@ TEST(Viewer, EndsWithoutAnErrorInEveryState) {
     MockOptions options;
     options.end = 0.05;  // then the device disconnects
     MockDevice device(options);
-    cli::Viewer viewer("first", {}, &device, maker.function());
+    apps::Viewer viewer("first", {}, &device, maker.function());
     ASSERT_TRUE(soon([&] { return viewer.frame(), !device.is_running(); }));
     viewer.frame();
     Page page(viewer.server());
@@ -240,7 +240,7 @@ TEST(Viewer, EndsWithoutAnErrorInEveryState) {
 TEST(Viewer, ASceneThatCannotBeMadeIsReportedOnceAndThePreviousOneContinues) {
   Maker maker;
   const auto device = open_device("mock:rest");
-  cli::Viewer viewer("first", {}, device.get(), maker.function());
+  apps::Viewer viewer("first", {}, device.get(), maker.function());
   Page page(viewer.server());
   {
     const Frames frames(viewer);
@@ -249,7 +249,7 @@ TEST(Viewer, ASceneThatCannotBeMadeIsReportedOnceAndThePreviousOneContinues) {
     EXPECT_TRUE(soon([&] { return listener.count("There is no scene 'none'") == 1; }));
     EXPECT_TRUE(soon([&] { return device->is_running(); })) << "the first scene continues";
     maker.broken = true;
-    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
+    const apps::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())
       if (control.label == "Restart") page.write(Bytes(CommandKind::set_control).add(control.id).add(1.0).bytes);
     EXPECT_TRUE(soon([&] { return listener.count("The file is gone") == 1; }));
@@ -261,7 +261,7 @@ TEST(Viewer, ASceneThatCannotBeMadeIsReportedOnceAndThePreviousOneContinues) {
 
 TEST(Viewer, ALoadWhileOneIsUnderWayIsRefusedInASentence) {
   Maker maker;
-  cli::Viewer viewer("first", {}, nullptr, maker.function());
+  apps::Viewer viewer("first", {}, nullptr, maker.function());
   Page page(viewer.server());
   const Frames frames(viewer);
   Listener listener(viewer.server());
@@ -277,7 +277,7 @@ TEST(Viewer, ALoadWhileOneIsUnderWayIsRefusedInASentence) {
 TEST(Viewer, ASceneWithoutAWriterStartsNoRun) {
   Maker maker;
   const auto device = open_device("mock:rest");
-  cli::Viewer viewer("first", {}, device.get(), maker.function());
+  apps::Viewer viewer("first", {}, device.get(), maker.function());
   const Frames frames(viewer);
   {
     Page page(viewer.server());

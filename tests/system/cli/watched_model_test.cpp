@@ -11,7 +11,7 @@
 namespace hapticut::watched_model_test {
 namespace {
 
-using cli::WatchedModel;
+using apps::WatchedModel;
 
 /// A ball that moves deeper into a block in each tick, and its recorded data.
 struct Cut {
@@ -91,7 +91,7 @@ TEST(WatchedModel, ReportsTheSettingsAfterCommands) {
   LoopCommand spindle = commands::SetSpindleSpeed{100 * units::rad_per_s}, gravity = commands::SetEffects{effects},
               removal = commands::SetRemoval{RemovalLaw::none};
   for (LoopCommand* command : {&spindle, &gravity, &removal}) EXPECT_TRUE(cut.watched.apply(*command));
-  const cli::ModelSettings& has = cut.watched.settings();
+  const apps::ModelSettings& has = cut.watched.settings();
   EXPECT_EQ(has.answered, 4U);
   EXPECT_EQ(has.spindle_speed, 100);
   EXPECT_EQ(has.effects.gravity->mass, 0.2);

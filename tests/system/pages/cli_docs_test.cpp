@@ -108,7 +108,7 @@ std::set<Row> rows_of_page(const std::set<std::string>& known) {
 
 TEST(CommandLinePage, ListsEverySettingWithItsFlagDefaultAndRange) {
   std::set<Row> expected;
-  for (const cli::Command& command : cli::all_commands())
+  for (const apps::Command& command : apps::all_commands())
     for (const settings::Setting& setting : command.settings) add_rows(setting, "", expected);
   ASSERT_GT(expected.size(), 80U);
   std::set<std::string> known;
@@ -124,7 +124,7 @@ TEST(CommandLinePage, BeginsWithEveryCommand) {
   std::set<std::string> found, expected;
   for (std::string line; std::getline(page, line) && line.rfind("## ", 0) != 0;)
     if (line.rfind("hapticut ", 0) == 0) found.insert(line.substr(9, line.find(' ', 9) - 9));
-  for (const cli::Command& command : cli::all_commands()) expected.insert(command.name);
+  for (const apps::Command& command : apps::all_commands()) expected.insert(command.name);
   EXPECT_EQ(found, expected);
 }
 
