@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # Configures, builds, installs and uses hapticut with some of its components off: library, C interface and program.
-#   cmake -DWITHOUT=part,... -DHIDDEN=part,... -DOPTIONS=-D...,... -DKERNELS=... -DSOURCE=... -DBUILD=...
+#   cmake -DWITHOUT=component,... -DHIDDEN=component,... -DOPTIONS=-D...,... -DKERNELS=... -DSOURCE=... -DBUILD=...
 #     -DCXX=... -DCC=... -DLAUNCHER=... -P configuration.cmake
 #
-# WITHOUT  parts whose option is OFF, e.g. IO,IMPORT,ITK,ASSIMP
-# HIDDEN   parts whose packages CMake does not find, as on a machine without them: their option is AUTO. A second
+# WITHOUT  components whose option is OFF, e.g. IO,IMPORT,ITK,ASSIMP
+# HIDDEN   components whose packages CMake does not find, as on a machine without them: their option is AUTO. A second
 #          configuration finds them, as after `apt-get install`.
 # OPTIONS  further options of the configuration
 # BUILD    build folder. It and KERNELS (HAPTICUT_KERNELS) are chosen so that ccache finds the objects of build/release.
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
-# must_have(part on|off): the last configuration reported the part so.
-function(must_have part state)
-  if(NOT output MATCHES "  ${part}: ${state} ")
-    message(FATAL_ERROR "the configuration does not report ${part}: ${state}\n${output}")
+# must_have(component on|off): the last configuration reported the component so.
+function(must_have component state)
+  if(NOT output MATCHES "  ${component}: ${state} ")
+    message(FATAL_ERROR "the configuration does not report ${component}: ${state}\n${output}")
   endif()
 endfunction()
 foreach(list WITHOUT HIDDEN OPTIONS)
@@ -25,25 +25,25 @@ set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
 set(hidden_folders "")
 set(options -DHAPTICUT_WITH_TESTS=OFF -DHAPTICUT_WITH_BENCHMARKS=OFF -DHAPTICUT_WITH_EXAMPLES=OFF
     "-DHAPTICUT_KERNELS=${KERNELS}" ${OPTIONS})
-foreach(part SIMD IO IMPORT ITK ASSIMP SETTINGS C VIEW CLI)
+foreach(component SIMD IO IMPORT ITK ASSIMP SETTINGS C VIEW CLI)
   set(value ON)
-  if(part IN_LIST HIDDEN)
+  if(component IN_LIST HIDDEN)
     set(value AUTO)
     set(places "")
-    string(TOLOWER "${part}" name)
+    string(TOLOWER "${component}" name)
     foreach(place /usr/lib/cmake /usr/lib/*/cmake /lib/cmake /lib/*/cmake)
-      list(APPEND places "${place}/${part}*" "${place}/${name}*")
+      list(APPEND places "${place}/${component}*" "${place}/${name}*")
     endforeach()
     file(GLOB folders ${places})
     list(APPEND hidden_folders ${folders})
-  elseif(part IN_LIST WITHOUT)
+  elseif(component IN_LIST WITHOUT)
     set(value OFF)
   endif()
-  set(has_${part} FALSE)
+  set(has_${component} FALSE)
   if(value STREQUAL "ON")
-    set(has_${part} TRUE)
+    set(has_${component} TRUE)
   endif()
-  list(APPEND options -DHAPTICUT_WITH_${part}=${value})
+  list(APPEND options -DHAPTICUT_WITH_${component}=${value})
 endforeach()
 
 # --- the build, and its installation ----------------------------------------------------------------------------------
@@ -54,15 +54,16 @@ file(WRITE "${hidden}" "set(CMAKE_IGNORE_PATH \"${hidden_folders}\" CACHE STRING
 set(configure "${CMAKE_COMMAND}" -S "${SOURCE}" --preset release -B "${BUILD}" "-DCMAKE_CXX_COMPILER=${CXX}"
     "-DCMAKE_C_COMPILER=${CC}" ${options})
 must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" ${configure} -C "${hidden}")
-foreach(part IN LISTS WITHOUT HIDDEN)
-  must_have(${part} off)
+foreach(component IN LISTS WITHOUT HIDDEN)
+  must_have(${component} off)
 endforeach()
 if(has_CLI)
   # As after scripts/demo.sh: only the program is built.
   must("${CMAKE_COMMAND}" --build "${BUILD}" -t hapticut_cli)
   run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
   if(code EQUAL 0 OR EXISTS "${prefix}" OR NOT output MATCHES "-t[^\n]* hapticut_heat")
-    message(FATAL_ERROR "an installation of a part must fail, write nothing and give the command that builds the rest:\n${output}")
+    message(FATAL_ERROR "an incomplete installation must fail, write nothing and give the command that builds "
+                        "the rest:\n${output}")
   endif()
 endif()
 must("${CMAKE_COMMAND}" --build "${BUILD}")
@@ -74,18 +75,18 @@ endif()
 
 # --- programs that use it ---------------------------------------------------------------------------------------------
 set(absent "")
-foreach(part IO IMPORT ITK ASSIMP C VIEW)
-  if(NOT has_${part})
-    string(TOLOWER "${part}" part)
-    list(APPEND absent "${part}")
+foreach(component IO IMPORT ITK ASSIMP C VIEW)
+  if(NOT has_${component})
+    string(TOLOWER "${component}" component)
+    list(APPEND absent "${component}")
   endif()
 endforeach()
 list(JOIN absent "," absent)
 set(components "build,surface,heat,islands,sound,analysis")
-foreach(part IO IMPORT SETTINGS C)
-  if(has_${part})
-    string(TOLOWER "${part}" part)
-    list(APPEND components "${part}")
+foreach(component IO IMPORT SETTINGS C)
+  if(has_${component})
+    string(TOLOWER "${component}" component)
+    list(APPEND components "${component}")
   endif()
 endforeach()
 foreach(component IN LISTS components)
@@ -103,8 +104,8 @@ endforeach()
 # --- packages that appear later ---------------------------------------------------------------------------------------
 if(HIDDEN)
   must("${CMAKE_COMMAND}" -E chdir "${SOURCE}" ${configure} -DCMAKE_IGNORE_PATH=)
-  foreach(part IN LISTS HIDDEN)
-    must_have(${part} on)
+  foreach(component IN LISTS HIDDEN)
+    must_have(${component} on)
   endforeach()
   must("${CMAKE_COMMAND}" --build "${BUILD}")
   must("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")

@@ -73,9 +73,10 @@ endif()
 # Each component is configured, built and tested with nothing but what it needs; the components that come with the core,
 # together.
 function(hapticut_alone_test name folders)
-  list(JOIN ARGN "," parts)
-  add_test(NAME Package.Has${name}ThatStandsAlone COMMAND "${CMAKE_COMMAND}" "-DPARTS=${parts}" "-DFOLDERS=${folders}"
-    "-DKERNELS=${HAPTICUT_KERNELS}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DBUILD=${PROJECT_BINARY_DIR}/../alone_${name}"
+  list(JOIN ARGN "," components)
+  add_test(NAME Package.Has${name}ThatStandsAlone COMMAND "${CMAKE_COMMAND}" "-DCOMPONENTS=${components}"
+    "-DFOLDERS=${folders}" "-DKERNELS=${HAPTICUT_KERNELS}" "-DSOURCE=${PROJECT_SOURCE_DIR}"
+    "-DBUILD=${PROJECT_BINARY_DIR}/../alone_${name}"
     "-DCXX=${CMAKE_CXX_COMPILER}" "-DCC=${CMAKE_C_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
     -P "${PROJECT_SOURCE_DIR}/tests/consumer/alone.cmake")
   set_tests_properties(Package.Has${name}ThatStandsAlone PROPERTIES LABELS "package;slow" TIMEOUT 1800 RUN_SERIAL ON)

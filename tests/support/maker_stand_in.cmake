@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Functions for the stand-ins of makers' SDKs.
 
-# maker_adapter_under_test(name STAND_IN PART): builds the adapter of HAPTICUT_WITH_<PART> against its stand-in, in strict
-# ISO C++. The sources are those that a machine with the SDK builds.
-function(maker_adapter_under_test name stand_in part)
-  get_property(sources GLOBAL PROPERTY HAPTICUT_${part}_SOURCES)
-  get_property(headers GLOBAL PROPERTY HAPTICUT_${part}_HEADERS)
+# maker_adapter_under_test(name STAND_IN COMPONENT): builds the adapter of HAPTICUT_WITH_<COMPONENT> against its
+# stand-in, in strict ISO C++. The sources are those that a machine with the SDK builds.
+function(maker_adapter_under_test name stand_in component)
+  get_property(sources GLOBAL PROPERTY HAPTICUT_${component}_SOURCES)
+  get_property(headers GLOBAL PROPERTY HAPTICUT_${component}_HEADERS)
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   target_include_directories(${name} PUBLIC ${headers} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/drivers)
