@@ -21,7 +21,7 @@ struct ToolSettings {
   enum class HandleKind { ray, angled };
 
   std::optional<const HeadShape*> head;                          ///< null: a profile head
-  std::map<std::string_view, std::optional<double>> dimensions;  ///< [mm, deg, 1] of the head, by name
+  std::map<std::string_view, std::optional<double>> dimensions;  ///< [mm, deg, 1] those of the head, by name
   std::optional<FlatRule> flat_rule;
   std::string profile;  ///< file
   std::optional<ShankKind> shank;

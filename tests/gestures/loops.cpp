@@ -78,7 +78,7 @@ Hand pressing() {
   return hand.move({0, 0, -0.2 * mm - 4 * mm}, 0.2).hold(0.6);
 }
 
-/// @param fresh  [s] of the first good reading after the fault
+/// @param fresh  [s] time of the first good reading after the fault
 void demand_calm(Report& report, const SceneLog& log, double fresh) {
   const Span before = log.within(kFaultAt - 0.1, kFaultAt), after = log.within(kFaultAt, fresh + 0.1);
   const double usual = strayed(log, before), rate = log.sum(before, removed_of) / double(before.size());

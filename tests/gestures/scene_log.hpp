@@ -39,7 +39,7 @@ struct Tick {
 struct Span {
   std::size_t first = 0, last = 0;
   [[nodiscard]] std::size_t size() const { return last - first; }
-  /// The last part of the span. @param share  [1] of its length
+  /// The last part of the span. @param share  [1] fraction of its length
   [[nodiscard]] Span tail(double share) const { return {last - std::size_t(std::ceil(share * double(size()))), last}; }
 };
 

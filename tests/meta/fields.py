@@ -4,8 +4,8 @@
 
 An editor shows the comment of a member, programs and pages show the list of fields. So both must agree:
 
-    double mass = 0.05;  ///< [kg] of the simulated tool
-    field("mass", &CouplingGains::mass, "kg", Range::positive(), "of the simulated tool")
+    double mass = 0.05;  ///< [kg] mass of the simulated tool
+    field("mass", &CouplingGains::mass, "kg", Range::positive(), "mass of the simulated tool")
 
 The comment may go on behind these words.
 """

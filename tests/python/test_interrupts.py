@@ -15,7 +15,7 @@ import pytest
 
 import hapticut
 
-PATIENCE = 20  # [s] of a busy machine; the calls end within a second
+PATIENCE = 20  # [s] time of a busy machine; the calls end within a second
 
 BEGIN = """
 import signal, threading, time

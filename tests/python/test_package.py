@@ -141,7 +141,7 @@ def test_importing_is_quick_and_leaves_the_large_libraries_alone():
             "print([m for m in ('matplotlib', 'pandas', 'scipy', 'dask', 'tqdm') if m in sys.modules])")
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     output = done.stdout.splitlines()
-    assert float(output[0]) < 0.3  # [s] of processor time, without the import of numpy
+    assert float(output[0]) < 0.3  # [s] processor time, without the import of numpy
     assert output[1] == "[]"
 
 

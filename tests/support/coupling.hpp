@@ -25,7 +25,7 @@ inline SimulationConfig implicit(double reference_stiffness, std::optional<doubl
   return config;
 }
 
-/// @param depth  [m] of the material below z = 0
+/// @param depth  [m] depth of the material below z = 0
 inline Workpiece half_space(double depth = 4e-3, const Material& material = plain_material(), double voxel = 1e-4) {
   return build_block({{-4e-3, -4e-3, -depth}, {4e-3, 4e-3, 0}}, voxel, material);
 }

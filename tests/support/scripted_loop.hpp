@@ -61,7 +61,7 @@ class ScriptedLoop {
   explicit ScriptedLoop(double speed = 3000, bool coupled = false)
       : simulation(block(), ball(kRadius, speed), config(coupled)), model(simulation, *device, options(coupled)) {}
 
-  /// @param height         [m] of the lowest point of the ball over the face, for each tick
+  /// @param height         [m] height of the lowest point of the ball over the face, for each tick
   /// @param before, after  actions and expectations before and after each tick
   void run(int ticks, const std::function<double(int)>& height, const std::function<void(int)>& before,
            const std::function<void(int)>& after) {

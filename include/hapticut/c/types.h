@@ -61,14 +61,14 @@ typedef struct hapticut_scene_info {
   uint32_t materials; /**< ids are 1 ... materials */
   double rate;        /**< [Hz] update rate of the scene */
   double voxel_size;  /**< [m] */
-  double box_min[3];  /**< [m] in W, of the workpiece at its creation */
+  double box_min[3];  /**< [m] box around the workpiece at its creation, in W */
   double box_max[3];
   hapticut_pose X_WV; /**< pose of the voxel grid */
   hapticut_pose X_HT; /**< pose of the head in the handle frame */
-  double head_min[3]; /**< [m] in T */
+  double head_min[3]; /**< [m] box around the head, in T */
   double head_max[3];
-  double spindle_speed; /**< [rad/s] of the tool */
-  double path_duration; /**< [s] of the scene's [path]; 0: no path */
+  double spindle_speed; /**< [rad/s] speed setting of the tool */
+  double path_duration; /**< [s] duration of the scene's [path]; 0: no path */
   uint32_t flutes;      /**< number of cutting edges of the tool, for its sound */
   uint32_t unused;
 } hapticut_scene_info;
@@ -84,9 +84,9 @@ typedef struct hapticut_material_info {
 typedef struct hapticut_step_input {
   uint32_t struct_size;
   uint32_t unused;
-  hapticut_pose X_WH;         /**< at the end of the step */
-  double linear_velocity[3];  /**< [m/s] of Ho, in W */
-  double angular_velocity[3]; /**< [rad/s] in W */
+  hapticut_pose X_WH;         /**< pose at the end of the step */
+  double linear_velocity[3];  /**< [m/s] velocity of Ho, in W */
+  double angular_velocity[3]; /**< [rad/s] angular velocity, in W */
   double dt;                  /**< [s] since the last step */
 } hapticut_step_input;
 
@@ -103,9 +103,9 @@ typedef struct hapticut_step_result {
   double contact_volume;   /**< [m^3] */
   uint32_t contact_voxels;
   uint32_t sub_steps;         /**< 0: the input was rejected */
-  hapticut_pose X_WH;         /**< of the tool: equal to the input, or with a coupling the pose of the simulated tool */
-  double contact_point_W[3];  /**< [m] in W, point for a force arrow; zero without a contact */
-  double contact_normal_W[3]; /**< [1] in W, direction of the push on the tool without the drag of the spin; zero
+  hapticut_pose X_WH;         /**< pose of the tool: the input, or with a coupling that of the simulated tool */
+  double contact_point_W[3];  /**< [m] point for a force arrow, in W; zero without a contact */
+  double contact_normal_W[3]; /**< [1] direction of the push on the tool without the drag of the spin, in W; zero
                                  without a contact */
   double contact_area;        /**< [m^2] area of the head's surface in material */
   double contact_pressure;    /**< [Pa] mean over that area */
@@ -129,7 +129,7 @@ typedef struct hapticut_ray_hit {
   uint32_t struct_size;
   uint32_t material;  /**< id of the material that was met */
   double distance;    /**< [m] from the origin of the ray; 0 if the origin is in the material */
-  double point_W[3];  /**< [m] in W */
+  double point_W[3];  /**< [m] place that the ray met, in W */
   double normal_W[3]; /**< [1] unit vector out of the material, in W; zero deep inside the material */
 } hapticut_ray_hit;
 
@@ -159,7 +159,7 @@ typedef struct hapticut_coupling_gains {
   uint32_t unused;
   double stiffness;         /**< [N/m] that the device renders stably; 0: 700 */
   double damping;           /**< [N s/m] 0: 12 */
-  double mass;              /**< [kg] of the simulated tool; 0: 0.05 */
+  double mass;              /**< [kg] mass of the simulated tool; 0: 0.05 */
   double max_force;         /**< [N] 0: no limit */
   double angular_stiffness; /**< [N m/rad] 0: the tool rotates with the hand */
   double angular_damping;   /**< [N m s/rad] */
@@ -180,7 +180,7 @@ typedef struct hapticut_device_info {
   double peak_torque;      /**< [N m] */
   double stiffness;        /**< [N/m] maximum that the maker promises to be stable */
   double damping;          /**< [N s/m] maximum that the maker promises to be stable */
-  double workspace_min[3]; /**< [m] in B */
+  double workspace_min[3]; /**< [m] box of the device's workspace, in B */
   double workspace_max[3];
   char model[64];
   char serial_number[64];
@@ -197,13 +197,13 @@ enum hapticut_up { HAPTICUT_UP_Y = 0, HAPTICUT_UP_Z = 1 };
 typedef struct hapticut_loop_options {
   uint32_t struct_size;
   uint32_t coupling; /**< hapticut_coupling_choice */
-  double seconds;    /**< [s] of device time after which the loop ends; 0: it ends when it is stopped */
+  double seconds;    /**< [s] device time after which the loop ends; 0: it ends when it is stopped */
   double scale;      /**< [1] metres in W per metre of the hand; 0: 1 */
   uint32_t up;       /**< hapticut_up: axis of B that points along z of W. Devices have y, mock and replay z */
   uint32_t has_X_WB; /**< 1: `X_WB` is set; 0: the device's origin puts the tool's tip on the middle of the workpiece's
                         top */
   hapticut_pose X_WB;
-  double stiffness;           /**< [N/m] of the coupling at the device; 0: what the device promises */
+  double stiffness;           /**< [N/m] stiffness of the coupling at the device; 0: what the device promises */
   uint32_t simulated_time;    /**< 1: as fast as possible; mock and replay only */
   uint32_t ordinary_priority; /**< 1: ordinary priority; 0: request SCHED_FIFO 80 for the loop's thread */
   uint32_t lock_memory;       /**< 1: lock the process in memory (mlockall): process-wide */
@@ -232,15 +232,15 @@ enum hapticut_loop_flag {
 
 typedef struct hapticut_loop_state {
   uint32_t struct_size;
-  uint32_t status;          /**< of the last step */
+  uint32_t status;          /**< status of the last step */
   uint64_t tick;            /**< number of ticks since the loop began */
   uint32_t arming;          /**< hapticut_arming */
   uint32_t fault;           /**< DeviceFault of the reading; 0: none */
   uint32_t flags;           /**< bits of hapticut_loop_flag */
   uint32_t buttons;         /**< bit n: button n is pressed */
   uint32_t output_changes;  /**< bits of OutputChange: why applied and commanded force differ */
-  uint32_t status_seen;     /**< of all steps since the loop began */
-  double time;              /**< [s] of the reading */
+  uint32_t status_seen;     /**< status bits of all steps since the loop began */
+  double time;              /**< [s] time of the reading */
   hapticut_pose X_BS;       /**< pose of the stylus */
   hapticut_pose X_WT;       /**< pose of the head, for drawing */
   double force[3];          /**< [N] on the tool, in W */
@@ -259,7 +259,7 @@ typedef struct hapticut_loop_state {
   uint32_t unused;
   uint64_t commands_dropped; /**< commands that found the queue full */
   uint64_t commands_refused; /**< commands that did not suit the objects in place */
-  double contact_point_W[3]; /**< [m] in W, point for a force arrow; zero without a contact */
+  double contact_point_W[3]; /**< [m] point for a force arrow, in W; zero without a contact */
   uint64_t touched[4];       /**< set of the materials that were touched since the simulation was made:
                                 HAPTICUT_HAS_MATERIAL */
 } hapticut_loop_state;

@@ -7,8 +7,8 @@ namespace hapticut {
 namespace {
 
 constexpr std::uint64_t kMemory = std::uint64_t(1) << 29U;  // [bytes] for the program and its codecs
-constexpr std::uint64_t kCopiesOfAFrame = 16;               // copies of a frame that codecs hold, in wider numbers
-constexpr std::uint64_t kSecondsOfAFrame = 15;              // [s] of processor time
+constexpr std::uint64_t kCopiesOfAFrame = 16;               // copies of a frame that codecs keep, in wider numbers
+constexpr std::uint64_t kSecondsOfAFrame = 15;              // [s] limit of processor time
 
 void append_element(std::string& bytes, std::uint32_t tag, const char* kind, std::string value) {
   if (value.size() % 2 != 0) value += kind == std::string_view("UI") ? '\0' : ' ';

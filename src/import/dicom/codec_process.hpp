@@ -23,7 +23,7 @@ class CodecProcess {
 
  private:
   ChildProcess process_{kDecoder};
-  std::uint64_t seconds_ = 0;  // [s] of processor time that all frames may take
+  std::uint64_t seconds_ = 0;  // [s] processor time that all frames may take
 };
 
 }  // namespace hapticut

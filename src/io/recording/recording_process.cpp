@@ -7,12 +7,12 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] in addition to kMemoryPerByte
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] memory in addition to kMemoryPerByte
 constexpr std::uint64_t kMemoryPerByte = 4;                 // [bytes] per byte of the file
-constexpr std::uint64_t kReadingSeconds = 15;               // [s] of processor time, plus time for long replies
+constexpr std::uint64_t kReadingSeconds = 15;               // [s] processor time, plus time for long replies
 constexpr std::uint64_t kBytesPerSecond = 4 << 20;          // [bytes/s] that define the time for long replies
-constexpr std::uint64_t kMaxReply = 1 << 20;                // [bytes] of a reply other than a block
-constexpr std::size_t kMaxSentence = 1000;                  // [bytes] of a message shown to users
+constexpr std::uint64_t kMaxReply = 1 << 20;                // [bytes] size of a reply other than a block
+constexpr std::size_t kMaxSentence = 1000;                  // [bytes] size of a message shown to users
 
 }  // namespace
 

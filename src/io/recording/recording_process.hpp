@@ -30,7 +30,7 @@ class RecordingProcess final : public RecordingSource {
 
   ChildProcess process_;
   std::uint64_t memory_;        // [bytes] that the program may use
-  std::uint64_t received_ = 0;  // [bytes] of all replies
+  std::uint64_t received_ = 0;  // [bytes] size of all replies
   std::mutex query_mutex_;
 };
 

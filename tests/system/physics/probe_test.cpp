@@ -14,9 +14,9 @@ namespace {
 using namespace test;
 using units::mm;
 
-constexpr double kRounding = 1e-6;  // [1] of single precision
+constexpr double kRounding = 1e-6;  // [1] rounding of single precision
 constexpr double kNothing = 1e-9;   // [N], [N m]
-constexpr double kLever = 0.1;      // [m] of the longest handle
+constexpr double kLever = 0.1;      // [m] length of the longest handle
 
 void expect_equal(const ContactProbe& probed, const StepResult& stepped, const std::string& where) {
   ASSERT_LT((probed.wrench.force - stepped.model.force).norm(), kNothing + kRounding * stepped.model.force.norm())
