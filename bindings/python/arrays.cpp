@@ -34,7 +34,7 @@ bool has_shape(const py::array& array, std::span<const py::ssize_t> shape) {
   return true;
 }
 
-/// The numbers of an object as a new array; nothing when it holds no numbers. None is no number.
+/// The numbers of an object as a new array; nothing when it contains no numbers. None is no number.
 /// @throws error_already_set for any other error, such as KeyboardInterrupt
 std::optional<py::array_t<double>> converted(py::handle given) {
   try {
@@ -65,7 +65,7 @@ std::string cure_of(py::handle given, std::span<const py::ssize_t> shape) {
 
 [[noreturn]] void refuse(py::handle given, const char* what, std::span<const py::ssize_t> shape) {
   throw Error(std::string(what) + ": " + describe_given(given) +
-              " was given; required is a C-contiguous array of shape " + describe_shape(shape) + " and dtype float64." +
+              " was given; it must be a C-contiguous array of shape " + describe_shape(shape) + " and dtype float64." +
               cure_of(given, shape));
 }
 

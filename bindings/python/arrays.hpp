@@ -126,7 +126,7 @@ struct type_caster<hapticut::Mat3> {
   PYBIND11_TYPE_CASTER(hapticut::Mat3, HAPTICUT_ARRAY_NAME);
   bool load(handle given, bool) {
     if (!hapticut::python::read_numbers(given, "a rotation", {3, 3}, value.data())) return false;
-    value.transposeInPlace();  // NumPy holds rows, Eigen columns
+    value.transposeInPlace();  // NumPy stores rows, Eigen columns
     return true;
   }
   static handle cast(const hapticut::Mat3& m, return_value_policy, handle) {
@@ -140,7 +140,7 @@ struct type_caster<hapticut::Stiffness> {
   PYBIND11_TYPE_CASTER(hapticut::Stiffness, HAPTICUT_ARRAY_NAME);
   bool load(handle given, bool) {
     if (!hapticut::python::read_numbers(given, "a stiffness", {6, 6}, value.data())) return false;
-    value.transposeInPlace();  // NumPy holds rows, Eigen columns
+    value.transposeInPlace();  // NumPy stores rows, Eigen columns
     return true;
   }
   static handle cast(const hapticut::Stiffness& stiffness, return_value_policy, handle) {

@@ -26,7 +26,7 @@ TriangleMesh mesh_from(const Float64Array& vertices, const FewNumbers& triangles
   const Indices given = whole ? Indices::ensure(any) : Indices();  // uint64 values above int64 become negative
   if (!whole || !given || given.ndim() != 2 || given.shape(1) != 3) {
     throw Error("triangles: " + describe_given(triangles) +
-                " was given; required is an array of shape (n, 3) and a whole-number dtype.");
+                " was given; it must be an array of shape (n, 3) and a whole-number dtype.");
   }
   mesh.triangles.resize(std::size_t(given.shape(0)));
   for (py::ssize_t i = 0; i < given.shape(0); ++i)

@@ -19,7 +19,7 @@ Volume<Value> volume_from(py::handle values, const Vec3& spacing, const Pose& X_
   constexpr bool kLabels = std::is_integral_v<Value>;
   const std::string what = kLabels ? "labels" : "grey values";
   const auto needed = [&] {
-    return "required is an array of shape (nx, ny, nz) and " +
+    return "it must be an array of shape (nx, ny, nz) and " +
            std::string(kLabels ? "a whole-number dtype, e.g. uint8 or uint16."
                                : "a real dtype, e.g. int16 or float32.");
   };
@@ -44,7 +44,7 @@ Volume<Value> volume_from(py::handle values, const Vec3& spacing, const Pose& X_
   for (std::size_t i = 0; i < volume.values.size(); ++i) {
     if constexpr (kLabels) {
       if (numbers[i] < 0 || numbers[i] > std::numeric_limits<Value>::max())
-        throw Error("labels hold " + std::to_string(numbers[i]) + "; they must be within 0 ... 65535.");
+        throw Error("labels contain " + std::to_string(numbers[i]) + "; they must be within 0 ... 65535.");
     }
     volume.values[i] = Value(numbers[i]);
   }

@@ -35,7 +35,7 @@ ForceModel model_from(py::object given) {
 ForceModel calling(py::object function) {
   if (PyCallable_Check(function.ptr()) == 0)
     throw Error("model: " + describe_given(function) +
-                " was given; required is a LinearWall or a function from a DeviceState to a Wrench.");
+                " was given; it must be a LinearWall or a function from a DeviceState to a Wrench.");
   return [model = kept(std::move(function))](const DeviceState& state) {
     const py::gil_scoped_acquire lock;
     const py::object wrench = (*model)(state);
@@ -49,7 +49,7 @@ ModelFactory factory_from(const AnyFactory& given) {
   if (py::isinstance<PythonModelFactory>(given)) return given.cast<const PythonModelFactory&>().make;
   if (PyCallable_Check(given.ptr()) == 0)
     throw Error("factory: " + describe_given(given) +
-                " was given; required is a function from a stiffness to a model, or contact_models.");
+                " was given; it must be a function from a stiffness to a model, or contact_models.");
   return [factory = kept(given)](double stiffness) {
     const py::gil_scoped_acquire lock;
     return model_from((*factory)(stiffness));

@@ -99,7 +99,7 @@ void bind_the_simulation(py::module_& m) {
           "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
           "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time`\n"
           "    [s] is the time since the beginning of the run.\n\n"
-          "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite, "
+          "Raises\n------\nError\n    When an array has another shape or type, or has a number that is not finite, "
           "or\n"
           "    the last row of a pose is not 0 0 0 1; then no step was made. `status` reports all other errors of an\n"
           "    input, as in step.\n\n"

@@ -13,7 +13,7 @@ namespace {
 void require_finite(std::span<const double> numbers, std::size_t per_row, const char* what) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!std::isfinite(numbers[i]))
-      throw Error(std::string(what) + "[" + std::to_string(i / per_row) + "] holds " + format_number(numbers[i]) +
+      throw Error(std::string(what) + "[" + std::to_string(i / per_row) + "] contains " + format_number(numbers[i]) +
                   "; every number must be finite. Nothing was simulated.");
 }
 
@@ -38,7 +38,7 @@ RunInput::RunInput(const py::object& given_poses, const py::object& given_veloci
     if (PyErr_Occurred() != nullptr) {
       PyErr_Clear();
       throw Error("dt: " + describe_given(given_dt) +
-                  " was given; required is a number, or an array of shape (n,) and dtype float64.");
+                  " was given; it must be a number, or an array of shape (n,) and dtype float64.");
     }
     require_finite({&dt, 1}, 1, "dt");
   }

@@ -99,7 +99,7 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
   if (material.dtype().kind() != 'u' || material.itemsize() != 1 || material.ndim() != 3 || !ids) {
     PyErr_Clear();
     throw Error("material: " + describe_given(material) +
-                " was given; required is an array of shape (nx, ny, nz) and dtype uint8.");
+                " was given; it must be an array of shape (nx, ny, nz) and dtype uint8.");
   }
   py::array_t<float, py::array::c_style | py::array::forcecast> fills;
   if (fill) {
@@ -107,7 +107,7 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
     const bool same_shape = fill->ndim() == 3 && std::equal(material.shape(), material.shape() + 3, fill->shape());
     if (fill->dtype().kind() != 'f' || !same_shape)
       throw Error("fill: " + describe_given(*fill) +
-                  " was given; required is a floating dtype and the shape of material, " +
+                  " was given; it must have a floating dtype and the shape of material, " +
                   std::string(py::str(material.attr("shape"))) + ".");
   }
   if (material.size() == 0) throw Error("material has no voxels; every axis must have at least one.");

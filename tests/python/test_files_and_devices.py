@@ -337,7 +337,7 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     loop.miss_tick(0.5)
     loop.tick(lambda state: h.Wrench())
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
-    with pytest.raises(h.Error, match="model: an object of type NoneType was given; required is a LinearWall or"):
+    with pytest.raises(h.Error, match="model: an object of type NoneType was given; it must be a LinearWall or"):
         loop.tick(None)
     with pytest.raises(h.Error, match="the force model returned an object of type NoneType; it must return a Wrench"):
         loop.tick(lambda state: None)

@@ -83,7 +83,7 @@ def test_arrays_of_another_shape_or_type_are_refused_before_anything_happens(sim
 def test_a_run_refuses_numbers_that_are_not_finite_and_says_where(simulation, plunge):
     poses, velocities = plunge
     poses[17, 0, 3] = np.nan
-    with pytest.raises(hapticut.Error, match=r"poses\[17\] holds nan"):
+    with pytest.raises(hapticut.Error, match=r"poses\[17\] contains nan"):
         simulation.run(poses, velocities, 1e-3)
     assert simulation.last_result.sub_steps == 0
     with pytest.raises(hapticut.Error, match="dt.*nan"):

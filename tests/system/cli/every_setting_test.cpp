@@ -64,7 +64,7 @@ void expect_refused_in_file(const std::vector<Setting>& all, const std::string& 
     for (const Setting& inner : setting.open_table(""))
       expect_refused_in_file(all, begin + setting.key + " = [{", "}]", name + ".", inner);
   } else if (setting.kind == Kind::named_tables) {
-    EXPECT_EQ(error_for("3"), "s.toml:2: " + name + ": must hold tables, written [" + name + ".NAME].");
+    EXPECT_EQ(error_for("3"), "s.toml:2: " + name + ": must contain tables, written [" + name + ".NAME].");
     for (const Setting& inner : setting.open_table("dentin"))
       expect_refused_in_file(all, begin + setting.key + ".dentin.", end, name + ".dentin.", inner);
   } else {

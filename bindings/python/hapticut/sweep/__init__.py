@@ -53,9 +53,9 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     out
         The folder of the study. Every finished run adds a line, so no run is lost.
     resume
-        True: continue the study in the folder. False: refuse a folder that holds runs. Two studies are the same if
+        True: continue the study in the folder. False: refuse a folder that contains runs. Two studies are the same if
         their space, seed, version of hapticut and ``run`` are equal. The comparison of ``run`` includes its module,
-        name, code, defaults, and the values that it holds (closure, partial, instance), but not the functions that it
+        name, code, defaults, and the values that it has (closure, partial, instance), but not the functions that it
         calls.
     seed
         Seed of the study. It and the run's index determine the random numbers of a run.
@@ -75,7 +75,7 @@ def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]]
     Raises
     ------
     Error
-        When the space is empty, the folder cannot be written or holds another study, or the executor dies. Finished
+        When the space is empty, the folder cannot be written or contains another study, or the executor dies. Finished
         runs are kept.
     KeyboardInterrupt
         After Ctrl-C, within a second. Finished runs are kept: call sweep again to continue. The processes of the

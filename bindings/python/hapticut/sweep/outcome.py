@@ -37,7 +37,7 @@ class Outcome:
             if not isinstance(value, np.ndarray) or value.ndim == 0:
                 self.summary[name] = plain(value, f"column {name}")
             elif value.dtype.hasobject:
-                raise TypeError(f"run returned an array {name!r} of dtype {value.dtype}; it must hold plain numbers")
+                raise TypeError(f"run returned an array {name!r} of dtype {value.dtype}; it must contain plain numbers")
             else:
                 self.traces[name] = value
 
@@ -48,7 +48,7 @@ def generator(seed: int, index: int) -> np.random.Generator:
 
 
 def outcome_of(run: Run, seed: int, index: int, parameters: Parameters) -> Outcome:
-    """Makes a run. If it raises, the outcome holds the error."""
+    """Makes a run. If it raises, the outcome has the error."""
     outcome = Outcome(index)
     try:
         with no_steps_are_an_error():

@@ -27,7 +27,7 @@ def _trace_file(out: Path, run: int) -> Path:
 
 
 class Study:
-    """One folder holds one study. The first line of `runs.jsonl` identifies it; each other line is a finished run."""
+    """A folder contains one study. The first line of `runs.jsonl` identifies it; each other line is a finished run."""
 
     def __init__(self, out: str | os.PathLike[str], space: Space, run: Run, seed: int, resume: bool):
         self.out = Path(out)
@@ -64,8 +64,8 @@ class Study:
             self._refuse_line(1)
         different = [key for key, value in identity.items() if found.get(key) != value]
         if different:
-            raise Error(f"{self.out} holds another study, with another {', '.join(different)}. Choose another folder "
-                        "by `out`; nothing was changed.")
+            raise Error(f"{self.out} contains another study, with another {', '.join(different)}. Choose another "
+                        "folder by `out`; nothing was changed.")
         for number, line in enumerate(lines[1:], 2):
             row = self._finished(line)
             if row is None:
@@ -73,7 +73,7 @@ class Study:
             else:
                 self.done[row["run"]] = row
         if self.done and not resume:
-            raise Error(f"{self.out} holds runs of this study already. Pass resume=True to continue it, or choose "
+            raise Error(f"{self.out} contains runs of this study already. Pass resume=True to continue it, or choose "
                         "another folder by `out`; nothing was changed.")
         os.truncate(self.file, length)
 
@@ -137,7 +137,7 @@ def load_traces(out: str | os.PathLike[str], run: int) -> dict[str, NDArray[Any]
     Raises
     ------
     Error
-        When the folder holds no arrays of this run.
+        When the folder contains no arrays of this run.
     """
     path = _trace_file(Path(out), run)
     if not path.exists():
