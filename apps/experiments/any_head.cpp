@@ -109,7 +109,7 @@ std::vector<Check> closed_path() {
   return work.checks();
 }
 
-// C19 holds up to rounding on every grid, because it is an identity of the computed values.
+// C19 is true up to rounding on every grid, because it is an identity of the computed values.
 constexpr std::array kGrids = {0.16 * mm, 0.08 * mm, 0.04 * mm};
 constexpr double kRounding = 2e-6;  // [1] the two poses of the head agree to double precision; the samples are single
 const Box kBlock = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};

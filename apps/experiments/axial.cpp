@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C20-C23, C30-C32, C34: a flat head fed along its axis into a half space. The closed forms hold for a thin engaged
+// C20-C23, C30-C32, C34: a flat head fed along its axis into a half space. The closed forms are for a thin engaged
 // layer; the tolerances include the error of the layers of these cases (docs/validation.md).
 #include <algorithm>
 #include <cmath>

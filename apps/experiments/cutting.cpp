@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C24-C29: steady cuts along a surface, and plunges. The closed forms hold for a thin engaged layer; the tolerances
+// C24-C29: steady cuts along a surface, and plunges. The closed forms are for a thin engaged layer; the tolerances
 // include the error of the layers of these cases (docs/validation.md).
 #include <algorithm>
 #include <cmath>

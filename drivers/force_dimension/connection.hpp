@@ -14,7 +14,7 @@
 /// connection.cpp includes it.
 namespace hapticut::force_dimension {
 
-/// The outcome of a call. Positive results of the library (time guard, saturated motors) are not errors.
+/// The reply of the library to a call. Positive results of the library (time guard, saturated motors) are not errors.
 struct Reply {
   bool ok = true;
   bool saturated = false;                 ///< the motors cannot render all of the command

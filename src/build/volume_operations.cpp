@@ -28,7 +28,7 @@ template <class Value>
 Volume<Value> cropped(const Volume<Value>& volume, const IndexBox& samples) {
   require_valid(volume);
   const IndexBox box = overlap(samples, samples_of(volume));
-  if (box.empty()) throw Error("the box to crop to has no sample of the volume; check that it holds sample indices.");
+  if (box.empty()) throw Error("the box to crop to has no sample of the volume; check that it has sample indices.");
   Volume<Value> part;
   for (int axis = 0; axis < 3; ++axis) part.dims[axis] = box.max[axis] - box.min[axis] + 1;
   part.spacing = volume.spacing;

@@ -14,7 +14,7 @@ namespace hapticut {
 ///
 ///     w(q) = 1/(4 pi) sum over triangles of the solid angle under which q sees them
 ///
-/// Triangles far from q are not visited individually: a tree holds, for each group of triangles, the first two terms of
+/// Triangles far from q are not visited one by one: a tree stores, for each group of triangles, the first two terms of
 /// the expansion of the sum about the centre of the group (after Barill, Dickson, Schmidt, Levin and Jacobson 2018,
 /// "Fast winding numbers for soups and clouds"; here with the first and second moments of the area vectors).
 class WindingNumber {

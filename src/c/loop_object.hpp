@@ -20,7 +20,7 @@ class LoopObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::loop;
 
-  /// Starts the run.  @pre the caller is in the first lanes of simulation and device, and no loop drives them
+  /// Starts the run.  @pre the calling thread is in the first lane of simulation and device, and no loop drives them
   LoopObject(std::shared_ptr<SimulationObject> simulation, std::shared_ptr<DeviceObject> device,
              const SimulationModelOptions& model, const RealtimeLoopOptions& options);
   ~LoopObject() override;

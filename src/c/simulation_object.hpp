@@ -67,7 +67,7 @@ class IdleSimulation {
   int code_;
 };
 
-/// Gives a call access to an idle simulation that another object holds.
+/// Gives a call access to an idle simulation that another object owns.
 class IdleStay {
  public:
   explicit IdleStay(SimulationObject& object) noexcept : stay_(object) {

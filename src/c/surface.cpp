@@ -42,7 +42,7 @@ class SurfaceObject final : public Object {
     const auto found = std::find_if(pages.begin(), pages.end(), [](const auto& one) { return one->ticket == 0; });
     if (found != pages.end()) return **found;
     if (pages.size() == kMaxLent)
-      throw Refusal(HAPTICUT_ERROR_FULL, "4096 pages of this surface are held; call hapticut_surface_release_page.");
+      throw Refusal(HAPTICUT_ERROR_FULL, "4096 pages of this surface are in use; call hapticut_surface_release_page.");
     return *pages.emplace_back(std::make_unique<LentPage>());
   }
 
@@ -110,7 +110,7 @@ int hapticut_surface_release_page(hapticut_surface surface, uint64_t ticket) {
     const auto found =
         std::find_if(use->pages.begin(), use->pages.end(), [&](const auto& one) { return one->ticket == ticket; });
     if (ticket == 0 || found == use->pages.end())
-      return fail(HAPTICUT_ERROR_ARGUMENT, "No held page of this surface has this ticket.");
+      return fail(HAPTICUT_ERROR_ARGUMENT, "No page in use has this ticket.");
     (*found)->ticket = 0;
     return HAPTICUT_OK;
   });

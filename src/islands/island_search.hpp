@@ -113,7 +113,7 @@ class IslandSearch {
     std::size_t group;
     std::int64_t voxels;                                      // found so far
     bool open;                                                // it may grow further
-    bool fixed;                                               // it holds a fixed voxel, and need not grow further
+    bool fixed;                                               // it contains a fixed voxel, and need not grow further
     std::vector<std::pair<std::size_t, BlockMask>> frontier;  // where it grows: blocks, and voxels of them
   };
   struct Group {

@@ -53,7 +53,7 @@ IslandFinder::IslandFinder(const Workpiece& workpiece, const IndexBox& voxels, c
   });
   if (options_.fixed && !any_fixed && !workpiece.empty())
     throw Error("IslandOptions::fixed"_name +
-                " holds the centre of no voxel of the workpiece, so nothing would stay. Give the box in m, "
+                " contains the centre of no voxel of the workpiece, so nothing would stay. Give the box in m, "
                 "in the frame W of the workpiece.");
   is_known_.assign(is_known_.size(), true);
   unknown_ = 0;
@@ -177,7 +177,7 @@ std::vector<Island> IslandFinder::find() {
   return islands;
 }
 
-/// Makes an island of a piece, with the blocks around it that may hold its skin, and treats it as removed.
+/// Makes an island of a piece, with the blocks around it that may contain its skin, and treats it as removed.
 Island IslandFinder::extract(const std::vector<std::pair<std::size_t, BlockMask>>& blocks) {
   std::map<std::size_t, BlockMask> all;
   for (const auto& [block, voxels] : blocks) {

@@ -23,7 +23,7 @@ using Part = formulas::FilledPart<Wide>;
 using Material = formulas::SurfaceMaterial<Wide>;
 
 /// Voxels in contact without gaps, in the order of their blocks: a column of numbers for each quantity. Together the
-/// columns fit into the first cache. The lanes after the last voxel hold one without fill, so that each lane of a
+/// columns fit into the first cache. The lanes after the last voxel contain one without fill, so that each lane of a
 /// vector can be computed and adds nothing to the sums.
 struct Columns {
   enum Name {

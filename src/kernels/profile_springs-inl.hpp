@@ -69,7 +69,7 @@ struct ProfileBounds {
   }
 };
 
-/// A profile for which one rule holds everywhere: ProfileTable::everywhere and lid.
+/// A profile for which one rule applies everywhere: ProfileTable::everywhere and lid.
 template <class W>
 struct PlainProfileVectors : ProfileBounds<W> {
   using Curve = formulas::CurveSprings<W>;

@@ -20,7 +20,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. A vector holds a strip or an
+// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. A vector has a strip or an
 // equal part of one.
 namespace strips {
 

@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 namespace formulas {
 
-/// Where a comparison holds: the condition of hapticut/formulas/numbers.hpp for a vector.
+/// Where a comparison is true: the condition of hapticut/formulas/numbers.hpp for a vector.
 template <class D>
 struct WhereOf {
   hn::Mask<D> m;

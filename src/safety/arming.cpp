@@ -77,7 +77,7 @@ double Arming::tick(double dt, Reading reading, double force, double torque, std
       return 0;
 
     case ArmingState::wait_free: {
-      if (!is_good) return 0;  // the last good pose holds
+      if (!is_good) return 0;  // the last good pose is held
       const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
       const bool is_free = touching ? !*touching : is_quiet;
       if (!inspected_) {

@@ -142,7 +142,7 @@ class Reader {
   }
 
   void read_named_tables(const toml::node& node, const std::string& name, const Setting& setting) const {
-    if (!node.is_table()) fail(node.source(), name + ": must hold tables, written [" + name + ".NAME].");
+    if (!node.is_table()) fail(node.source(), name + ": must contain tables, written [" + name + ".NAME].");
     for (const auto& [key_node, element] : *node.as_table()) {
       const std::string key(key_node.str());
       if (!element.is_table())

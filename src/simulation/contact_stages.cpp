@@ -51,7 +51,7 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
 }
 
 /// Number of subsets into which the voxels inside the head must be divided to stay within the budget. The voxels are
-/// counted only when the blocks hold more than the budget.
+/// counted only when the blocks have more than the budget.
 int ContactStages::level_of_detail(std::span<const FoundBlock> blocks, const kernels::ContactJob& job) const noexcept {
   if (voxel_budget_ == 0 || max_voxels_ <= voxel_budget_) return 1;
   std::size_t solid = 0, inside = 0;

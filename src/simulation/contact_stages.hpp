@@ -123,7 +123,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
                                         RemovalRecord& removal) noexcept;
 
   /// The materials in contact with the head, except those that are known. Free of cost when all are known; else O(512)
-  /// for each block that holds several materials or empty voxels.
+  /// for each block that contains several materials or empty voxels.
   [[nodiscard]] MaterialSet find_touched(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                          const MaterialSet& known) noexcept;
 

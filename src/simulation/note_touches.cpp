@@ -26,7 +26,7 @@ class Unknown {
     list();
   }
 
-  /// False only if a block certainly holds none of them. Most blocks are left out here, so this must be fast.
+  /// False only if a block certainly contains none of them. Most blocks are left out here, so this must be fast.
   [[nodiscard]] bool may_be_in(const BlockView& block) const noexcept {
     if (block.material == nullptr) return has(block.uniform_material);
     if (count_ <= few_.size())

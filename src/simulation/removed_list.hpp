@@ -7,7 +7,7 @@
 
 namespace hapticut {
 
-/// Number of removed voxels that a list must hold; 0 when nobody wants it.
+/// Number of removed voxels that a list must contain; 0 when nobody wants it.
 /// @param automatic  number when the configuration leaves it to the simulation
 [[nodiscard]] inline std::size_t removed_list_size(const SimulationConfig& config, std::size_t automatic) {
   if (!config.list_removed_voxels) return 0;

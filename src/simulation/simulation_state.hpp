@@ -125,7 +125,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   HeadStiffness head_stiffness;
   bool other_cutter = false;  // the materials are for another kind of cutter
 
-  // What one step hands to the next. A recording holds or repeats all of it, and a copy has it: a new member that a
+  // What one step hands to the next. A recording stores or repeats all of it, and a copy has it: a new member that a
   // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.
   ToolMotion motion;
   SpindleDrive spindle;

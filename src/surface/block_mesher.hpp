@@ -9,7 +9,7 @@
 #include "hapticut/workpiece/block.hpp"
 
 /// Naive surface nets of one block. A cell has eight voxel centres, its samples, as corners, and is identified by the
-/// lowest. A block owns the edges whose lower end it holds. Around such an edge are four cells, some of them one before
+/// lowest. A block owns the edges whose lower end is in it. Around such an edge are four cells, some of them one before
 /// the block. Their gradients reach one sample further on either side:
 ///
 ///     samples   -2 -1 | 0  1  2  3  4  5  6  7 | 8  9

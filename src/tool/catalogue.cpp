@@ -183,7 +183,7 @@ constexpr HeadDimension dimension_of(const Field<S, T>& field) {
   return {field.name, field.unit, field.range, field.text, std::is_integral_v<T>};
 }
 
-/// Whether what kTold says holds for the fields of all shapes.
+/// Whether what kTold says is true for the fields of all shapes.
 constexpr bool is_told_right() {
   bool right = true;
   for_each_shape([&]<class Shape>(Of<Shape>) {

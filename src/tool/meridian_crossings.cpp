@@ -13,7 +13,7 @@ namespace {
 using units::kPi;
 
 /// Whether a point on the edge's line or circle lies on the edge.
-bool holds(const MeridianEdge& e, const Vec2& p, double tolerance) {
+bool contains(const MeridianEdge& e, const Vec2& p, double tolerance) {
   if (e.straight()) {
     const double along = e.start_tangent.dot(p - e.from);
     return along >= -tolerance && along <= (e.to - e.from).norm() + tolerance;
@@ -68,7 +68,7 @@ std::vector<Vec2> candidates(const MeridianEdge& a, const MeridianEdge& b, doubl
 
 std::vector<Vec2> crossings(const MeridianEdge& a, const MeridianEdge& b, double tolerance) {
   std::vector<Vec2> points = candidates(a, b, tolerance);
-  std::erase_if(points, [&](const Vec2& p) { return !holds(a, p, tolerance) || !holds(b, p, tolerance); });
+  std::erase_if(points, [&](const Vec2& p) { return !contains(a, p, tolerance) || !contains(b, p, tolerance); });
   return points;
 }
 

@@ -156,7 +156,7 @@ Workpiece build_from(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* i
                 ", but its voxels are " + format_number(grid.voxelSize()[0]) +
                 " wide. Save it with distances in the unit of its transform, of at least one voxel on each side.");
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-  if (box.empty()) throw Error("grid '" + grid.getName() + "' has no active voxels, so that it contains no workpiece.");
+  if (box.empty()) throw Error("grid '" + grid.getName() + "' has no active voxels, so it contains no workpiece.");
   Workpiece workpiece = Workpiece::from_blocks({to_index(box.min()), to_index(box.max())}, frame, std::move(materials),
                                                GridSampler(grid, ids, level_set, options.subsamples));
   if (workpiece.empty())

@@ -116,7 +116,7 @@ class Cells {
   Cells(const Workpiece& workpiece, MaterialId material) : workpiece_(workpiece), material_(material) {}
 
   /// Moves to the cells between the centres of `origin` and `origin` + 8.
-  /// @return false if no cell holds anything of the material
+  /// @return false if no cell contains anything of the material
   bool move_to(const VoxelIndex& origin) {
     bool any = false;
     for (std::size_t n = 0; n < 8; ++n) {

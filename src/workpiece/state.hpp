@@ -43,7 +43,7 @@ void delete_nodes(Tree& tree) noexcept {
   tree.root().clear();
 }
 
-/// The trees that hold the voxels.
+/// The trees that store the voxels.
 struct VoxelTrees {
   MaterialTree material{kEmpty};  ///< active = not yet empty
   FillTree fill{1.0F};            ///< a leaf only if a voxel of the block is partly filled; elsewhere solid means full

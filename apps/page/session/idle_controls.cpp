@@ -21,7 +21,7 @@ void ViewControls::tell_idle_ones() {
   for (view::Control& control : controls_) control.idle = why_idle(control.id);
 }
 
-/// Whether the chosen head has a dimension for which `is` holds.
+/// Whether the chosen head has a dimension for which `is` is true.
 bool ViewControls::head_has(bool (*is)(const HeadShape::Dimension&)) const {
   const auto chosen = std::size_t(at(kHead));
   return chosen != 0 && std::ranges::any_of(head_shapes()[chosen - 1].dimensions, is);

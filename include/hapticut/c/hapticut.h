@@ -224,7 +224,7 @@ HAPTICUT_C_API int hapticut_loop_stop(hapticut_loop loop, hapticut_loop_report* 
 HAPTICUT_C_API int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface);
 
 /** The next changed page; the page nearest to the point of hapticut_surface_look_at comes first. Also while a loop
- * runs. The arrays stay valid until the page is released. Several pages may be held. NOTHING: no page has changed */
+ * runs. The arrays stay valid until the page is released. Several pages may be in use. NOTHING: no page has changed */
 HAPTICUT_C_API int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page);
 
 /** Releases a page.

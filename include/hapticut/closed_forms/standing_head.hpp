@@ -109,7 +109,7 @@ namespace hapticut::closed_forms {
 }
 
 /// C11, the pressure identity: the springs have the wrench of a pressure `k_v w^2/2` on the surface of the material
-/// inside the head. It holds for any pose, for any body of uniform stiffness, and for any head whose depth vanishes on
+/// inside the head. It is true for any pose, for any body of uniform stiffness, and any head whose depth vanishes on
 /// all of its surface in material.
 /// @param w  [m] >= 0 depth
 /// @return [Pa]
@@ -170,7 +170,7 @@ inline constexpr double kWorkOfAClosedPath = 0;  // [J]
 
 /// C15: force of Hunt-Crossley damping on a ball that moves down,
 /// `(2 pi/3) k_v chi v {R(R^3 - h^3)/3 - (R^4 - h^4)/4 - h^3 [R ln(R/h) - d]}`, h = R - d, 0 <= d < R. It also
-/// holds for a ball that moves up while chi times the speed is nowhere above 1.
+/// is true for a ball that moves up while chi times the speed is nowhere above 1.
 /// @param chi    [s/m]
 /// @param speed  [m/s] downwards
 /// @return [N]

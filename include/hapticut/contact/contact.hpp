@@ -21,7 +21,7 @@ namespace hapticut {
 inline constexpr int kLanes = kBlockEdge;
 inline constexpr int kBlockRows = kBlockVoxels / kLanes;  ///< 64
 
-/// The samples of one block inside the head, in the tool frame T. The arrays hold the rows of the block that have at
+/// The samples of one block inside the head, in the tool frame T. The arrays store the rows of the block that have at
 /// least one sample, eight lanes each. A lane whose voxel is empty or outside the head has fill 0 and depth 0, and
 /// therefore neither force nor removal.
 struct ContactBlock {

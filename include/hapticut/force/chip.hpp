@@ -22,7 +22,7 @@
 ///
 ///     sigma_c = (y_1 + y_2)/(y_1 + y_2 + b)         q_0 = h_e f_z + b y_1 y_2/(y_1 + y_2)
 ///
-/// so the equation of the layer (LayerRecession) does not change. In a voxel that holds the bottom of the layer, any
+/// so the equation of the layer (LayerRecession) does not change. In a voxel that contains the bottom of the layer, any
 /// chord through the top gives the same sum. There the other end of the chord is the speed of the head, to which the
 /// recession tends. It is the mean velocity over some time (HeadMotion::ripple), because otherwise the root would make
 /// cuts cheaper the more the tool of a coupling trembles. It is reduced when more than half of the voxel is in the

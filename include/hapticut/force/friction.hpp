@@ -15,7 +15,7 @@ namespace hapticut {
 /// Dry friction between the standing head and the material.
 ///
 /// mu_s is the force along the surface, per newton across it, at which the head begins to slide; mu_d is the force that
-/// keeps it sliding. With 0.3, a head that is pressed with 1 N holds up to 0.3 N. Friction belongs to a pair of
+/// keeps it sliding. With 0.3, a head that is pressed with 1 N resists up to 0.3 N. Friction belongs to a pair of
 /// surfaces. All materials of a workpiece meet the same head, so each material has its own numbers, and no rule
 /// combines those of two surfaces. Only a head that stands or nearly stands needs them: a spinning head slides
 /// everywhere, and `Material::cutting_ratio` describes its drag.

@@ -146,7 +146,7 @@ class ForceLaw {
     return {};
   }
 
-  /// Whether DeepContact holds a ball that is pushed beyond its radius. True only for a law whose own force of a ball
+  /// Whether DeepContact tethers a ball that is pushed beyond its radius. True only for a law whose own force of a ball
   /// falls with depth beyond the radius, as that of springs that push from the centre, and that claims to be right
   /// there.
   [[nodiscard]] virtual bool tethers_deep_ball() const noexcept { return false; }
@@ -155,7 +155,7 @@ class ForceLaw {
   /// detail and crushing.
   [[nodiscard]] virtual bool is_foundation() const noexcept { return false; }
 
-  /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They hold
+  /// Whether `evaluate` accepts blocks with `sub_voxel`, whose entries are parts of voxels instead of points. They have
   /// the depth of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of converts
   /// them to w), and `max_component` for VoxelSection, which integrates over the part. If false,
   /// SimulationConfig::quadrature must be one of points.

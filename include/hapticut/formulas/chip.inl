@@ -13,7 +13,7 @@ struct ChipChord {
 
   /// @param tooth_rate  [1/s] f_z of the lips that take a chip (ChippingLips)
   /// @param work        [J/(m^4 s)] kappa k_v g_d s/2 >= 0
-  /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
+  /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it contains the bottom of the layer
   /// @param speed       [m/s] of the head into the surface, without its ripple
   template <class Material>
   HAPTICUT_FORMULA static ChipChord of(const Material& material, Real tooth_rate, Real work, Real top, Real bottom,

@@ -53,7 +53,7 @@ struct DecidingCurve {
     decide(rule == CellRule::nearer ? always : never, rule == CellRule::farther ? always : never,
            rule == CellRule::sides ? always : never, curve, rho, z);
   }
-  /// Asks one more curve, by the rule that holds for each voxel.
+  /// Asks one more curve, by the rule that applies to each voxel.
   template <class Condition>
   HAPTICUT_FORMULA void decide(Condition nearer, Condition farther, Condition sides, const CurveSprings<Real>& curve,
                                Real rho, Real z) {

@@ -9,7 +9,7 @@
 /// text for one voxel, with `Real` a float or a double; the kernels include the same text for a vector of voxels, with
 /// a `Real` that has the same operators and words (src/kernels/wide-inl.hpp). A text has no namespace and no includes.
 ///
-/// A condition is a bool for one voxel and a mask for a vector. `select(where, a, b)` is a where the condition holds,
+/// A condition is a bool for one voxel and a mask for a vector. `select(where, a, b)` is a where the condition is true,
 /// else b. Both are computed, so one of them may divide by zero where the other is chosen. `any` and `all` turn a
 /// condition into a bool: with them a text leaves out what no voxel of the vector needs.
 #define HAPTICUT_FORMULA inline

@@ -77,7 +77,7 @@ constexpr auto fields_of(Of<HeatConfig>) {
   };
 }
 
-/// Effect of the heat on one material, over the cells that hold any of it. A temperature is the mean of a cell.
+/// Effect of the heat on one material, over the cells that contain any of it. A temperature is the mean of a cell.
 struct StructureHeat {
   MaterialId material = kEmpty;  ///< [1] its id
   double temperature = 0;        ///< [deg C] maximum now; body temperature if none of it is left
@@ -143,7 +143,7 @@ class HeatField {
   ///         many cells
   explicit HeatField(const Workpiece& workpiece, HeatConfig config = {});
 
-  /// Receives everything that a collector holds: adds its heat where it arose, and updates the changed blocks.
+  /// Receives everything that a collector has: adds its heat where it arose, and updates the changed blocks.
   /// @return [s] total duration of the steps, for `advance`
   double drain(HeatCollector& collector);
 
@@ -176,7 +176,7 @@ class HeatField {
   [[nodiscard]] std::vector<StructureHeat> structures() const;  ///< one entry per material of the workpiece
   [[nodiscard]] HeatBalance balance() const;
 
-  /// [deg C] Interpolated between the centres of the cells around; NaN where none of them holds material.
+  /// [deg C] Interpolated between the centres of the cells around; NaN where none of them contains material.
   [[nodiscard]] double temperature_at(const Vec3& p_WQ) const;
 
   // --- the cells, for display ---------------------------------------------------------------------------------------

@@ -46,7 +46,7 @@ class IslandWatch {
  public:
   /// @param simulation  must outlive it and must not be moved
   /// @throws Error when an option is out of range, or as IslandFinder and ChangeFeed. Their conditions on the workpiece
-  ///         hold for the present one
+  ///         apply to the present one
   explicit IslandWatch(Simulation& simulation, const IslandWatchOptions& options = {});
   ~IslandWatch();
   IslandWatch(const IslandWatch&) = delete;

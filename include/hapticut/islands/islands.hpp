@@ -21,7 +21,7 @@ namespace hapticut {
 /// Definition of an island.
 struct IslandOptions {
   double min_fill = 0.05;  ///< [1] voxels with less fill join nothing; those that touch an island are removed with it
-  /// [m] in W: pieces joined to a voxel centred in this box stay; empty: the largest piece stays
+  /// [m] box in W: pieces joined to a voxel centred in it stay; empty: the largest piece stays
   std::optional<Box> fixed;
 };
 
@@ -31,7 +31,7 @@ constexpr auto fields_of(Of<IslandOptions>) {
       field("min_fill", &O::min_fill, "1", Range::between(0, 1),
             "voxels with less fill join nothing; those that touch an island are removed with it"),
       field("fixed", &O::fixed,
-            "[m] in W: pieces joined to a voxel centred in this box stay; empty: the largest piece stays"),
+            "[m] box in W: pieces joined to a voxel centred in it stay; empty: the largest piece stays"),
   };
 }
 
@@ -40,7 +40,7 @@ void validate(const IslandOptions& options);
 
 /// A piece that nothing holds.
 struct Island {
-  std::vector<BlockVoxels> blocks;  ///< ordered by origin; without voxels in blocks that hold only its skin
+  std::vector<BlockVoxels> blocks;  ///< ordered by origin; without voxels in blocks that contain only its skin
   std::int64_t voxels = 0;          ///< number in all blocks
   double min_fill = 0;              ///< [1] IslandOptions::min_fill of the search
 
@@ -58,19 +58,19 @@ struct Island {
 /// for every block within the workpiece's bounds.
 class IslandFinder {
  public:
-  /// @throws Error as `validate`, or when the box IslandOptions::fixed holds no voxel of the workpiece, or the
+  /// @throws Error as `validate`, or when the box IslandOptions::fixed contains no voxel of the workpiece, or the
   /// workpiece
   ///         spans too many blocks
   explicit IslandFinder(const Workpiece& workpiece, const IslandOptions& options = {});
 
-  /// Begins without a workpiece. The first `update` of each block tells what it holds at the beginning; `find` finds
+  /// Begins without a workpiece. The first `update` of each block tells what it has at the beginning; `find` finds
   /// nothing until it was called for all blocks.
   /// @param voxels  whose blocks are searched
   /// @throws Error as `validate`, or when the box has too many blocks
   IslandFinder(const IndexBox& voxels, const GridFrame& frame, const IslandOptions& options);
 
-  /// Updates a block to its present content. Material that came back by an undo joins again, or is found again if it is
-  /// loose.
+  /// Updates a block to its present content. Material that an undo has restored counts as present again; if it is
+  /// loose, `find` finds it again.
   /// @param fill  [512] 0: empty
   void update(const VoxelIndex& origin, const float* fill);
 

@@ -10,7 +10,7 @@ namespace hapticut {
 /// Passes the latest value of one writer to one reader without a lock. Neither side ever waits, and the reader never
 /// sees a partly written value. Intermediate values are lost, which suits a picture on a screen.
 ///
-/// There are three copies: one for the writer, one for the reader, and one in the middle. The byte `middle_` holds the
+/// There are three copies: one for the writer, one for the reader, and one in the middle. The byte `middle_` stores the
 /// index of the middle copy, and whether that copy is newer than the reader's.
 /// @realtime no allocation after construction and no lock, if the assignment of T does neither
 template <typename T>
@@ -20,7 +20,7 @@ class TripleBuffer {
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  /// The writer's copy, to be filled in and published. It holds an old value.
+  /// The writer's copy, to be filled in and published. It has an old value.
   [[nodiscard]] T& writing() noexcept { return copies_[writing_]; }
 
   /// Makes the writer's copy the latest value.

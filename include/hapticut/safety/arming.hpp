@@ -66,7 +66,7 @@ constexpr auto fields_of(Of<ArmingOptions>) {
 /// What the gate says about the reading of a tick.
 enum class Reading : std::uint8_t {
   bad,       ///< it was not accepted
-  repeated,  ///< the device has no newer one; the last one holds
+  repeated,  ///< the device has no newer one; the last one is held
   good,
 };
 

@@ -107,7 +107,7 @@ class SafetyGuard {
   /// The reading that `admit` returned last; for the thread of the loop.
   [[nodiscard]] const DeviceState& admitted() const noexcept { return gate_.state(); }
 
-  /// Whether the device had no newer reading for `admit`. The command for the last one holds: the model makes no step.
+  /// Whether the device had no newer reading for `admit`. The last command is held: the model makes no step.
   [[nodiscard]] bool repeats() const noexcept { return reading_ == Reading::repeated; }
 
   /// Turns the wrench that the model commands into the wrench that the device may render.

@@ -131,13 +131,13 @@ class PassivityController {
   double stored_ = 0, damping_force_ = 0;
   double commanded_ = 0;   // [N] at the last tick
   Vector6 effects_;        // [N] part of it that is not contact
-  Vector6 mean_;           // [N] that acted since the reading last stepped, along each axis
-  Vector6 still_;          // [ticks] since then
+  Vector6 mean_;           // [N] mean of what acted since the reading last changed, along each axis
+  Vector6 still_;          // [ticks] time since then
   Vector6 velocity_;       // [m/s] mean of the hand's
   Vector6 path_;           // [m] motion, where the past counts less and less
   double motor_work_ = 0;  // [J] work of the model's motor, likewise
   double time_ = 0;        // [s] likewise
-  double stands_ = 0;      // [s] since the reading last stepped
+  double stands_ = 0;      // [s] time since the reading last changed
   Vector6 reduction_;      // [N] reduction of a push
   Vector6 damping_;        // [N]
   Vector6 slope_;          // [N/s] mean change of the commanded force

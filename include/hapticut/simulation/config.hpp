@@ -52,7 +52,7 @@ struct SimulationConfig {
   double device_stiffness = 0;
 
   /// [s/m] chi, Hunt and Crossley's damping of all contact; empty: 300 for FoundationLaw at the end of a step, else 0.
-  /// Is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
+  /// It is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
   /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
   /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end` and the law is FoundationLaw, else 0.
   std::optional<double> contact_damping;
@@ -63,7 +63,7 @@ struct SimulationConfig {
 
   /// When in a sub-step the contact is evaluated.
   /// With `end`, springs push harder than the energy that they store in the sub-step. The difference is booked as
-  /// damping, which closes the ledger of each sub-step. EnergyLedger::entered then holds the energy that no work
+  /// damping, which closes the ledger of each sub-step. EnergyLedger::entered then has the energy that no work
   /// brought in.
   ContactTime contact_time = ContactTime::middle;
 
@@ -95,13 +95,13 @@ struct SimulationConfig {
   /// counts the voxels of the list.
   bool list_removed_voxels = true;
 
-  /// [1] maximum number of removed voxels that a step lists; 0: as many as the head holds.
+  /// [1] maximum number of removed voxels that a step lists; 0: as many as the head contains.
   /// Voxels beyond it are removed, but not listed.
   std::size_t removed_voxel_capacity = 0;
 
   /// [1] maximum number of voxels that a sub-step evaluates, at least 4096; 0: no limit.
   /// When the head touches more voxels, a sub-step evaluates only every n-th strip of 16 voxels, in turn, and counts it
-  /// n times. The deadline holds, and the force is that of a coarser quadrature. StepStatus::detail_reduced reports it,
+  /// n times. The deadline is met; the force is that of a coarser quadrature. StepStatus::detail_reduced reports it,
   /// and Contact::level_of_detail is n. The force is then too low: in a groove of a ball of 3 mm in dentin by 2 ... 3 %
   /// at n = 2, 4 ... 6 % at n = 3, and 9 % and more from n = 4 on (voxels of 0.04 and 0.05 mm). The removed volume is
   /// right within 0.4 % up to n = 6. n follows from the voxels inside the head, and includes voxels just outside,
@@ -154,7 +154,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
       field("list_removed_voxels", &C::list_removed_voxels,
             "a step lists the voxels that it removes; without the list, StepResult::removed_voxels is empty"),
       field("removed_voxel_capacity", &C::removed_voxel_capacity, "1", Range::between(0, 1e9),
-            "maximum number of removed voxels that a step lists; 0: as many as the head holds"),
+            "maximum number of removed voxels that a step lists; 0: as many as the head contains"),
       field("voxel_budget", &C::voxel_budget, "1", Range::between(0, 1e9),
             "maximum number of voxels that a sub-step evaluates, at least 4096; 0: no limit"),
       field("stage_times", &C::stage_times, "measure Simulation::stage_times"),

@@ -11,7 +11,7 @@
 #include "hapticut/workpiece/material.hpp"
 
 /// Objects that replace parts of a simulation between two steps of a running loop. They are made beforehand, in another
-/// thread, with all the memory that they need. The exchange only swaps pointers. Afterwards the prepared object holds
+/// thread, with all the memory that they need. The exchange only swaps pointers. Afterwards the prepared object has
 /// the old part, which can be freed outside the loop.
 namespace hapticut {
 

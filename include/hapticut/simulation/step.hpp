@@ -33,10 +33,10 @@ constexpr auto fields_of(Of<StepInput>) {
 enum class StepStatus : std::uint32_t {
   ok = 0,
 
-  /// The pose held a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched. Cure:
+  /// The pose had a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched. Cure:
   /// check the device's matrix; if it is only inexact, re-orthonormalise it (`orthonormalized`).
   pose_rejected = 1U << 0,
-  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s; or, behind a coupling, it was thirty
+  /// The velocity had a number that is not finite, or was above 1e6 m/s or rad/s; or, behind a coupling, it was thirty
   /// times the velocity of the poses. No force, workpiece untouched. Cure: check the velocity estimate, and that it is
   /// in m/s and rad/s.
   velocity_rejected = 1U << 1,
@@ -56,7 +56,7 @@ enum class StepStatus : std::uint32_t {
   /// Some material was felt but not cut, because no reserved block was left. Cure: call Simulation::reserve_blocks
   /// outside the step, or raise SimulationConfig::reserved_blocks.
   blocks_exhausted = 1U << 5,
-  /// More voxels were emptied than the list holds. All are removed and their volume is counted, but not all are listed.
+  /// More voxels were emptied than the list takes. All are removed and their volume is counted, but not all are listed.
   /// Cure: raise SimulationConfig::removed_voxel_capacity.
   removed_list_full = 1U << 6,
   // Bit 7 is free: it never had a meaning.

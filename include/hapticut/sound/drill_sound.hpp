@@ -47,7 +47,7 @@ constexpr auto fields_of(Of<SoundOptions>) {
 
 /// The sound of a drill, computed sample by sample from the state of the loop, without a recording:
 ///
-///     tone   f = |spindle_speed|/(2 pi), 2 f, and flutes f, where the sample rate can hold them (to 0.45 of it)
+///     tone   f = |spindle_speed|/(2 pi), 2 f, and flutes f, where the sample rate allows them (to 0.45 of it)
 ///     noise  in a band, of rms 0.24 sqrt(P/(P + half_power)); its middle is at 2.5 kHz where the work per removed
 ///            volume is 1e8 J/m^3, an octave higher for ten times as much: 1.25 ... 10 kHz. Rubbing removes nothing,
 ///            so it hisses

@@ -16,7 +16,7 @@
 /// The table of a ProfileHead: for each cell, the curve of the meridian that gives the smallest depth.
 ///
 /// The depth below a meridian of lines and arcs is not smooth (the direction jumps on the medial axis), so values on a
-/// grid would blur it. The table therefore holds no depths. For each square cell of the (rho, z) half-plane it holds
+/// grid would blur it. The table therefore has no depths. For each square cell of the (rho, z) half-plane it stores
 /// the one or two curves that decide there, and how they decide. Depth and direction then follow in closed form,
 /// exactly, from the numbers of a curve. Where three or more curves compete (a few points of the medial axis, hollow
 /// corners) the cell keeps the best two. Only these cells have an error, see ProfileTable::error.
@@ -124,7 +124,7 @@ namespace formulas {
 #include "hapticut/formulas/curves.inl"
 }  // namespace formulas
 
-/// The data of a profile that the hot loop needs. Holds pointers into the table of the head; the table must outlive it.
+/// The data of a profile that the hot loop needs. Has pointers into the table of the head; the table must outlive it.
 template <class Real>
 struct ProfileSprings {
   const Real *rho, *z, *normal_rho, *normal_z, *curvature, *scale;

@@ -10,7 +10,7 @@
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
-/// A block: 8 x 8 x 8 voxels, the unit of storage and of work. A block is one leaf of the OpenVDB trees that hold the
+/// A block: 8 x 8 x 8 voxels, the unit of storage and of work. A block is one leaf of the OpenVDB trees that store the
 /// workpiece; this file describes it without OpenVDB.
 namespace hapticut {
 

@@ -25,7 +25,7 @@ template <class T>
 using ByMaterial = std::array<T, kMaxMaterials + 1>;
 
 /// A material of a workpiece. The cutting constants are valid for this material with one kind of cutter. The list below
-/// holds the meaning, unit and range of each number.
+/// has the meaning, unit and range of each number.
 struct Material {
   std::string name;                      ///< unique within a workpiece, not empty
   double relative_stiffness = 1;         ///< [1] foundation stiffness over the simulation's reference_stiffness

@@ -10,7 +10,7 @@
 
 /// @file
 /// Ready-made materials. Cutting constants depend on the kind of cutter: give a preset the kind of the Tool, whose lips
-/// make the chips (`lips_of`). `docs/heads-and-materials.md` holds the numbers as tables, with their sources and
+/// make the chips (`lips_of`). `docs/heads-and-materials.md` has the numbers as tables, with their sources and
 /// uncertainty, and compares their predictions with measurements of others.
 ///
 /// The cutting energy of a hard material is that of dentin under the same cutter times a relative energy of the

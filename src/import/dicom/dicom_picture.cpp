@@ -29,7 +29,7 @@ constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16
                         kPlanePosition = dicom_tag(0x20, 0x9113), kPlaneOrientation = dicom_tag(0x20, 0x9116),
                         kMeasures = dicom_tag(0x28, 0x9110), kTransformation = dicom_tag(0x28, 0x9145);
 constexpr const char* kDoseClass = "1.2.840.10008.5.1.4.1.1.481.2";
-/// Enhanced and converted CT, MR and PET, and X-ray 3D, whose functional groups hold the positions of the frames.
+/// Enhanced and converted CT, MR and PET, and X-ray 3D, whose functional groups have the positions of the frames.
 constexpr const char* kEnhanced[] = {"1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
                                      "1.2.840.10008.5.1.4.1.1.4.1",    "1.2.840.10008.5.1.4.1.1.4.4",
                                      "1.2.840.10008.5.1.4.1.1.128.1",  "1.2.840.10008.5.1.4.1.1.130",
@@ -185,7 +185,7 @@ void read_table(const DicomFile& file, DicomPicture& picture) {
   const std::size_t count = layout.size() != 6 ? 0 : word(layout, 0) == 0 ? 65536 : word(layout, 0);
   if (count == 0 || values.size() != 2 * count)
     throw Error(
-        "its table of grey values (Modality LUT) is damaged or does not hold 16-bit numbers; save it with a rescale "
+        "its table of grey values (Modality LUT) is damaged or does not have 16-bit numbers; save it with a rescale "
         "slope and intercept instead of the table.");
   picture.table_first = picture.has_sign ? double(std::int16_t(word(layout, 1))) : double(word(layout, 1));
   for (std::size_t n = 0; n < count; ++n) picture.table.push_back(word(values, n));
@@ -266,7 +266,7 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
         file.fragments.size() > 1 &&
         (file.syntax == kRunLengths || std::all_of(file.fragments.begin(), file.fragments.end(), ends_stream));
     if (several)
-      throw Error("it holds " + std::to_string(file.fragments.size()) +
+      throw Error("it contains " + std::to_string(file.fragments.size()) +
                   " compressed pictures, but its number of frames is 1. Get a complete copy.");
     parts[0] = file.fragments;
   } else if (file.fragments.size() == frames) {
@@ -281,7 +281,7 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
       }
       return parts;
     }
-    // The table holds the offset of each frame's first fragment, relative to the first frame.
+    // The table has the offset of each frame's first fragment, relative to the first frame.
     if (file.offsets.size() != 4 * frames)
       throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be assigned to " +
                   std::to_string(frames) + " frames; it is damaged. Get a complete copy.");
@@ -315,7 +315,7 @@ std::string kind_of(const DicomFile& file) {
 bool has_rows(const DicomFile& file) { return file.data.has(kRows); }
 
 DicomPicture describe_picture(const DicomFile& file) {
-  if (!file.has_picture) throw Error("it holds no picture; it is truncated, or a report. Get a complete copy.");
+  if (!file.has_picture) throw Error("it contains no picture; it is truncated, or a report. Get a complete copy.");
   DicomPicture picture;
   picture.allocated = file.number(kAllocated, "number of bits allocated");
   picture.stored = file.number(kStored, "number of bits stored");

@@ -19,7 +19,7 @@ constexpr std::size_t kRleHeader = 64;  // [bytes]
 void unpack_segment(std::string_view segment, std::size_t samples, char* to, std::size_t step) {
   std::size_t done = 0;
   const auto put = [&](char value) {
-    if (done == samples) fail_rle("a segment holds too many values");
+    if (done == samples) fail_rle("a segment contains too many values");
     to[step * done++] = value;
   };
   for (std::size_t at = 0; at < segment.size() && done < samples;) {
@@ -33,7 +33,7 @@ void unpack_segment(std::string_view segment, std::size_t samples, char* to, std
       ++at;
     }
   }
-  if (done < samples) fail_rle("a segment holds too few values");
+  if (done < samples) fail_rle("a segment contains too few values");
 }
 
 }  // namespace

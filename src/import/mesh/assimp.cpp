@@ -33,7 +33,7 @@ std::string cause_of(std::string_view reason) {
     return "the file " + in_quotes(name.substr(0, name.find('"'))) +
            " that it refers to cannot be read; keep the files together, or export the mesh as .glb.";
   }
-  return "it is damaged, holds no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
+  return "it is damaged, has no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
          "OBJ.";
 }
 

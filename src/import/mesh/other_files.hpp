@@ -8,7 +8,7 @@
 #include "import/mesh/mesh_extensions.hpp"
 
 /// @file
-/// Recognizes files that have the ending of a mesh and hold something else.
+/// Recognizes files that have the ending of a mesh and contain something else.
 namespace hapticut {
 
 /// What a file is, and what to do, if its first bytes show another kind of file than its ending: "it is a ZIP

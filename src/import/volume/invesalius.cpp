@@ -81,7 +81,7 @@ class ProjectArchive {
     archive_entry* entry = nullptr;
     for (;;) {
       const int status = archive_read_next_header(archive_.get(), &entry);
-      if (status == ARCHIVE_EOF) throw Error("it holds no file '" + name + "'; is it an InVesalius project?");
+      if (status == ARCHIVE_EOF) throw Error("it contains no file '" + name + "'; is it an InVesalius project?");
       if (status != ARCHIVE_OK) fail();
       if (const char* at = archive_entry_pathname(entry); at != nullptr && std::filesystem::path(at).filename() == name)
         break;
@@ -90,7 +90,7 @@ class ProjectArchive {
     if (!(size >= 0 && size <= max_bytes))
       throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(max_bytes) +
                   " are allowed.");
-    // The archive may claim more than it holds, so the buffer grows as data arrive.
+    // The archive may claim more than it contains, so the buffer grows as data arrive.
     std::string bytes, buffer(1U << 20U, '\0');
     for (;;) {
       const auto count = archive_read_data(archive_.get(), buffer.data(), buffer.size());

@@ -20,11 +20,11 @@ struct PictureFile {
 };
 
 /// Reads a PNG file. Palettes and depths below 8 bits are expanded; values are not scaled.
-/// @throws Error when the file is not PNG, damaged, truncated, or claims more pixels than it can hold
+/// @throws Error when the file is not PNG, damaged, truncated, or claims more pixels than it can contain
 [[nodiscard]] PictureFile read_png(const std::filesystem::path& path);
 
 /// Reads a TIFF file: grey values or colours of 8 or 16 bits, or grey values in single precision, in strips or tiles.
-/// @throws Error when the file is not TIFF, damaged, truncated, claims more pixels than it can hold, has several pages
+/// @throws Error when the file is not TIFF, damaged, truncated, claims more pixels than fit in it, has several pages
 ///         or is of another kind
 [[nodiscard]] PictureFile read_tiff(const std::filesystem::path& path);
 

@@ -42,8 +42,8 @@ struct NoSlice {
 
 [[nodiscard]] NoSlice what_is_no_slice(const std::filesystem::path& file, const std::string& format);
 
-/// A remark about folders in a folder of slices that hold slices too, which are not read. Empty when there is none.
-/// @param slices  what they hold: "DICOM files"
+/// A remark about folders in a folder of slices that have slices too, which are not read. Empty when there is none.
+/// @param slices  what they contain: "DICOM files"
 [[nodiscard]] std::string remark_on_subfolders(const std::filesystem::path& folder, const std::string& slices,
                                                const std::function<bool(const std::filesystem::path&)>& is_slice);
 

@@ -32,7 +32,7 @@ std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path,
                 " steps, but none to play back from number " + std::to_string(range.first) + " on.");
   if (count > kMaxPlayedSteps)
     throw Error("the recording '" + path.string() + "' has " + std::to_string(count) + " steps to play back; at most " +
-                std::to_string(kMaxPlayedSteps) + " are held in memory; record a shorter one" +
+                std::to_string(kMaxPlayedSteps) + " are kept in memory; record a shorter one" +
                 Sentence::clause(", or open a part of it with a " + "PlaybackRange"_name) + ".");
   std::vector<DeviceState> readings;
   readings.reserve(count);

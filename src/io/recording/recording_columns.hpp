@@ -30,7 +30,7 @@ struct Column {
 /// All columns of the current format, in the order of the file.
 [[nodiscard]] const std::vector<Column>& recording_columns();
 
-/// Group that holds the columns.
+/// Group that contains the columns.
 inline constexpr char kStepsGroup[] = "steps";
 
 /// One number of a packed row.

@@ -20,7 +20,7 @@ inline constexpr char kEffectsGroup[] = "effects";
 inline constexpr char kFirstSteps[] = "first_step";
 inline constexpr char kEffectValues[] = "values";
 
-/// The texts of a RecordingInfo and the attributes of the root that hold them.
+/// The texts of a RecordingInfo and the attributes of the root that store them.
 inline constexpr std::pair<const char*, std::string RecordingInfo::*> kInfoTexts[] = {
     {"version", &RecordingInfo::version}, {"commit", &RecordingInfo::commit}, {"compiler", &RecordingInfo::compiler},
     {"cpu", &RecordingInfo::cpu},         {"begun", &RecordingInfo::begun},   {"device", &RecordingInfo::device},

@@ -30,7 +30,7 @@ std::string name_at(const std::string& place) { return place.substr(place.rfind(
 void require_size_in_file(double bytes, std::uint64_t file_size, const std::string& name) {
   constexpr double kMaxDeflateRatio = 1032;  // times smaller
   if (bytes > kMaxDeflateRatio * double(file_size))
-    throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) + " bytes, more than the file can hold");
+    throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) + " bytes, more than fit in the file");
 }
 
 void fail_in_reader() {

@@ -76,7 +76,7 @@ class RecordingSource {
 /// The last part of a place, used in messages.
 [[nodiscard]] std::string name_at(const std::string& place);
 
-/// @throws hdf5::Failure when a file of this size cannot hold so many bytes
+/// @throws hdf5::Failure when a file of this size cannot contain so many bytes
 void require_size_in_file(double bytes, std::uint64_t file_size, const std::string& name);
 
 /// @throws hdf5::Failure that says: the reader program crashed, hung or sent an invalid reply

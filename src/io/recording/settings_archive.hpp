@@ -116,7 +116,7 @@ class SettingsReader {
     if (has(name)) (*this)(name, value.emplace());
   }
 
-  /// @throws Error when the group holds a field that was not read
+  /// @throws Error when the group contains a field that was not read
   void close() const {
     for (const std::string& field : listed_)
       if (!contains(asked_, field))

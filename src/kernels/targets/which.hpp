@@ -3,7 +3,7 @@
 
 /// The instruction sets that kernels are compiled for: the one that the compiler assumes anyway (baseline.cpp), AVX2
 /// and AVX-512, unless HAPTICUT_KERNELS excludes one. The sets between them are left out: they gain little and cost
-/// compile time. Sets with vectors of variable length are left out too, because no class can hold such vectors; so ARM
+/// compile time. Sets with vectors of variable length are left out too, because no class can have such members; so ARM
 /// uses NEON, and RISC-V plain code.
 #ifndef HAPTICUT_KERNELS_LEAVE_OUT
 #define HAPTICUT_KERNELS_LEAVE_OUT 0

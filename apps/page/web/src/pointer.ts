@@ -64,7 +64,7 @@ export class Pointer {
     document.addEventListener("visibilitychange", releaseAll);
   }
 
-  /** Begins another scene. Inputs that are still held do not press in it. */
+  /** Begins another scene. Inputs that are still down do not press in it. */
   begin() { this.holders.clear(); }
 
   /** Called once per picture: handles the newest place of the pointer, and the gamepads. */

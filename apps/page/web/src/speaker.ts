@@ -3,7 +3,7 @@
 declare class AudioWorkletProcessor { readonly port: MessagePort; }
 declare function registerProcessor(name: string, processor: new () => AudioWorkletProcessor): void;
 
-const kMaxQueued = 4800; // samples, 0.1 s at 48 kHz; the queue holds twice as many
+const kMaxQueued = 4800; // samples, 0.1 s at 48 kHz; the queue has room for twice as many
 
 class Speaker extends AudioWorkletProcessor {
   private waiting: Float32Array[] = [];

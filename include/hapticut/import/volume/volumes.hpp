@@ -24,7 +24,7 @@
 ///
 /// Every function throws an Error that names the file when it cannot be opened, has another format than its name says,
 /// is truncated, does not have three dimensions and one value per sample, has sheared axes, or claims more samples than
-/// its size can hold or than kMaxVolumeSamples.
+/// its size can contain or than kMaxVolumeSamples.
 namespace hapticut {
 
 /// Maximum number of samples that are read: 8 GiB as grey values.
@@ -34,7 +34,7 @@ inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
 struct VolumeReadOptions {
   /// [m] Replaces the spacing of the file. Required if the file has no spacing (PNG and TIFF slices).
   std::optional<Vec3> spacing = std::nullopt;
-  /// Series Instance UID. Required if a DICOM folder holds several series, or a series with different kinds of slices;
+  /// Series Instance UID. Required if a DICOM folder has several series, or a series with different kinds of slices;
   /// then the most frequent kind is read.
   std::string dicom_series = {};
 };

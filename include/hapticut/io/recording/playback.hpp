@@ -10,10 +10,10 @@
 
 namespace hapticut {
 
-/// [steps] Limit of one playback, which is held in memory: 0.2 kB per step, 1.9 GB for 2 h 46 min at 1 kHz.
+/// [steps] Limit of one playback, which is kept in memory: 0.2 kB per step, 1.9 GB for 2 h 46 min at 1 kHz.
 inline constexpr std::uint64_t kMaxPlayedSteps = 10'000'000;
 
-/// The steps of a recording to play back. They are held in memory, so the loop never waits for a disk.
+/// The steps of a recording to play back. They are kept in memory, so the loop never waits for a disk.
 struct PlaybackRange {
   std::uint64_t first = 0;                                          ///< number of the first step
   std::uint64_t count = std::numeric_limits<std::uint64_t>::max();  ///< [steps] maximum number; default: all

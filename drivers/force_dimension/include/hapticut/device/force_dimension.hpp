@@ -13,7 +13,7 @@
 /// the component `forcedimension`, which is built if the SDK is found.
 namespace hapticut {
 
-/// How a device of Force Dimension is opened.
+/// Options for opening a device of Force Dimension.
 struct ForceDimensionOptions {
   /// A serial number (1234) or a model; empty: the first free device.
   /// "omega.7" is a model for either hand, "omega.7-left" and "omega.7-right" are models for one hand.
