@@ -138,12 +138,25 @@ void bind_the_simulation(py::module_& m) {
           "spindle_setting", [](const S& self) { return self.read().spindle().setting(); },
           doc("SpindleDrive::setting"))
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
-      .def_property_readonly("next_step_is_first", reading<S>(&Simulation::next_step_is_first),
-                             doc("Simulation::next_step_is_first"))
-      .def_property_readonly("is_fresh", reading<S>(&Simulation::is_fresh), doc("Simulation::is_fresh"))
+      .def_property_readonly(
+          "next_step_is_first", reading<S>(&Simulation::next_step_is_first),
+          "Whether the next step will be the first of the tool: before the first one, and after `undo`, `redo`,\n"
+          "`restore`, `set_tool`, `set_materials` and `reset`, and commands of a loop that exchange one of these. "
+          "After\n"
+          "these calls, the material that the tool is in is neither felt nor cut: steps are rejected with\n"
+          "StepStatus.tool_waits until the head touches nothing. Exceptions are the very first step, and `reset` when "
+          "no\n"
+          "coupling holds the tool.")
+      .def_property_readonly(
+          "is_fresh", reading<S>(&Simulation::is_fresh),
+          "Whether the simulation is as new: since construction or `reset` it has made no step and received no\n"
+          "workpiece that a tool was in, and no `undo`, `redo` or islands.remove_island has changed its workpiece. A\n"
+          "recording begins with such a simulation. Calls of `set_tool` and the like do not matter.")
       .def_property_readonly(
           "workpiece_exchanges", [](const S& self) { return self.read().totals().exchanges; },
-          doc("SimulationTotals::exchanges"))
+          "How often something other than a step has changed the workpiece, tool or materials: `restore`, `undo`,\n"
+          "`redo`, `reset`, `set_tool`, `set_materials`, `set_friction`, `set_removal`, and commands of a loop.\n"
+          "Effects do not count. `reset` keeps this number.")
       .def(
           "changed_blocks",
           [](const S& self) {
@@ -184,7 +197,12 @@ void bind_the_simulation(py::module_& m) {
           py::arg("snapshot"), doc("WorkpieceHistory::restore"))
       .def(
           "reserve_undo", [](S& self, std::size_t blocks) { self.write().history().reserve(blocks); },
-          py::arg("blocks"), doc("WorkpieceHistory::reserve"))
+          py::arg("blocks"),
+          "Reserves memory for `set_undo_mark` and `undo`, also for workpieces of a later `reset`: 2.7 kB for each of\n"
+          "`blocks` blocks that are cut after a mark, and 4 bytes for every block within the workpiece's bounds. 0: "
+          "no\n"
+          "undo. Deletes all marks.\n\nRaises\n------\nError\n    When the workpiece spans too many blocks or the "
+          "memory is not available; then nothing has changed.")
       .def(
           "set_undo_mark",
           [](S& self) {
@@ -206,7 +224,10 @@ void bind_the_simulation(py::module_& m) {
           "Number of marks that `redo` can restore.")
       .def(
           "redo", [](S& self, std::size_t max_blocks) { return self.write().history().redo(max_blocks); },
-          py::arg("max_blocks"), doc("WorkpieceHistory::redo"))
+          py::arg("max_blocks"),
+          "Redoes the last `undo`: restores the state before it, and its mark. Called as `undo` is. Needs no memory\n"
+          "beyond that of `reserve_undo`. Cutting discards all redo marks.\n\n"
+          "Returns\n-------\nbool\n    True when it is done, or nothing was undone.")
       .def(
           "reset", [](S& self, const PythonWorkpiece& workpiece) { self.write().reset(workpiece.read().clone()); },
           py::arg("workpiece"),

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The cutting force model for haptic rendering: single steps, runs and sweeps.
 
-The names are those of the C++ library. All quantities are in SI units and in the world frame W, the frame of the
-workpiece, unless a name says otherwise. Arrays are float64: points ``(n, 3)``, poses ``(4, 4)`` homogeneous matrices,
-twists ``(6,)`` linear then angular. Errors raise ``hapticut.Error``, which says what was given, what is allowed and
-what to do.
+The names are those of the C++ library (``docs/python.md`` lists the exceptions). All quantities are in SI units and in
+the world frame W, the frame of the workpiece, unless a name says otherwise. Arrays are float64: points ``(n, 3)``,
+poses ``(4, 4)`` homogeneous matrices, twists ``(6,)`` linear then angular. Errors raise ``hapticut.Error``, which says
+what was given, what is allowed and what to do.
 
 This module builds a workpiece and a tool and moves the tool through the workpiece. The submodules:
 
