@@ -19,7 +19,7 @@ namespace hapticut {
 class VirtualCoupling::NewtonSearch {
  public:
   static constexpr double kSolved = 1e-4;  // [voxels] a smaller correction ends the search
-  static constexpr int kLeastSteps = 2;    // steps of a part
+  static constexpr int kLeastSteps = 2;    // steps of a sub-tick
   static constexpr int kFaster = 4;        // [1] times the steps, in a tick of several sub-ticks
   /// Voxels of a contact for which a tick has CouplingGains::newton_steps, and those whose evaluation takes as long as
   /// the rest of a contact. Smaller contacts have more steps in the same time.
@@ -63,7 +63,7 @@ class VirtualCoupling::NewtonSearch {
   const Twist& hand_;
   const Twist before_;  // from which the forces accelerate the tool
   const double lever_;  // [m] distance of the farthest point of the head
-  int steps_ = 0;       // number in this part
+  int steps_ = 0;       // number in this sub-tick
   int evaluated_ = 0;   // contacts of this sub-tick
   int voxels_ = 0;      // number in the last contact
   int blocks_ = 0;      // searched for them

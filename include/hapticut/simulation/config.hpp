@@ -46,15 +46,15 @@ struct SimulationConfig {
 
   /// [N/m] stiffness of a device that feels the step without a coupling, which limits a chosen reference_stiffness; 0:
   /// none.
-  /// Stiffness of a device that feels the step directly, without a coupling; 0: none. A reference_stiffness of 0 is
-  /// then chosen so low that the head's contact with the stiffest material is not stiffer (`stiffness_for_device`).
-  /// Cutting forces are too low where StepStatus::engaged_layer_thick says so. See `for_device`.
+  /// A reference_stiffness of 0 is then chosen so low that the head's contact with the stiffest material is not stiffer
+  /// (`stiffness_for_device`). Cutting forces are too low where StepStatus::engaged_layer_thick says so.
+  /// See `for_device`.
   double device_stiffness = 0;
 
   /// [s/m] chi, Hunt and Crossley's damping of all contact; empty: 300 for FoundationLaw at the end of a step, else 0.
   /// It is added to each Material::damping. Behind a coupling, the drag of the spin follows the contact's force. This
   /// feeds a vibration of the tool, which the contact has to damp. A device that is driven directly would shake with
-  /// the noise of its velocity. Empty: kCalmingDamping when contact_time is `end` and the law is FoundationLaw, else 0.
+  /// the noise of its velocity. The 300 are kCalmingDamping.
   std::optional<double> contact_damping;
 
   RemovalLaw removal = RemovalLaw::constant_energy;  ///< how material is removed

@@ -254,7 +254,7 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | motion: separated; altered                           | begins with false; ends                                   |
 // | spindle: motor                                       | halted, spindle_set, spindle_setting; then by the steps   |
 // | spindle: held                                        | spindle_held                                              |
-// | spindle: setting_after_hold                          | acts when the hold ends, which is a spindle_set           |
+// | spindle: held_setting_                               | acts when the hold ends, which is a spindle_set           |
 // | hand.output                                          | hand_released; then by the steps                          |
 // | steps                                                | number                                                    |
 // | chooses_stiffness, observers, times, counters        | a step does not depend on them                            |
