@@ -15,6 +15,8 @@
 namespace hapticut {
 namespace {
 
+constexpr double kCancelled = 1e-4;  // [1] resultant over the normal forces: rounding error of single precision
+
 /// Number of blocks without fills that can get some, wherever they are.
 std::size_t free_blocks(const Workpiece& workpiece) noexcept {
   const ReservedNodes nodes = reserved_nodes(workpiece);
@@ -104,12 +106,37 @@ bool ContactStages::crushes(const Encounter& encounter, const HeadMotion& motion
   return scale * encounter.resultant.depth > crushing_depth(motion, scale);
 }
 
+/// [m] Depth at which the first material may be crushed, for the largest closing speed of the head; a smooth surface
+/// has a scale.
 double ContactStages::crushing_depth(const HeadMotion& motion, double scale) const noexcept {
   const HeadBox box = head_.bounding_box();
   const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
   const double max_speed = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
   const auto damping = FoundationLaw::Damping::of(materials_.max_damping() * float(scale * max_speed));
   return double(damping.crushing_depth(materials_.min_crushing_depth()));
+}
+
+double ContactStages::rim_crushing_depth(const Resultant& resultant, const HeadMotion& motion) const noexcept {
+  const bool may_be_rim = head_.ball() == nullptr && !is_point_thin(resultant);
+  if (!may_be_rim || motion.spin != 0 || !motion.crushes) return 0;
+  const double depth = crushing_depth(motion);
+  return resultant.depth > depth ? depth : 0.0;
+}
+
+Contact ContactStages::contact_of(const Encounter& encounter, const Pose& X_WT) const noexcept {
+  const Resultant& resultant = encounter.resultant;
+  Contact contact;
+  contact.voxels = resultant.voxels;
+  contact.volume = resultant.volume * voxel_volume_;
+  contact.depth = resultant.depth;
+  contact.level_of_detail = encounter.level_of_detail;
+  if (!(resultant.normal_force > 0)) return contact;
+  contact.point_W = X_WT * Vec3(resultant.moment_T / resultant.normal_force);
+  if (const double push = resultant.push_T.norm(); push > kCancelled * resultant.normal_force)
+    contact.normal_W = X_WT.rotation * resultant.push_T / push;
+  contact.area = resultant.area * std::pow(workpiece_.voxel_size(), 2);
+  if (contact.area > 0) contact.pressure = resultant.normal_force / contact.area;
+  return contact;
 }
 
 /// FoundationLaw, a few blocks at once.

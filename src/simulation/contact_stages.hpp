@@ -179,9 +179,13 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// The voxels that were ever solid.
   [[nodiscard]] const IndexBox& bounds() const noexcept { return bounds_; }
 
-  /// [m] Depth at which the first material may be crushed, for the largest closing speed of the head; a smooth surface
-  /// has a scale.
-  [[nodiscard]] double crushing_depth(const HeadMotion& motion, double scale = 1) const noexcept;
+  /// [m] Smallest depth at which a standing rim crushes in a sub-step; 0 where nothing is that deep, the head turns or
+  /// is a ball, or a point bears the force that is thinner than the voxels, which do not resolve what it crushes.
+  [[nodiscard]] double rim_crushing_depth(const Resultant& resultant, const HeadMotion& motion) const noexcept;
+
+  /// The contact: its size, and its point, normal and pressure by the normal forces alone.
+  [[nodiscard]] Contact contact_of(const Encounter& encounter, const Pose& X_WT) const noexcept;
+  [[nodiscard]] double voxel_volume() const noexcept { return voxel_volume_; }  ///< [m^3]
 
   /// Whether a point of the head that is thinner than the voxels bears the normal forces.
   [[nodiscard]] bool is_point_thin(const Resultant& resultant) const noexcept {
@@ -198,6 +202,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] kernels::ContactJob job_at(const HeadPlacement& at) noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& encounter, const HeadMotion& motion) const noexcept;
+  [[nodiscard]] double crushing_depth(const HeadMotion& motion, double scale = 1) const noexcept;
   [[nodiscard]] Encounter run_kernels(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                       RemovalRecord* removal, Asked asked) noexcept;
   [[nodiscard]] Encounter ask_law(std::span<const FoundBlock> blocks, const HeadPlacement& at,

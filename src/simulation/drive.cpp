@@ -16,12 +16,12 @@ constexpr double kSettled = 2e-3;  // [1] relative change of a speed that counts
 /// Finds, before anything is cut, the speed at which the motor's torque equals the torque of the contact.
 void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::drive_spindle);
-  const SpindleMotor& motor = spindle.motor_;
+  const SpindleMotor& motor = spindle.motor();
   if (!motor.is_limited()) return;
   const Twist& path = sub_step.path_T;
   const double hand_speed = path.linear.norm() + path.angular.norm() * tool.head().reach();
   const bool known = spindle.knows_load(hand_speed);
-  spindle.expect_load(blocks.empty() ? 0 : spindle.load_.torque, hand_speed, sub_step.duration);
+  spindle.expect_load(blocks.empty() ? 0 : spindle.torque(), hand_speed, sub_step.duration);
   set_spin(sub_step.head);
   if (known || blocks.empty()) return;
   const auto load = [&](double torque) {
@@ -32,8 +32,9 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
   // steps.
   double residual = 0, before = 0;  // [N·m] residual of the trial before, and its torque
   for (int trial = 0; trial < kMaxTrials; ++trial) {
-    const double torque = spindle.load_.torque, speed = motor.speed();
-    const double needed = torque_to_spin(sub_step, contact_stages.probe(blocks, sub_step.head));
+    const double torque = spindle.torque(), speed = motor.speed();
+    const Encounter encounter = contact_stages.probe(blocks, sub_step.head);
+    const double needed = spindle.torque_to_spin(-encounter.resultant.wrench_T.torque.z(), sub_step.head.cutting_share);
     load(needed);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (needed - torque - residual) / (torque - before);
@@ -46,7 +47,7 @@ void Simulation::State::drive_spindle(std::span<const FoundBlock> blocks, SubSte
 /// Sets the spin of the head, and what depends on it. A stalled head presses as if it were about to turn.
 void Simulation::State::set_spin(HeadPlacement& head) const noexcept {
   const double radius = tool.head().cutting_radius();
-  const SpindleMotor& motor = spindle.motor_;
+  const SpindleMotor& motor = spindle.motor();
   head.cutting_share = spindle.cutting_share(radius);
   head.motion.spin = float(motor.stalled() ? spindle.turning_spin(radius) : motor.speed());
   head.motion.crushes =
@@ -58,26 +59,21 @@ void Simulation::State::set_spin(HeadPlacement& head) const noexcept {
       contact_stages.materials().any_chips() ? float(tooth_rate(tool.cutter(), double(head.motion.spin))) : 0;
 }
 
-/// [N·m] Torque about +z that turns the head.
-double Simulation::State::torque_to_spin(const SubStep& sub_step, const Encounter& encounter) const noexcept {
-  const double torque = -encounter.resultant.wrench_T.torque.z();
-  return spindle.motor_.stalled() ? torque / sub_step.head.cutting_share : torque;
-}
-
 /// Books the work of a stalled head, which does not rub: the motor absorbs the work that the hand does against its
 /// torque.
 void Simulation::State::book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept {
-  spindle.load_.torque = torque_to_spin(sub_step, encounter);
+  const double torque = -encounter.resultant.wrench_T.torque.z();
+  spindle.keep_torque(spindle.torque_to_spin(torque, sub_step.head.cutting_share));
   const double spin = spindle.turning_spin(tool.head().cutting_radius());
-  const double work = -encounter.resultant.wrench_T.torque.z() * spin * sub_step.duration;
+  const double work = torque * spin * sub_step.duration;
   encounter.stall_work = work - encounter.energies.rubbing;
   encounter.energies.rubbing = 0;
 }
 
 void Simulation::State::advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept {
   const StageTimer timer = timed(&StageTimes::advance_spindle);
-  const SpindleMotor& motor = spindle.motor_;
-  if (!motor.stalled()) spindle.load_.torque = -encounter.resultant.wrench_T.torque.z();
+  const SpindleMotor& motor = spindle.motor();
+  if (!motor.stalled()) spindle.keep_torque(-encounter.resultant.wrench_T.torque.z());
   if (motor.loaded()) result.status |= StepStatus::power_limited;
   if (motor.stalled()) result.status |= StepStatus::spindle_stalled;
   spindle.advance(sub_step.duration, encounter.resultant.voxels > 0);

@@ -80,10 +80,8 @@ void Simulation::State::set_material_friction() noexcept {
   }
 }
 
-void Simulation::State::compare_cutters() noexcept {
-  other_cutter = std::ranges::any_of(workpiece.materials().all(), [&](const Material& material) {
-    return material.cutter.value_or(tool.cutter().kind) != tool.cutter().kind;
-  });
+bool any_for_other_cutter(const MaterialTable& materials, CutterKind cutter) noexcept {
+  return std::ranges::any_of(materials.all(), [&](const Material& m) { return m.cutter.value_or(cutter) != cutter; });
 }
 
 /// Makes the next step the first of the tool.
@@ -105,7 +103,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.set_contact_materials();
   s.result.removed_voxels = {};
   s.spindle.exchange(s.tool.spindle());
-  s.compare_cutters();
+  s.other_cutter = any_for_other_cutter(s.workpiece.materials(), s.tool.cutter().kind);
   s.forget_pose();
   return true;
 }
@@ -115,7 +113,7 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
   PreparedMaterials::State& p = *prepared.state_;
   if (!s.workpiece.exchange_materials(p.materials)) return false;
   s.set_contact_materials();
-  s.compare_cutters();
+  s.other_cutter = any_for_other_cutter(s.workpiece.materials(), s.tool.cutter().kind);
   s.forget_pose();
   return true;
 }
@@ -131,8 +129,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.config.friction = old.config.friction;
   s.config.removal = old.config.removal;
   s.set_material_friction();
-  s.exchanges = old.exchanges;
-  s.replacements = old.replacements + 1;
+  s.totals.replace(old.totals);
   s.motion.separate_as(old.motion);
   std::swap(s.observers, prepared.state_->observers);
   s.contact_stages.change_all();

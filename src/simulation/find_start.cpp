@@ -40,12 +40,12 @@ bool Simulation::State::start_tool(bool coupled) noexcept {
 
 /// Whether a coupling whose hand was released begins again with the tool elsewhere.
 bool Simulation::State::is_placed_elsewhere(const Pose& X_WH, const Twist& V_WH, double dt) const noexcept {
-  return sub_steps_between(motion.X_WH(), advance(X_WH, V_WH, -dt)) > 1;
+  return sweep_between(motion.X_WH(), advance(X_WH, V_WH, -dt)).sub_steps > 1;
 }
 
 /// Whether the input is too far from the tool to be a motion: too far for one step, or for the time of rejected steps.
 bool Simulation::State::is_jump() const noexcept {
-  const int sub_steps = sub_steps_between(motion.X_WH(), input.X_WH);
+  const int sub_steps = sweep_between(motion.X_WH(), input.X_WH).sub_steps;
   return sub_steps > config.max_sweep || rotated_beyond(motion.X_WH(), input.X_WH, kMaxStepRotation) ||
          (motion.is_after_rejection() && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
@@ -66,7 +66,7 @@ StepStatus Simulation::State::follow_jump() noexcept {
   const Pose& X_WH = input.X_WH;
   const bool waits = jumps_into_material(X_WH);
   const std::optional<Pose>& before = motion.rejected_jump();
-  const bool is_confirmed = before && sub_steps_between(*before, X_WH) <= config.max_sweep &&
+  const bool is_confirmed = before && sweep_between(*before, X_WH).sub_steps <= config.max_sweep &&
                             !rotated_beyond(*before, X_WH, kMaxStepRotation);
   if (!waits && is_confirmed) {
     place_at(X_WH);

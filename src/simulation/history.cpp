@@ -9,7 +9,7 @@ void WorkpieceHistory::restore(const WorkpieceSnapshot& snapshot) {
   Simulation::State& s = *simulation_.state_;
   s.workpiece.restore(snapshot);
   s.contact_stages.restart();
-  ++s.replacements;
+  ++s.totals.replacements;
   s.forget_pose();
 }
 
@@ -22,7 +22,7 @@ bool WorkpieceHistory::undo(std::size_t max_blocks) noexcept {
   s.contact_stages.forget_changes();
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
-  s.altered = true;
+  s.totals.altered = true;
   s.contact_stages.undo(max_blocks);
   s.forget_pose();
   return s.workpiece.marks() < marks;
@@ -32,7 +32,7 @@ bool WorkpieceHistory::redo(std::size_t max_blocks) noexcept {
   Simulation::State& s = *simulation_.state_;
   s.contact_stages.forget_changes();
   if (s.workpiece.redo_marks() == 0) return true;
-  s.altered = true;
+  s.totals.altered = true;
   const bool done = s.contact_stages.redo(max_blocks);
   s.forget_pose();
   return done;

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "simulation/contact_stages.hpp"
-#include "simulation/simulation_state.hpp"
 
 namespace hapticut {
 namespace {
@@ -101,15 +100,6 @@ void ContactStages::sample_reached(const kernels::ContactJob& job, const BlockVi
   else if (kernels::find_voxels(job, block, 0, listed.data()).count > 0)
     head_.visit_springs<float>(
         [&](const auto& springs) { hapticut::sample_contact(springs, block, job.grid, quadrature_, contact_); });
-}
-
-/// Notes the materials that the head touches for the first time.
-void Simulation::State::note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept {
-  const MaterialSet found = contact_stages.find_touched(blocks, sub_step.head, touched);
-  if (found.empty()) return;
-  touched.insert(found);
-  first_touched.insert(found);
-  found.for_each([&](MaterialId id) { first_touch_step[id] = steps; });
 }
 
 }  // namespace hapticut

@@ -85,10 +85,7 @@ Stiffness Simulation::State::measure_stiffness(const HandlePath& path, const Pos
   return scale.asDiagonal() * bounded * scale.asDiagonal();
 }
 
-/// Adds the contact of a sub-step to a probe: its wrench, and its stiffness with that of the springs.
-/// @param acting  the springs after the sub-step
-void Simulation::State::add_to(ContactProbe& probe, const SubStep& sub_step, const Encounter& encounter,
-                               const Springs& acting, int blocks) const noexcept {
+void add_to(ContactProbe& probe, const SubStep& sub_step, const Encounter& encounter, const Springs& acting) noexcept {
   const Mat3& R_WT = sub_step.X_WT.rotation;
   Stiffness stiffness_T = encounter.stiffness_T;
   const Vec3 along = R_WT.transpose() * acting.deep.normal();
@@ -109,9 +106,7 @@ void Simulation::State::add_to(ContactProbe& probe, const SubStep& sub_step, con
   probe.wrench.force += weight * wrench.force;
   probe.wrench.torque += weight * wrench.torque;
   probe.stiffness += weight * sub_step.end * transport(stiffness_T, R_WT, sub_step.p_HoTo_W());
-  probe.contact = contact_of(sub_step, encounter);
   probe.sliding = acting.anchor.sliding();
-  probe.blocks = blocks;
 }
 
 }  // namespace hapticut

@@ -3,7 +3,6 @@
 #include "hapticut/simulation/simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -52,16 +51,11 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
       contact_stages(workpiece, tool.head(), config),
       spindle(tool.spindle()),
       removal(removed_list_size(config, max_voxels(tool.head(), workpiece.voxel_size()))) {
-  prepare_workpiece();
-}
-
-void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
   X_VW = workpiece.frame().X_WV.inverse();
-  voxel_volume = std::pow(workpiece.voxel_size(), 3);
   head_stiffness = stiffness_of(tool.head(), config);
   set_material_friction();
-  compare_cutters();
+  other_cutter = any_for_other_cutter(workpiece.materials(), tool.cutter().kind);
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -85,10 +79,10 @@ ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->conta
 SpindleDrive& Simulation::spindle() noexcept { return state_->spindle; }
 const SpindleDrive& Simulation::spindle() const noexcept { return state_->spindle; }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
-std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
+std::uint64_t Simulation::steps() const noexcept { return state_->totals.steps; }
 bool Simulation::next_step_is_first() const noexcept { return !state_->motion.is_placed(); }
 bool Simulation::is_fresh() const noexcept {
-  return state_->steps == 0 && !state_->altered && !state_->motion.is_separated();
+  return state_->totals.steps == 0 && !state_->totals.altered && !state_->motion.is_separated();
 }
 IndexBox Simulation::first_bounds() const noexcept { return state_->contact_stages.bounds(); }
 
@@ -108,10 +102,15 @@ void StepObservers::remove(StepObserver& observer) noexcept {
   count_ = std::size_t(end - observers_.begin());
 }
 
-const MaterialSet& Simulation::first_touched() const noexcept { return state_->first_touched; }
+const MaterialSet& Simulation::first_touched() const noexcept { return state_->totals.first_touched; }
 SimulationTotals Simulation::totals() const noexcept {
-  const State& s = *state_;
-  return {s.removal.total_by_material(), s.detached_volume, s.touched, s.first_touch_step, s.exchanges, s.replacements};
+  const RunningTotals& t = state_->totals;
+  return {state_->removal.total_by_material(),
+          t.detached_volume,
+          t.touched,
+          t.first_touch_step,
+          t.exchanges,
+          t.replacements};
 }
 
 WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
@@ -133,8 +132,7 @@ void Simulation::reset(Workpiece workpiece) {
   auto fresh = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
   fresh->observers = state_->observers;
-  fresh->exchanges = state_->exchanges;
-  fresh->replacements = state_->replacements + 1;
+  fresh->totals.replace(state_->totals);
   fresh->contact_stages.change_all();
   const bool spindle_held = state_->spindle.is_held();
   state_ = std::move(fresh);

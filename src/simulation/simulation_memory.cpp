@@ -135,10 +135,10 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   ToolMotion& tool = s.motion;
   archive(s.chooses_stiffness, tool.placed_, tool.separated_, tool.X_WH_, tool.mean_velocity_, tool.after_rejection_,
           tool.jumped_to_);
-  SpindleDrive& spindle = s.spindle;
+  LoadedSpindle& spindle = s.spindle;
   SpindleMotor& motor = spindle.motor_;
   archive(motor.setting_, motor.start_, motor.ramped_, motor.speed_, motor.loaded_, motor.stalled_);
-  SpindleDrive::Load& load = spindle.load_;
+  LoadedSpindle::Load& load = spindle.load_;
   archive(load.torque, load.hand_speed, load.first_torque, load.first_speed, load.settled);
   archive(spindle.held_, spindle.held_setting_, spindle.halted_, spindle.was_halted_, spindle.set_, spindle.was_set_);
   DeepContact& deep = s.springs.deep;
@@ -150,10 +150,11 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   Output& output = s.hand.output;
   archive(output.vibration_.phase_, output.unlimited_force_, output.full_, output.given_, output.running_);
   archive(s.hand.released, s.hand.was_released, s.hand.path, s.hand.coupled);
-  archive(s.input, s.free_blocks, s.steps, s.exchanges, s.replacements, s.altered);
-  archive(s.touched, s.first_touched, s.first_touch_step);
+  RunningTotals& totals = s.totals;
+  archive(s.input, s.free_blocks, totals.steps, totals.exchanges, totals.replacements, totals.altered);
+  archive(totals.touched, totals.first_touched, totals.first_touch_step);
   RemovalRecord& removal = s.removal;
-  archive(removal.voxels_, removal.volume_, removal.overflowed_, removal.total_by_material_, s.detached_volume);
+  archive(removal.voxels_, removal.volume_, removal.overflowed_, removal.total_by_material_, totals.detached_volume);
   bool lists_removed = !s.result.removed_voxels.empty();
   archive(s.result, lists_removed, s.times);
   s.result.removed_voxels = lists_removed ? removal.voxels() : std::span<const RemovedVoxel>();

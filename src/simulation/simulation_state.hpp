@@ -10,6 +10,7 @@
 #include "hapticut/workpiece/material_set.hpp"
 #include "simulation/contact_stages.hpp"
 #include "simulation/head_stiffness.hpp"
+#include "simulation/loaded_spindle.hpp"
 #include "simulation/stage_timer.hpp"
 #include "simulation/sweep.hpp"
 #include "simulation/tool_motion.hpp"
@@ -32,15 +33,45 @@ struct HandSide {
   Output output;
 };
 
+/// Counters and sums since construction or reset.
+struct RunningTotals {
+  std::uint64_t steps = 0;
+  std::uint64_t exchanges = 0, replacements = 0;    // also from before a reset; replacements of the whole workpiece
+  bool altered = false;                             // the workpiece was changed, but not by a step
+  ByMaterial<double> detached_volume = {};          // [m^3] by MaterialId
+  MaterialSet touched, first_touched;               // for the first time, in the last step
+  ByMaterial<std::uint64_t> first_touch_step = {};  // `steps` in which a material was first touched; 0: not yet
+
+  void begin_step() noexcept {
+    ++steps;
+    first_touched = {};
+  }
+  void note_touches(const MaterialSet& found) noexcept {  ///< of materials that were not touched before
+    touched.insert(found);
+    first_touched.insert(found);
+    found.for_each([&](MaterialId id) { first_touch_step[id] = steps; });
+  }
+  /// Goes on counting exchanges, for a workpiece that replaces the one with the given totals.
+  void replace(const RunningTotals& replaced) noexcept {
+    exchanges = replaced.exchanges;
+    replacements = replaced.replacements + 1;
+  }
+};
+
+/// Adds the contact of a sub-step to a probe: its wrench, and its stiffness with that of the springs.
+/// @param acting  the springs after the sub-step
+void add_to(ContactProbe& probe, const SubStep& sub_step, const Encounter& encounter, const Springs& acting) noexcept;
+
+/// Whether some material is for another kind of cutter.
+[[nodiscard]] bool any_for_other_cutter(const MaterialTable& materials, CutterKind cutter) noexcept;
+
 /// @throws Error when a head does not suit voxels of a size [m]
 void validate_head(const ToolHead& head, double voxel_size);
 
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
-  void prepare_workpiece();
   void set_contact_materials() noexcept;
   void set_material_friction() noexcept;
-  void compare_cutters() noexcept;
   void forget_pose() noexcept;
 
   // The stages of a step, in their order.
@@ -79,24 +110,14 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] StepStatus follow_jump() noexcept;
   void place_at(const Pose& X_WH) noexcept;
   [[nodiscard]] Sweep sweep_between(const Pose& from, const Pose& to) const noexcept;
-  [[nodiscard]] double farthest_between(const Pose& from, const Pose& to) const noexcept;
-  [[nodiscard]] double crushing_depth_in(const SubStep& sub_step, const Encounter& encounter) const noexcept;
-  [[nodiscard]] int sub_steps_between(const Pose& from, const Pose& to) const noexcept {
-    return sweep_between(from, to).sub_steps;
-  }
   void set_spin(HeadPlacement& head) const noexcept;
-  [[nodiscard]] double torque_to_spin(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Pull tether(const SubStep& sub_step, const Encounter& encounter,
                                          DeepContact& deep) noexcept;
-  void note_touches(std::span<const FoundBlock> blocks, const SubStep& sub_step) noexcept;
-  [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
 
   // Questions: `Simulation::probe`.
   [[nodiscard]] bool touches(const Pose& X_WH, double deeper_than = 0) noexcept;
   [[nodiscard]] bool is_in_material(const Pose& X_WH) noexcept;
-  void add_to(ContactProbe& probe, const SubStep& sub_step, const Encounter& encounter, const Springs& acting,
-              int blocks) const noexcept;
   [[nodiscard]] ContactProbe probe_path(const HandlePath& path, Springs acting) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const HandlePath& path, const Pose& to, const Springs& acting, int axes,
                                             const Wrench& felt) noexcept;
@@ -104,12 +125,12 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   // To the observers.
   void tell_of_step(const Simulation& simulation) const noexcept {
     for (StepObserver* observer : observers.all())
-      observer->on_step({simulation, steps - 1, input, free_blocks, hand.was_released, spindle.was_halted_,
-                         spindle.was_set_, spindle.is_held(), spindle.motor_.setting(), hand.path, hand.coupled,
+      observer->on_step({simulation, totals.steps - 1, input, free_blocks, hand.was_released, spindle.was_halted(),
+                         spindle.was_set(), spindle.is_held(), spindle.motor().setting(), hand.path, hand.coupled,
                          result});
   }
   void tell_of_exchange() noexcept {
-    ++exchanges;
+    ++totals.exchanges;
     for (StepObserver* observer : observers.all()) observer->on_exchange();
   }
 
@@ -121,16 +142,15 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   // Derived from them at set-up.
   ContactStages contact_stages;
   Pose X_VW;
-  double voxel_volume = 0;  // [m^3]
   HeadStiffness head_stiffness;
   bool other_cutter = false;  // the materials are for another kind of cutter
 
   // What one step hands to the next. A recording stores or repeats all of it, and a copy has it: a new member that a
   // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.
   ToolMotion motion;
-  SpindleDrive spindle;
+  LoadedSpindle spindle;
   Springs springs;
-  double crushing_depth = 0;  // [m] value of the last sub-step (crushing_depth_in)
+  double crushing_depth = 0;  // [m] value of the last sub-step (ContactStages::rim_crushing_depth)
   HandSide hand;
 
   // The last step.
@@ -140,14 +160,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   StepResult result;
   mutable StageTimes times;
 
-  // Since construction or reset.
-  std::uint64_t steps = 0;
-  std::uint64_t exchanges = 0;
-  std::uint64_t replacements = 0;                   // replacements of the whole workpiece
-  bool altered = false;                             // the workpiece was changed, but not by a step
-  ByMaterial<double> detached_volume = {};          // [m^3] by MaterialId
-  MaterialSet touched, first_touched;               // for the first time, in the last step
-  ByMaterial<std::uint64_t> first_touch_step = {};  // `steps` in which a material was first touched; 0: not yet
+  RunningTotals totals;
   StepObservers observers;
 };
 

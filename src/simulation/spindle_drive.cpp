@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motor of the spindle from step to step: its settings, its load, and its speed under this load.
-#include "hapticut/simulation/spindle_drive.hpp"
+#include "simulation/loaded_spindle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,6 @@ void SpindleDrive::stop() noexcept {
   motor_.halt();
   halted_ = true;
   set_ = false;
-  load_ = {};
 }
 
 /// @param setting  [rad/s]
@@ -55,8 +54,7 @@ void SpindleDrive::start(double setting) noexcept {
   set_ = true;
 }
 
-/// Takes the spindle of another tool, which stays held if the old one was.
-void SpindleDrive::exchange(const Spindle& spindle) noexcept {
+void LoadedSpindle::exchange(const Spindle& spindle) noexcept {
   motor_ = SpindleMotor(spindle);
   halted_ = set_ = false;  // the other motor was
   held_setting_ = motor_.setting();
@@ -66,26 +64,27 @@ void SpindleDrive::exchange(const Spindle& spindle) noexcept {
 
 // --- in a step ------------------------------------------------------------------------------------------------------
 
-void SpindleDrive::begin_step() noexcept {
+void LoadedSpindle::begin_step() noexcept {
   was_halted_ = std::exchange(halted_, false);
   was_set_ = std::exchange(set_, false);
+  if (was_halted_) load_ = {};
 }
 
 /// Whether the load of the sub-step before is good enough: neither it nor the hand changes much, and the motor has a
 /// reserve of twice the torque.
-bool SpindleDrive::knows_load(double hand_speed) const noexcept {
+bool LoadedSpindle::knows_load(double hand_speed) const noexcept {
   return load_.settled && !motor_.stalled() && motor_.has_reserve(load_.torque) &&
          hand_speed <= kFasterHand * load_.hand_speed + kSlowHand;
 }
 
 /// Finds the speed of the motor under a torque [N·m].
-void SpindleDrive::load(double torque, double dt) noexcept {
+void LoadedSpindle::load(double torque, double dt) noexcept {
   load_.torque = torque;
   motor_.drive(torque, dt);
 }
 
 /// Begins a sub-step with a predicted torque [N·m].
-void SpindleDrive::expect_load(double torque, double hand_speed, double dt) noexcept {
+void LoadedSpindle::expect_load(double torque, double hand_speed, double dt) noexcept {
   load_.hand_speed = hand_speed;
   load(torque, dt);
   load_.first_torque = torque;
@@ -93,7 +92,7 @@ void SpindleDrive::expect_load(double torque, double hand_speed, double dt) noex
 }
 
 /// Ends a sub-step with the load that the contact had.
-void SpindleDrive::advance(double dt, bool in_contact) noexcept {
+void LoadedSpindle::advance(double dt, bool in_contact) noexcept {
   motor_.advance(load_.torque, dt);
   load_.settled = in_contact && std::abs(load_.torque - load_.first_torque) <= kSteadyLoad * std::abs(load_.torque) &&
                   std::abs(motor_.speed() - load_.first_speed) <= kSteadySpeed * std::abs(motor_.setting());
@@ -102,14 +101,14 @@ void SpindleDrive::advance(double dt, bool in_contact) noexcept {
 /// [1] The part of the cutting ratio that acts: what dry friction leaves of it at a slow head, or what the motor can
 /// hold at a stalled one.
 /// @param radius  [m] of the head
-double SpindleDrive::cutting_share(double radius) const noexcept {
+double LoadedSpindle::cutting_share(double radius) const noexcept {
   return motor_.stalled() ? std::min(1.0, motor_.stall_torque() / std::abs(load_.torque))
                           : 1 - dry_friction_fraction(motor_.speed(), radius);
 }
 
 /// [rad/s] The speed of a stalled head that is about to turn: fast enough, compared with a hand, that all of the head's
 /// surface slips along the spin.
-double SpindleDrive::turning_spin(double radius) const noexcept {
+double LoadedSpindle::turning_spin(double radius) const noexcept {
   return std::copysign(std::min(std::abs(motor_.setting()), kTurningSpeed / radius), motor_.setting());
 }
 

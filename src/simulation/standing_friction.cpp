@@ -18,7 +18,7 @@ Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
 /// Moves the anchor of dry friction with the head. A stalled head rolls: only the motor holds it.
 void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter, LimitSurface& anchor) noexcept {
   const StageTimer timer = timed(&StageTimes::add_friction);
-  const SpindleMotor& motor = spindle.motor_;
+  const SpindleMotor& motor = spindle.motor();
   const double fraction = dry_friction_fraction(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // empty
   if (fraction > 0 && encounter.resultant.voxels > 0)

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
-constexpr double kCancelled = 1e-4;          // [1] resultant over the normal forces: rounding error of single precision
 constexpr double kMuchCrushed = 0.1;         // [1] crushing's part of the energy that removes material
 constexpr double kThickLayer = 0.1;          // [1] engaged layer over the head's radius
 
@@ -60,7 +59,9 @@ void Simulation::State::take_sub_steps(const HandlePath& path, Springs& acting, 
     tether_deep_ball(sub_step, encounter, acting.deep);
     add_friction(sub_step, encounter, acting.anchor);
     if (!acts) {
-      add_to(*probe, sub_step, encounter, acting, int(blocks.size()));
+      add_to(*probe, sub_step, encounter, acting);
+      probe->contact = contact_stages.contact_of(encounter, sub_step.X_WT);
+      probe->blocks = int(blocks.size());
       continue;
     }
     book_energy(sub_step, encounter);
@@ -71,13 +72,12 @@ void Simulation::State::take_sub_steps(const HandlePath& path, Springs& acting, 
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
   input = given;
-  ++steps;
+  totals.begin_step();
   free_blocks = workpiece.reserved_blocks();
   hand.was_released = std::exchange(hand.released, false);
   spindle.begin_step();
   removal.clear();
   contact_stages.forget_changes();
-  first_touched = {};
   times = {};
   result.model = {};
   result.removed_voxels = {};
@@ -139,10 +139,10 @@ Encounter Simulation::State::press_and_cut(std::span<const FoundBlock> blocks, c
                                            bool cuts) noexcept {
   const StageTimer timer = timed(&StageTimes::press_and_cut);
   if (!cuts) return contact_stages.probe(blocks, sub_step.head, ContactStages::Asked::stiffness);
-  note_touches(blocks, sub_step);
+  totals.note_touches(contact_stages.find_touched(blocks, sub_step.head, totals.touched));
   Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);
-  if (spindle.motor_.stalled()) book_stalled(sub_step, encounter);
-  crushing_depth = crushing_depth_in(sub_step, encounter);
+  if (spindle.motor().stalled()) book_stalled(sub_step, encounter);
+  crushing_depth = contact_stages.rim_crushing_depth(encounter.resultant, sub_step.head.motion);
   return encounter;
 }
 
@@ -165,7 +165,7 @@ DeepContact::Pull Simulation::State::tether(const SubStep& sub_step, const Encou
                                             DeepContact& deep) noexcept {
   const SphereHead* ball = tool.head().ball();
   if (ball == nullptr || !config.deep_contact || !config.law->tethers_deep_ball()) return {};
-  const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
+  const double filled = encounter.resultant.volume * contact_stages.voxel_volume() / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface. Its normal part costs a second evaluation.
   const bool needs_normal_force = sub_step.head.motion.spin != 0 && deep.needs_normal_force(filled);
@@ -183,7 +183,7 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   EnergyLedger& energy = result.energy;
   const double by_hand =
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
-  const double by_motor = wrench_T.torque.z() * spindle.motor_.speed() * sub_step.duration;
+  const double by_motor = wrench_T.torque.z() * spindle.motor().speed() * sub_step.duration;
   double entered = encounter.energies.elastic_before - energy.elastic, damped = encounter.energies.damping;
   const bool at_end = config.contact_time == ContactTime::end;
   // Material that the surface reaches without pressing it is crushed without work.
@@ -233,10 +233,10 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   }
 
   result.spindle.torque -= weight * wrench_T.torque.z();
-  result.spindle.speed = spindle.motor_.speed();
-  result.contact = contact_of(sub_step, encounter);
+  result.spindle.speed = spindle.motor().speed();
+  result.contact = contact_stages.contact_of(encounter, sub_step.X_WT);
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
-  if (could_cut && tool.spindle().speed == 0 && spindle.motor_.setting() == 0 && !spindle.is_held())
+  if (could_cut && tool.spindle().speed == 0 && spindle.motor().setting() == 0 && !spindle.is_held())
     result.status |= StepStatus::spindle_stands;
   if (could_cut && result.spindle.speed != 0 && other_cutter) result.status |= StepStatus::other_cutter;
   if (const LawEnergies& e = encounter.energies; e.crushed > kMuchCrushed * (e.crushed + std::max(0.0, e.cutting)))
@@ -249,23 +249,6 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
     result.status |= StepStatus::engaged_layer_thick;
   if (config.removal != RemovalLaw::none && contact_stages.is_point_thin(encounter.resultant))
     result.status |= StepStatus::point_thin;
-}
-
-/// The contact: its size, and its point, normal and pressure by the normal forces alone.
-Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept {
-  const Resultant& resultant = encounter.resultant;
-  Contact contact;
-  contact.voxels = resultant.voxels;
-  contact.volume = resultant.volume * voxel_volume;
-  contact.depth = resultant.depth;
-  contact.level_of_detail = encounter.level_of_detail;
-  if (!(resultant.normal_force > 0)) return contact;
-  contact.point_W = sub_step.X_WT * Vec3(resultant.moment_T / resultant.normal_force);
-  if (const double push = resultant.push_T.norm(); push > kCancelled * resultant.normal_force)
-    contact.normal_W = sub_step.X_WT.rotation * resultant.push_T / push;
-  contact.area = resultant.area * std::pow(workpiece.voxel_size(), 2);
-  if (contact.area > 0) contact.pressure = resultant.normal_force / contact.area;
-  return contact;
 }
 
 /// Computes the output to the hand: the wrench of the model or of the coupling, with effects, within the limits.

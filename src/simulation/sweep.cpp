@@ -13,6 +13,12 @@ namespace {
 constexpr double kLayerShare = 0.25;  // [1] largest motion of a rim in a slice of a sub-step, over the crushed layer
 constexpr int kMaxForLayer = 4;       // slices of a step; more would take too much time
 
+/// [m] Upper bound on the motion of a point of the head.
+double farthest_between(const Pose& from, const Pose& to, const Tool& tool) noexcept {
+  const Vec3 head_shift = to * tool.X_HT().translation - from * tool.X_HT().translation;
+  return head_shift.norm() + rotation_between(from, to) * tool.head().reach();
+}
+
 }  // namespace
 
 /// The sub-steps in which no point of the head moves farther than half a voxel; while a standing head may crush
@@ -22,30 +28,15 @@ Sweep Simulation::State::plan_sweep(const Pose& from, const Pose& to) const noex
   const StageTimer timer = timed(&StageTimes::plan_sweep);
   Sweep sweep = sweep_between(from, to);
   if (crushing_depth == 0) return sweep;
-  const double wanted = std::ceil(farthest_between(from, to) / (kLayerShare * crushing_depth)) / sweep.sub_steps;
+  const double wanted = std::ceil(farthest_between(from, to, tool) / (kLayerShare * crushing_depth)) / sweep.sub_steps;
   sweep.slices = std::max(1, int(std::min(wanted, double(kMaxForLayer) / sweep.sub_steps)));
   return sweep;
 }
 
 /// The sub-steps in which no point of the head moves farther than half a voxel; max_sweep + 1 if they are more.
 Sweep Simulation::State::sweep_between(const Pose& from, const Pose& to) const noexcept {
-  const double half_voxels = farthest_between(from, to) / (0.5 * workpiece.voxel_size());
+  const double half_voxels = farthest_between(from, to, tool) / (0.5 * workpiece.voxel_size());
   return {int(std::clamp(std::ceil(half_voxels - 1e-9), 1.0, config.max_sweep + 1.0)), 1 / std::max(1.0, half_voxels)};
-}
-
-/// [m] Upper bound on the motion of a point of the head.
-double Simulation::State::farthest_between(const Pose& from, const Pose& to) const noexcept {
-  const Vec3 head_shift = to * tool.X_HT().translation - from * tool.X_HT().translation;
-  return head_shift.norm() + rotation_between(from, to) * tool.head().reach();
-}
-
-/// [m] Smallest depth at which a standing rim crushes in a sub-step; 0 where nothing is that deep, the head turns or is
-/// a ball, or a point bears the force that is thinner than the voxels, which do not resolve what it crushes.
-double Simulation::State::crushing_depth_in(const SubStep& sub_step, const Encounter& encounter) const noexcept {
-  const bool may_be_rim = tool.head().ball() == nullptr && !contact_stages.is_point_thin(encounter.resultant);
-  if (!may_be_rim || sub_step.head.motion.spin != 0 || !sub_step.head.motion.crushes) return 0;
-  const double depth = contact_stages.crushing_depth(sub_step.head.motion);
-  return encounter.resultant.depth > depth ? depth : 0.0;
 }
 
 }  // namespace hapticut

@@ -248,16 +248,16 @@ void Recorder::on_step(const ObservedStep& step) noexcept {
 // | config: law                                          | ReplayOptions::law, or the default                        |
 // | config: friction, removal; the rest                  | initial; ends; constant                                   |
 // | contact_stages (also the subset of a voxel_budget),  | from workpiece, tool and config; then by the steps        |
-// | X_VW, voxel_volume, head_stiffness                   |                                                           |
+// | X_VW, head_stiffness                                 |                                                           |
 // | motion, spindle: load, springs, crushing_depth,      | begins                                                    |
 // | removal list, result.energy                          |                                                           |
-// | motion: separated; altered                           | begins with false; ends                                   |
+// | motion: separated; totals.altered                    | begins with false; ends                                   |
 // | spindle: motor                                       | halted, spindle_set, spindle_setting; then by the steps   |
 // | spindle: held                                        | spindle_held                                              |
-// | spindle: held_setting_                               | acts when the hold ends, which is a spindle_set           |
+// | spindle: held_setting                                | acts when the hold ends, which is a spindle_set           |
 // | hand.output                                          | hand_released; then by the steps                          |
-// | steps                                                | number                                                    |
-// | chooses_stiffness, observers, times, counters        | a step does not depend on them                            |
+// | totals.steps                                         | number                                                    |
+// | chooses_stiffness, observers, times, other totals    | a step does not depend on them                            |
 //
 // A VirtualCoupling moves the tool and answers to the step, and both are recorded; a reading that it rejects makes no
 // step, but a hand_released.
