@@ -164,7 +164,8 @@ void bind_coupling(py::module_& m) {
              simulation->occupancy.require_readable("The simulation");
              return C{simulation, VirtualCoupling(simulation->simulation, gains)};
            }),
-           py::arg("simulation"), py::arg("gains") = CouplingGains{}, doc("VirtualCoupling::VirtualCoupling"))
+           py::arg("simulation"), py::arg("gains") = CouplingGains{},
+           doc("VirtualCoupling::VirtualCoupling(Simulation, CouplingGains)"))
       .def(
           "step",
           [](C& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {

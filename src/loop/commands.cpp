@@ -21,13 +21,12 @@ static_assert(std::is_nothrow_move_constructible_v<LoopCommand> && std::is_nothr
 namespace commands {
 
 SetTool::SetTool(Tool given_tool, double voxel_size, const SimulationConfig& config)
-    : tool(std::move(given_tool), voxel_size, config), lists(tool.worst_case(), config) {}
+    : tool(std::move(given_tool), voxel_size, config) {}
 
 SetMaterials::SetMaterials(MaterialTable table, const SimulationConfig& config) : materials(std::move(table), config) {}
 
 ExchangeWorkpiece::ExchangeWorkpiece(Simulation prepared)
-    : simulation(std::make_unique<Simulation>(std::move(prepared))),
-      lists(simulation->worst_case(), simulation->config()) {}
+    : simulation(std::make_unique<Simulation>(std::move(prepared))) {}
 
 }  // namespace commands
 
@@ -165,7 +164,6 @@ struct SimulationModel::Commands {
 
   bool apply(commands::SetTool& command) noexcept {
     if (!m.simulation_->exchange(command.tool)) return false;
-    if (m.coupling_) m.coupling_->exchange_lists(command.lists);
     m.after_exchange();
     return true;
   }
@@ -240,7 +238,6 @@ struct SimulationModel::Commands {
   bool apply(commands::ExchangeWorkpiece& command) noexcept {
     if (m.gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
     m.simulation_->exchange(*command.simulation);
-    if (m.coupling_) m.coupling_->exchange_lists(command.lists);
     m.restoring_ = Restoring::none;
     m.books_energy_ = m.simulation_->config().law->is_foundation();
     ++m.tool_.workpiece;

@@ -50,7 +50,9 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
   if (gains_) require_renderable_gains(*gains_, device.capabilities());
-  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).park(VirtualCoupling::Rejoin::free);
+  if (gains_)  // without lists, because a snapshot has none
+    coupling_.emplace(simulation, gains_in_world(*gains_, options.map), VirtualCoupling::Lists{})
+        .park(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
     simulation.history().reserve(options.undo_blocks);  // a new reserve would drop existing marks
 }

@@ -29,7 +29,10 @@ double energy_of(double stretch, double stiffness, double max_force) {
 void validate(const CouplingGains& gains) { require_fields_within(gains, "CouplingGains::"); }
 
 VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& gains)
-    : simulation_(&simulation), gains_(gains), lists_(simulation.worst_case(), simulation.config()) {
+    : VirtualCoupling(simulation, gains, Lists(simulation.worst_case(), simulation.config())) {}
+
+VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& gains, Lists lists)
+    : simulation_(&simulation), gains_(gains), lists_(std::move(lists)) {
   validate(gains);
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(
@@ -191,13 +194,11 @@ StepStatus VirtualCoupling::move(const SubTick& sub_tick, const Twist& hand_path
 void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.removed_volume += stepped.removed_volume;
   result_.first_touched.insert(simulation_->first_touched());
-  for (const RemovedVoxel& voxel : stepped.removed_voxels) {
-    if (lists_.removed.size() == lists_.removed.capacity()) {
-      result_.status |= StepStatus::removed_list_full;
-      break;
-    }
-    lists_.removed.push_back(voxel);
-  }
+  const std::size_t room = lists_.removed.capacity() - lists_.removed.size();
+  const auto listed = stepped.removed_voxels.first(std::min(room, stepped.removed_voxels.size()));
+  lists_.removed.insert(lists_.removed.end(), listed.begin(), listed.end());
+  if (lists_.removed.capacity() > 0 && listed.size() < stepped.removed_voxels.size())
+    result_.status |= StepStatus::removed_list_full;
   const ChangedBlocks changed = simulation_->changed_blocks();
   const bool all = lists_.changed.size() + changed.origins.size() <= lists_.changed.capacity();
   if (all) lists_.changed.insert(lists_.changed.end(), changed.origins.begin(), changed.origins.end());

@@ -13,7 +13,6 @@
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/loop/workspace_map.hpp"
-#include "hapticut/simulation/coupling.hpp"
 #include "hapticut/simulation/exchange.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "hapticut/simulation/simulation.hpp"
@@ -120,7 +119,6 @@ struct SetTool {
   SetTool(Tool tool, double voxel_size, const SimulationConfig& config);
 
   PreparedTool tool;
-  VirtualCoupling::Lists lists;  ///< sized for the tool, used if there is a coupling
 };
 
 /// Exchanges the constants of the materials: see Simulation::set. Refused when the number of materials
@@ -141,7 +139,6 @@ struct ExchangeWorkpiece {
   explicit ExchangeWorkpiece(Simulation prepared);
 
   std::unique_ptr<Simulation> simulation;
-  VirtualCoupling::Lists lists;  ///< sized for the simulation, used if there is a coupling
 };
 
 }  // namespace commands

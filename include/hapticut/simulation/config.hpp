@@ -91,8 +91,9 @@ struct SimulationConfig {
   std::size_t reserved_blocks = 2048;
 
   /// A step lists the voxels that it removes; without the list, StepResult::removed_voxels is empty.
-  /// Whoever needs only the changed blocks and the removed volume, as a loop does, can do without the list. A recording
-  /// counts the voxels of the list.
+  /// The list of a step is for the caller, observers and recordings, which count its voxels. A loop reads no list: the
+  /// coupling of a SimulationModel copies none, and a simulation that only a loop steps, without a recording, can do
+  /// without. Changed blocks and the removed volume do not need it.
   bool list_removed_voxels = true;
 
   /// [1] maximum number of removed voxels that a step lists; 0: as many as the head contains.

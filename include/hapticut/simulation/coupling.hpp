@@ -139,9 +139,20 @@ struct CoupledResult {
 /// Gains: k_T and b_T must be what the device renders stably at its rate; see docs/devices.md.
 class VirtualCoupling {
  public:
+  /// Lists of what all sub-ticks of a tick have changed, with memory for the longest lists that a tool can make.
+  struct Lists {
+    /// No lists: CoupledResult::removed_voxels stays empty, and `changed_blocks` is not complete.
+    Lists() = default;
+    Lists(const WorstCase& worst_case, const SimulationConfig& config);
+    std::vector<RemovedVoxel> removed;
+    std::vector<VoxelIndex> changed;
+  };
+
   /// @param simulation  with SimulationConfig::contact_time = end; it must outlive the coupling, which steps it
   /// @throws Error when a gain is out of range, or the simulation evaluates contact elsewhere
   VirtualCoupling(Simulation& simulation, const CouplingGains& gains);
+  /// Likewise, with other lists: none (`Lists{}`) where nobody reads them.
+  VirtualCoupling(Simulation& simulation, const CouplingGains& gains, Lists lists);
 
   /// Takes the motion of the hand, and moves the tool after it through the material.
   ///
@@ -164,13 +175,6 @@ class VirtualCoupling {
   /// Upper bound on the work of a tick: the bound of a step, for as many contacts as Newton's method may evaluate plus
   /// one for each sub-tick. For a custom law this includes what measures its stiffness.
   [[nodiscard]] WorstCase worst_case() const;
-
-  /// Lists of what all sub-ticks of a tick have changed, with memory for the longest lists that a tool can make.
-  struct Lists {
-    Lists(const WorstCase& worst_case, const SimulationConfig& config);
-    std::vector<RemovedVoxel> removed;
-    std::vector<VoxelIndex> changed;
-  };
 
   /// Swaps in lists for another tool of the simulation; `lists` receives the old ones. Call `park` or `reset` as well,
   /// so that the hand does not feel the material that the new tool is in.

@@ -75,5 +75,22 @@ TEST(RemovedList, IsLeftOutBehindACouplingToo) {
   EXPECT_GT(listed, 100U);
 }
 
+TEST(RemovedList, IsNotCopiedByACouplingWithoutLists) {
+  Simulation simulation = plunging_ball(true, ContactTime::end), other = plunging_ball(true, ContactTime::end);
+  VirtualCoupling with_lists(simulation, {}), without(other, {}, VirtualCoupling::Lists{});
+  std::size_t listed = 0;
+  for (int tick = 0; tick < 750; ++tick) {
+    const Pose hand = Pose::from_translation({0, 0, kRadius + 0.05 * mm - kFeed * kTick * tick});
+    const CoupledResult& result = with_lists.step(hand, {Vec3(0, 0, -kFeed), Vec3::Zero()}, kTick);
+    const CoupledResult& bare = without.step(hand, {Vec3(0, 0, -kFeed), Vec3::Zero()}, kTick);
+    listed += other.last_result().removed_voxels.size();
+    ASSERT_TRUE(bare.removed_voxels.empty());
+    ASSERT_EQ(bare.changed_blocks.complete, result.changed_blocks.origins.empty());
+    ASSERT_EQ(bare.hand.force, result.hand.force);
+    ASSERT_EQ(bare.status, result.status);
+  }
+  EXPECT_GT(listed, 100U);
+}
+
 }  // namespace
 }  // namespace hapticut::removed_list_test
