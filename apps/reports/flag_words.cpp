@@ -40,7 +40,7 @@ constexpr Word kWords[] = {
     {"VolumeBuildOptions::warn", ""},
     {"WorkspaceMapOptions::scale", "--scale"},
     {"coupling_gains", ""},
-    {"path.file", "--poses FILE.csv"},
+    {"loop.origin_mm", "--origin_mm"},
     {"read_color_slices", ""},
     {"read_recording", "hapticut replay"},
     {"units::rpm", ""},
@@ -57,9 +57,11 @@ std::optional<std::string> word_for(const Name& name) {
 
 }  // namespace
 
+std::string in_words_of_flags(const Sentence& sentence) { return sentence.written(word_for); }
+
 std::string in_words_of_flags(const std::exception& error) {
   const auto* const of_library = dynamic_cast<const Error*>(&error);
-  return of_library == nullptr ? error.what() : of_library->sentence().written(word_for);
+  return of_library == nullptr ? error.what() : in_words_of_flags(of_library->sentence());
 }
 
 }  // namespace hapticut::apps

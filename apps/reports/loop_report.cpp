@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hapticut/core/units.hpp"
+#include "reports/flag_words.hpp"
 #include "reports/table.hpp"
 
 namespace hapticut::apps {
@@ -38,44 +39,43 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   const bool cuts = r.simulation.config().removal != RemovalLaw::none;
   const bool stays_inside = happened(SafetyEvent::start_inside) && !happened(SafetyEvent::fading_in);
   std::vector<std::string> warnings;
-  if (!cuts && r.simulation.last_result().energy.turnover > 0) warnings.emplace_back(kRemovalIsOff);
+  const auto warn = [&](const Sentence& warning) { warnings.push_back(in_words_of_flags(warning)); };
+  if (!cuts && r.simulation.last_result().energy.turnover > 0) warn(removal_is_off());
   warnings.insert(warnings.end(), r.run.warnings.begin(), r.run.warnings.end());
   if (r.device.name() == "mouse")
-    warnings.emplace_back(
-        "this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
+    warn("this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
   if (stays_inside)
-    warnings.emplace_back(
-        "the tool was in the material from the start, so the guard gave no force; move loop.origin_mm above it.");
+    warn("the tool was in the material from the start, so the guard gave no force; move " + "loop.origin_mm"_name +
+         " above it.");
   else if (has_any(tool.status, StepStatus::tool_waits))
-    warnings.emplace_back(
+    warn(
         "at the end the hand was inside material that the tool had not cut, so there was no force; move the hand out "
         "of the material.");
   else if (tool.steps > 0 && tool.touched.empty())
-    warnings.emplace_back("the tool never touched the workpiece; move loop.origin_mm, or give a longer path.");
+    warn("the tool never touched the workpiece; move " + "loop.origin_mm"_name + ", or give a longer path.");
   if (saw(StepStatus::spindle_stands))
-    warnings.emplace_back(
-        "the spindle stood in contact, so the head pressed, rubbed and crushed, but did not cut; set "
-        "tool.spindle_rpm.");
+    warn("the spindle stood in contact, so the head pressed, rubbed and crushed, but did not cut; set " +
+         "tool.spindle_rpm"_name + ".");
   else if (saw(StepStatus::engaged_layer_thick))
-    warnings.emplace_back(
+    warn(
         "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
         "the feed.");
   if (cuts && saw(StepStatus::spindle_stalled))
-    warnings.emplace_back(
-        "the load stalled the spindle, and the head did not cut until it ran again; press less, or raise "
-        "tool.power_limit_W or tool.torque_limit_Nmm.");
+    warn("the load stalled the spindle, and the head did not cut until it ran again; press less, or raise " +
+         "tool.power_limit_W"_name + " or " + "tool.torque_limit_Nmm"_name + ".");
   const std::uint64_t slow = r.run.compute.at_least(r.run.period);
   if (double(slow) > kOftenSlow * double(r.run.ticks))
-    warnings.push_back(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +
-                       " ticks took longer than their period, so that a hand would feel the force late; choose larger "
-                       "voxels, a smaller head or simulation.voxel_budget.");
+    warn(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +
+         " ticks took longer than their period, so that a hand would feel the force late; choose larger "
+         "voxels, a smaller head or " +
+         "simulation.voxel_budget"_name + ".");
   if (saw(StepStatus::blocks_exhausted))
-    warnings.emplace_back(
-        "some material was not cut because free blocks were missing; raise simulation.reserved_blocks.");
+    warn("some material was not cut because free blocks were missing; raise " + "simulation.reserved_blocks"_name +
+         ".");
   if (r.steps_lost > 0)
-    warnings.push_back((r.recording_failure.empty() ? "the disk was too slow: " : "the recording failed early: ") +
-                       std::to_string(r.steps_lost) + " steps are missing in the recording." +
-                       (r.recording_failure.empty() ? "" : " The reason: " + r.recording_failure));
+    warn((r.recording_failure.empty() ? "the disk was too slow: " : "the recording failed early: ") +
+         std::to_string(r.steps_lost) + " steps are missing in the recording." +
+         (r.recording_failure.empty() ? "" : " The reason: " + r.recording_failure));
   return warnings;
 }
 

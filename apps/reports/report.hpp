@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/sentence.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "reports/drill.hpp"
 #include "reports/json_file.hpp"
@@ -46,7 +47,9 @@ struct WorkpieceSummary {
 [[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
 
 /// The warning of a run with RemovalLaw::none.
-inline constexpr const char* kRemovalIsOff = "removal is off (simulation.removal is none), so nothing was removed.";
+[[nodiscard]] inline Sentence removal_is_off() {
+  return "removal is off (" + "simulation.removal"_name + " is none), so nothing was removed.";
+}
 
 /// [1] The share of steps above their period from which on a report warns.
 inline constexpr double kOftenSlow = 0.01;

@@ -80,7 +80,7 @@ Tool tool_from_toml(const char* text, const Tool& before) {
     tool = make_tool(settings);
   }
   if (tool.cutter().kind != kind)
-    throw Error("tool.cutter = " + std::string(name_or_null(tool.cutter().kind)) +
+    throw Error("tool.cutter"_name + " = " + std::string(name_or_null(tool.cutter().kind)) +
                 "; but the materials of this scene have the constants of " + std::string(name_or_null(kind)) +
                 ", so the forces would be wrong. Keep the cutter, or make another scene.");
   return tool;

@@ -15,7 +15,7 @@ constexpr double kMaxPoints = 1e7;  // points of a curve; `drill` refuses as man
 
 /// @param turns  [1] number of turns of the curve
 /// @param cause  the settings that cause the length
-void require_points(double turns, const char* cause) {
+void require_points(double turns, const Sentence& cause) {
   const double points = turns * 2 * units::kPi / kAngleStep;
   if (!(points <= kMaxPoints))
     throw Error("the path would have " + format_number(points) + " points; at most " + format_number(kMaxPoints) +
@@ -61,20 +61,20 @@ Pose CurvePlane::frame() const {
 }
 
 std::vector<Vec3> circle(const CurvePlane& plane, double radius, double turns, double start_angle) {
-  require_points(std::abs(turns), "path.turns");
+  require_points(std::abs(turns), "path.turns"_name);
   return polyline(plane, {{start_angle, radius, 0}, {start_angle + 2 * units::kPi * turns, radius, 0}});
 }
 
 std::vector<Vec3> spiral(const CurvePlane& plane, double start_radius, double end_radius, double pitch, double depth) {
   const double turns = std::hypot(end_radius - start_radius, depth) / pitch;
-  require_points(turns, "path.depth_mm or path.pitch_mm");
+  require_points(turns, "path.depth_mm"_name + " or " + "path.pitch_mm"_name);
   return polyline(plane, {{0, start_radius, 0}, {2 * units::kPi * turns, end_radius, depth}});
 }
 
 std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
   const double widest = std::max(shape.top_radius, shape.bottom_radius);
   require_points((shape.depth / shape.layer + 1) * (widest / shape.pitch + 2),
-                 "path.depth_mm, path.layer_mm or path.pitch_mm");
+                 "path.depth_mm"_name + ", " + "path.layer_mm"_name + " or " + "path.pitch_mm"_name);
   const int layers = std::max(1, int(std::ceil(shape.depth / shape.layer - 1e-9)));
   std::vector<Station> stations;
   double angle = 0;

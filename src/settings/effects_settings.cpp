@@ -40,35 +40,39 @@ std::array<bool, 3> switches(const std::vector<double>& given) {
 
 std::optional<Gravity> make_gravity(const EffectsSettings& s) {
   if (s.gravity[&Gravity::mass]) return s.gravity.make(kGravity, "gravity");
-  s.gravity.refuse(kGravity, "a tool without effects.mass_kg", "set " + "effects.mass_kg"_name);
+  s.gravity.refuse(kGravity, "a tool without " + "effects.mass_kg"_name, "set " + "effects.mass_kg"_name);
   return std::nullopt;
 }
 
 std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_rate) {
   if (!s.vibration[&Vibration::frequency]) {
-    s.vibration.refuse(kVibration, "a tool without effects.vibration_Hz", "set " + "effects.vibration_Hz"_name);
+    s.vibration.refuse(kVibration, "a tool without " + "effects.vibration_Hz"_name,
+                       "set " + "effects.vibration_Hz"_name);
     return std::nullopt;
   }
   Vibration vibration = s.vibration.make(kVibration, "the vibration");
   if (!s.vibration[&Vibration::max_amplitude])
     vibration.max_amplitude = std::max(vibration.max_amplitude, vibration.amplitude);
   if (vibration.frequency >= kMaxVibration * update_rate)
-    throw Error("effects.vibration_Hz = " + format_number(vibration.frequency, kMaxVibration * update_rate) +
+    throw Error("effects.vibration_Hz"_name + " = " + format_number(vibration.frequency, kMaxVibration * update_rate) +
                 "; must be a number > 0 and below " + format_number(kMaxVibration * update_rate, vibration.frequency) +
-                ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
+                ", 0.45 of " + "simulation.rate_Hz"_name + " = " + format_number(update_rate) +
                 ": a sine that is sampled more coarsely beats, and at half the rate every sample may be 0. Lower the "
-                "frequency, or raise simulation.rate_Hz.");
-  require_at_most(vibration.amplitude, "effects.vibration_N", vibration.max_amplitude, "effects.vibration_max_N");
+                "frequency, or raise " +
+                "simulation.rate_Hz"_name + ".");
+  require_at_most(vibration.amplitude, "effects.vibration_N"_name, vibration.max_amplitude,
+                  "effects.vibration_max_N"_name);
   return vibration;
 }
 
 std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   if (!s.thesis_filter) {
-    s.filter.refuse(kFilter, "an output without effects.thesis_filter", "set " + "effects.thesis_filter"_name);
+    s.filter.refuse(kFilter, "an output without " + "effects.thesis_filter"_name,
+                    "set " + "effects.thesis_filter"_name);
     return std::nullopt;
   }
   const DeltaFilter filter = s.filter.make(kFilter, "the filter");
-  require_at_most(filter.epsilon, "effects.filter_epsilon_N", filter.delta, "effects.filter_delta_N");
+  require_at_most(filter.epsilon, "effects.filter_epsilon_N"_name, filter.delta, "effects.filter_delta_N"_name);
   return filter;
 }
 

@@ -53,8 +53,8 @@ std::optional<DryFriction> make_friction(const S& s) {
   friction.static_friction = s.static_friction.value_or(s.dynamic_friction.value_or(friction.static_friction));
   friction.dynamic_friction = s.dynamic_friction.value_or(friction.static_friction);
   friction.tangential_stiffness = s.tangential_stiffness_N_per_m.value_or(friction.tangential_stiffness);
-  require_at_most(friction.dynamic_friction, "force.dynamic_friction", friction.static_friction,
-                  "force.static_friction");
+  require_at_most(friction.dynamic_friction, "force.dynamic_friction"_name, friction.static_friction,
+                  "force.static_friction"_name);
   return friction;
 }
 
@@ -113,7 +113,7 @@ void apply(const ForceSettings& s, SimulationConfig& config) {
   config.deep_contact = s.deep_contact;
   config.handle_torque = s.handle_torque.value_or(config.handle_torque);
   if (config.handle_torque != HandleTorque::thesis)
-    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench",
+    refuse(s.handle_torque_scale, "force.handle_torque_scale"_name, "the full wrench",
            "choose " + "force.handle_torque"_name + " thesis");
   config.handle_torque_scale = s.handle_torque_scale.value_or(config.handle_torque_scale);
 }

@@ -85,23 +85,23 @@ class Given {
   /// S with the given values, and with its defaults elsewhere.
   /// @param owner  what needs the values: "a sphere"
   /// @throws Error when a value without a default is missing
-  [[nodiscard]] S make(const Keys& keys, const std::string& owner) const {
+  [[nodiscard]] S make(const Keys& keys, const Sentence& owner) const {
     S s;
     for_each(*this, [&](const auto& field, const auto& given) {
       if (given)
         s.*field.member = *given;
       else if (!has_default(field))
-        fail_missing(keys.key_of(field), owner);
+        fail_missing(Name(keys.key_of(field)), owner);
     });
     return s;
   }
 
   /// @throws Error when a value is given, see `settings::refuse`
-  void refuse(const Keys& keys, const std::string& owner, const Sentence& instead) const {
+  void refuse(const Keys& keys, const Sentence& owner, const Sentence& instead) const {
     for_each(*this, [&](const auto& field, const auto& given) {
       using Shown = std::conditional_t<kIsNumber<std::remove_cvref_t<decltype(*given)>>, double, Vec3>;
       const double factor = shown_unit(field.unit).factor;
-      if (given) settings::refuse(std::optional(Shown(*given / factor)), keys.key_of(field), owner, instead);
+      if (given) settings::refuse(std::optional(Shown(*given / factor)), Name(keys.key_of(field)), owner, instead);
     });
   }
 

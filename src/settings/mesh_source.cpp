@@ -75,13 +75,12 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   options.observer = s.tell;
   options.warn = s.warn;
   if (s.material.empty() == s.shells.empty())
-    throw Error("a mesh needs either workpiece.material or workpiece.shells; its objects are " + names_of(objects) +
-                ". Set " + "workpiece.material"_name + ", or " + "workpiece.shells"_name + " for each.");
+    throw Error("a mesh needs either a material or shells; its objects are " + names_of(objects) + ". Set " +
+                "workpiece.material"_name + ", or " + "workpiece.shells"_name + " for each.");
   if (!s.material.empty()) {
     if (objects.size() > 1)
-      throw Error("the mesh has several objects (" + names_of(objects) +
-                  "), so one workpiece.material is not enough. Set " + "workpiece.shells"_name +
-                  " for each object of the workpiece.");
+      throw Error("the mesh has several objects (" + names_of(objects) + "), so one material is not enough. Set " +
+                  "workpiece.shells"_name + " for each object of the workpiece.");
     return build_from_mesh(objects.front().mesh, s.materials.find(s.material), options);
   }
   MaterialTable table;

@@ -89,7 +89,7 @@ const Value& need(const PathSettings& s, std::optional<Value> P::*member) {
     return field.member == std::variant<NumberMember, VectorMember>(member);
   };
   if (!(s.*member))
-    fail_missing("path." + std::find_if(path_fields().begin(), path_fields().end(), is_this)->name,
+    fail_missing(Name("path." + std::find_if(path_fields().begin(), path_fields().end(), is_this)->name),
                  "a path of kind " + name_of(*s.kind));
   return *(s.*member);
 }
@@ -101,10 +101,10 @@ void refuse_what_does_not_belong(const PathSettings& s) {
     const Sentence instead = *s.kind == K::poses
                                  ? "put it into the file of poses"
                                  : "choose " + "path.kind"_name + " " + joined(field.kinds, " or ", name_of);
-    std::visit([&](const auto member) { refuse(s.*member, "path." + field.name, owner, instead); }, field.member);
+    std::visit([&](const auto member) { refuse(s.*member, Name("path." + field.name), owner, instead); }, field.member);
   }
   if (*s.kind != K::poses && !s.file.empty())
-    refuse(std::optional(s.file), "path.file", owner, "choose " + "path.kind"_name + " poses");
+    refuse(std::optional(s.file), "path.file"_name, owner, "choose " + "path.kind"_name + " poses");
 }
 
 std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
@@ -112,7 +112,8 @@ std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
   using units::mm;
   if (kind == K::line) return {need(s, &P::from_mm) * mm, need(s, &P::to_mm) * mm};
   const CurvePlane plane{need(s, &P::center_mm) * mm, s.axis.value_or(tool_axis)};
-  if (!(plane.axis.norm() > 0)) throw Error("path.axis = 0 0 0; must have a length. Set path.axis, e.g. 0,0,1.");
+  if (!(plane.axis.norm() > 0))
+    throw Error("path.axis"_name + " = 0 0 0; must have a length. Set it to 0,0,1, for example.");
   if (kind == K::circle)
     return circle(plane, need(s, &P::radius_mm) * mm, need(s, &P::turns), s.start_angle_deg.value_or(0) * units::deg);
   const double pitch = need(s, &P::pitch_mm) * mm, depth = need(s, &P::depth_mm) * mm;
@@ -124,7 +125,8 @@ std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
 
 Mat3 orientation_of(const PathSettings& s) {
   const Vec3 axis = s.tool_axis.value_or(Vec3::UnitZ());
-  if (!(axis.norm() > 0)) throw Error("path.tool_axis = 0 0 0; must have a length. Set path.tool_axis, e.g. 0,0,1.");
+  if (!(axis.norm() > 0))
+    throw Error("path.tool_axis"_name + " = 0 0 0; must have a length. Set it to 0,0,1, for example.");
   const double roll = s.tool_roll_deg.value_or(0) * units::deg;
   return CurvePlane{Vec3::Zero(), axis}.frame().rotation * rotation_from_vector(Vec3(0, 0, roll));
 }
@@ -171,16 +173,17 @@ std::vector<Setting> settings_of(PathSettings& p) {
 
 Motion make_motion(const PathSettings& s, const Tool& tool) {
   if (!s.kind)
-    throw Error("path.kind is missing. Set " + "path.kind"_name + " to line, circle, spiral, cavity or poses.");
+    throw Error("path.kind"_name + " is missing. Set " + "path.kind"_name +
+                " to line, circle, spiral, cavity or poses.");
   refuse_what_does_not_belong(s);
   const Point point = s.point.value_or(Point::tip);
   std::vector<TimedPose> motion;
   if (*s.kind == K::poses) {
-    if (s.file.empty()) throw Error("path.file is missing; a path of poses needs it. Set " + "path.file"_name + ".");
+    if (s.file.empty()) fail_missing("path.file"_name, "a path of poses");
     motion = read_poses(s.file, orientation_of(s));
   } else {
     if (point == Point::handle)
-      throw Error("path.point = handle is possible only for a path of poses. Set path.point to tip or head.");
+      throw Error("path.point"_name + " = handle is possible only for a path of poses. Set it to tip or head.");
     motion = follow(s);
   }
 

@@ -9,17 +9,18 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// Errors for missing settings and for settings that do not apply.
+/// Errors for missing settings and for settings that do not apply. The program says the flag of a key, other front ends
+/// the key.
 namespace hapticut::settings {
 
 /// @param key    key of the setting, "tool.radius_mm"
 /// @param owner  what needs the setting: "a sphere"
-[[noreturn]] inline void fail_missing(const std::string& key, const std::string& owner) {
-  throw Error(key + " is missing; " + owner + " needs it. Set " + Name(key) + ".");
+[[noreturn]] inline void fail_missing(const Name& key, const Sentence& owner) {
+  throw Error(key + " is missing; " + owner + " needs it. Set " + key + ".");
 }
 
 /// @throws Error when there is no value
-inline double required(const std::optional<double>& value, const std::string& key, const std::string& owner) {
+inline double required(const std::optional<double>& value, const Name& key, const Sentence& owner) {
   if (!value) fail_missing(key, owner);
   return *value;
 }
@@ -41,15 +42,14 @@ std::string equals(const Value& value) {
 /// @param instead  completes "Leave it out, or ...": "choose a cone"
 /// @throws Error when there is a value
 template <class Value>
-void refuse(const std::optional<Value>& value, const std::string& key, const std::string& owner,
-            const Sentence& instead) {
+void refuse(const std::optional<Value>& value, const Name& key, const Sentence& owner, const Sentence& instead) {
   if (value)
     throw Error(key + equals(*value) + "; must be left out, because " + owner + " has none. Leave it out, or " +
                 instead + ".");
 }
 
 /// @throws Error that names both settings, when one exceeds the other
-inline void require_at_most(double value, const std::string& key, double limit, const std::string& limit_key) {
+inline void require_at_most(double value, const Name& key, double limit, const Name& limit_key) {
   if (value > limit)
     throw Error(key + " = " + format_number(value, limit) + "; must be at most " + limit_key + " = " +
                 format_number(limit, value) + ". Lower it, or raise " + limit_key + ".");

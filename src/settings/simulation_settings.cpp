@@ -65,8 +65,9 @@ SimulationConfig make_config(const SimulationSettings& given) {
   SimulationConfig config = settings.config;
   config.removal = settings.removal.value_or(config.removal);
   if (config.removal == RemovalLaw::elastic_release && settings.force.law.value_or(foundation) != foundation)
-    throw Error("simulation.removal = elastic_release; only the foundation law has it. Leave it out, or choose " +
-                "force.law"_name + " foundation.");
+    throw Error("simulation.removal"_name +
+                " = elastic_release; only the foundation law has it. Leave it out, or choose " + "force.law"_name +
+                " foundation.");
   config.quadrature = settings.quadrature.value_or(config.quadrature);
   config.update_rate = settings.rate_Hz;
   apply(settings.force, config);

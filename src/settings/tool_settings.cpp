@@ -47,26 +47,26 @@ std::string words_of_shapes() {
 
 ToolHead make_head(const ToolSettings& s) {
   if (!s.head)
-    throw Error("tool.head is missing. Set " + "tool.head"_name + " to " + words_of_shapes() +
+    throw Error("tool.head"_name + " is missing. Set " + "tool.head"_name + " to " + words_of_shapes() +
                 " or a name of the catalogue.");
   const HeadShape* shape = *s.head;
   const char* owner = shape != nullptr ? shape->in_sentences : "a profile head";
   const bool is_flat = shape != nullptr && shape->name == std::string_view(FlatHead::kWord);
   for (const HeadDimension& one : head_dimensions())
     if (shape == nullptr || shape->find(one.name) == nullptr)
-      refuse(s.dimension(one.name), key_of(one), owner, heads_with(one));
-  if (!is_flat) refuse(s.flat_rule, "tool.flat_rule", owner, "choose " + "tool.head"_name + " flat");
+      refuse(s.dimension(one.name), Name(key_of(one)), owner, heads_with(one));
+  if (!is_flat) refuse(s.flat_rule, "tool.flat_rule"_name, owner, "choose " + "tool.head"_name + " flat");
   if (shape == nullptr) {
-    if (s.profile.empty()) fail_missing("tool.profile", owner);
+    if (s.profile.empty()) fail_missing("tool.profile"_name, owner);
     return head_of_profile(s.profile);
   }
   if (!s.profile.empty())
-    refuse(std::optional(s.profile), "tool.profile", owner, "choose " + "tool.head"_name + " profile");
+    refuse(std::optional(s.profile), "tool.profile"_name, owner, "choose " + "tool.head"_name + " profile");
   std::vector<double> dimensions;
   for (const HeadShape::Dimension& needed : shape->dimensions) {
     const std::optional<double> given = s.dimension(needed.what.name);
     const double factor = shown_unit(needed.what.unit).factor;
-    dimensions.push_back(given || !needed.optional ? required(given, key_of(needed.what), owner) * factor
+    dimensions.push_back(given || !needed.optional ? required(given, Name(key_of(needed.what)), owner) * factor
                                                    : needed.usual);
   }
   if (is_flat) return FlatHead{dimensions[0], dimensions[1], s.flat_rule.value_or(FlatRule::nearest)};
@@ -103,13 +103,13 @@ Setting setting_of(const HeadDimension& dimension, ToolSettings& t) {
 
 Handle make_handle(const ToolSettings& s) {
   if (s.handle.value_or(HandleKind::ray) == HandleKind::ray) {
-    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle", "choose " + "tool.handle"_name + " L");
-    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle", "choose " + "tool.handle"_name + " L");
-    if (s.handle) (void)required(s.handle_length_mm, "tool.handle_length_mm", "a ray handle");
+    refuse(s.handle_neck_mm, "tool.handle_neck_mm"_name, "a ray handle", "choose " + "tool.handle"_name + " L");
+    refuse(s.handle_bend_deg, "tool.handle_bend_deg"_name, "a ray handle", "choose " + "tool.handle"_name + " L");
+    if (s.handle) (void)required(s.handle_length_mm, "tool.handle_length_mm"_name, "a ray handle");
     return RayHandle{s.handle_length_mm.value_or(0) * units::mm};
   }
-  return LHandle{required(s.handle_length_mm, "tool.handle_length_mm", "an L handle") * units::mm,
-                 required(s.handle_neck_mm, "tool.handle_neck_mm", "an L handle") * units::mm,
+  return LHandle{required(s.handle_length_mm, "tool.handle_length_mm"_name, "an L handle") * units::mm,
+                 required(s.handle_neck_mm, "tool.handle_neck_mm"_name, "an L handle") * units::mm,
                  s.handle_bend_deg.value_or(90) * units::deg};
 }
 
@@ -183,15 +183,15 @@ std::vector<Setting> settings_of(ToolSettings& t) {
 namespace {
 
 Spindle make_spindle(const ToolSettings& s) {
-  const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
+  const double rpm = required(s.spindle_rpm, "tool.spindle_rpm"_name, "every tool");
   const MotorKind motor = s.motor.value_or(common_motor(rpm * units::rpm));
   const double limit = max_speed(motor);
   if (std::abs(rpm) * units::rpm > limit)
-    throw Error("tool.spindle_rpm = " + format_number(rpm, limit / units::rpm) + "; must be at most " +
+    throw Error("tool.spindle_rpm"_name + " = " + format_number(rpm, limit / units::rpm) + "; must be at most " +
                 format_number(limit / units::rpm, rpm) + " with the motor " + std::string(name_or_null(motor)) +
                 ". Lower the speed, or choose another " + "tool.motor"_name + ".");
   if (rpm == 0 && motor != MotorKind::ideal)
-    refuse(s.motor, "tool.motor", "a spindle at rest", "give " + "tool.spindle_rpm"_name);
+    refuse(s.motor, "tool.motor"_name, "a spindle at rest", "give " + "tool.spindle_rpm"_name);
   return common_spindle(motor, rpm * units::rpm);
 }
 
@@ -200,10 +200,10 @@ Spindle make_spindle(const ToolSettings& s) {
 Tool make_tool(const ToolSettings& s) {
   ToolHead head = make_head(s);
   if (s.shank)
-    head = on_shank(head,
-                    standard_shank(*s.shank, required(s.shank_neck_mm, "tool.shank_neck_mm", "a shank") * units::mm));
+    head = on_shank(
+        head, standard_shank(*s.shank, required(s.shank_neck_mm, "tool.shank_neck_mm"_name, "a shank") * units::mm));
   else
-    refuse(s.shank_neck_mm, "tool.shank_neck_mm", "a head without a shank", "choose " + "tool.shank"_name);
+    refuse(s.shank_neck_mm, "tool.shank_neck_mm"_name, "a head without a shank", "choose " + "tool.shank"_name);
   Handle handle = make_handle(s);
   Spindle spindle = make_spindle(s);
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;

@@ -34,13 +34,15 @@ RawLayout raw_layout(const Source& s) {
   if (!s.dicom_series.empty())
     throw Error("a file without a header has no series; leave " + "workpiece.dicom_series"_name + " out.");
   if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
-    throw Error("a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set " +
+    throw Error("a file without a header needs its dimensions, type and spacing; set all of " +
                 "workpiece.raw_dims"_name + ", " + "workpiece.raw_type"_name + " and " + "workpiece.spacing_mm"_name +
                 ".");
   const auto type = value_named<ValueType>(s.raw.type);
-  if (!type) throw Error("workpiece.raw_type = " + s.raw.type + "; must be one of " + list_of_names<ValueType>() + ".");
+  if (!type)
+    throw Error("workpiece.raw_type"_name + " = " + s.raw.type + "; must be one of " + list_of_names<ValueType>() +
+                ".");
   for (const double n : s.raw.dims)
-    if (n != std::floor(n)) throw Error("workpiece.raw_dims must be whole numbers: samples along x, y, z.");
+    if (n != std::floor(n)) throw Error("workpiece.raw_dims"_name + " must be whole numbers: samples along x, y, z.");
   return {{int(s.raw.dims[0]), int(s.raw.dims[1]), int(s.raw.dims[2])},
           *s.spacing_mm * units::mm,
           *type,
@@ -72,9 +74,9 @@ std::optional<Box> crop_box(const Source& s) {
   const auto& c = s.crop_mm;
   const Box box{Vec3(c[0], c[1], c[2]) * units::mm, Vec3(c[3], c[4], c[5]) * units::mm};
   if (!(box.max.array() > box.min.array()).all())
-    throw Error(
-        "workpiece.crop_mm must be x, y, z of the lower corner and then x, y, z of the upper one; here an "
-        "upper value is not above the lower one.");
+    throw Error("workpiece.crop_mm"_name +
+                " must be x, y, z of the lower corner and then x, y, z of the upper one; here an "
+                "upper value is not above the lower one.");
   return box;
 }
 
@@ -100,10 +102,10 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
   if (s.close_gaps_mm) volume = close_gaps(std::move(volume), *s.close_gaps_mm * units::mm, label);
   volume = fill_cavities(std::move(volume), label);
   if (std::find(volume.values.begin(), volume.values.end(), label) == volume.values.end())
-    throw Error("the labels enclose no cavity that workpiece.fill_cavities could fill. " +
-                std::string(s.close_gaps_mm
-                                ? "Raise close_gaps_mm, or leave both out."
-                                : "Set close_gaps_mm if a canal leads outside, or leave fill_cavities out."));
+    throw Error("the labels enclose no cavity that " + "workpiece.fill_cavities"_name + " could fill. " +
+                (s.close_gaps_mm ? "Raise " + "workpiece.close_gaps_mm"_name + ", or leave both out."
+                                 : "Set " + "workpiece.close_gaps_mm"_name + " if a canal leads outside, or leave " +
+                                       "workpiece.fill_cavities"_name + " out."));
   const auto same = std::find_if(materials.begin(), materials.end(),
                                  [&](const LabelMaterial& known) { return known.material.name == s.fill_cavities; });
   if (same != materials.end())
@@ -154,9 +156,8 @@ Workpiece from_ranges(const Source& s) {
 
 Workpiece from_grade(const Source& s) {
   if (!s.grade_low || !s.grade_high || s.grade_at_low.empty() || s.grade_at_high.empty())
-    throw Error(
-        "a grade needs all of workpiece.grade_low, grade_high, grade_at_low and grade_at_high; set the missing "
-        "ones.");
+    throw Error("a grade needs all of " + "workpiece.grade_low"_name + ", " + "workpiece.grade_high"_name + ", " +
+                "workpiece.grade_at_low"_name + " and " + "workpiece.grade_at_high"_name + "; set the missing ones.");
   Grade grade;
   grade.low = *s.grade_low;
   grade.high = *s.grade_high;
@@ -171,18 +172,19 @@ Workpiece make_workpiece_from_volume(const Source& s) {
   const bool graded = s.grade_low || s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
   const int methods = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
   if (methods != 1)
-    throw Error(
-        "a volume needs exactly one of workpiece.labels, workpiece.grey and "
-        "workpiece.grade_low ...; " +
-        std::to_string(methods) + " are set. Set " + "workpiece.labels"_name + ", " + "workpiece.grey"_name + " or " +
-        "workpiece.grade_low"_name + ".");
+    throw Error("a volume needs either labels, or ranges of grey values, or a grade; " + std::to_string(methods) +
+                " of them are set. Set " + "workpiece.labels"_name + ", " + "workpiece.grey"_name + " or " +
+                "workpiece.grade_low"_name + ".");
   if (s.close_gaps_mm && s.fill_cavities.empty())
-    throw Error("workpiece.close_gaps_mm needs fill_cavities, the material that fills the gaps.");
+    throw Error("workpiece.close_gaps_mm"_name + " needs " + "workpiece.fill_cavities"_name +
+                ", the material that fills the gaps.");
   if (!s.labels.empty()) return not_empty(from_labels(s));
   if (s.unclaimed_labels)
-    throw Error("workpiece.unclaimed_labels needs labels; grey values outside all ranges are empty. Leave it out.");
+    throw Error("workpiece.unclaimed_labels"_name +
+                " needs labels; grey values outside all ranges are empty. Leave it out.");
   if (!s.fill_cavities.empty())
-    throw Error("workpiece.fill_cavities needs labels; in grey values it is not clear what is enclosed. Leave it out.");
+    throw Error("workpiece.fill_cavities"_name +
+                " needs labels; in grey values it is not clear what is enclosed. Leave it out.");
   return graded ? not_empty(from_grade(s)) : from_ranges(s);
 }
 

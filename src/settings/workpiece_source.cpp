@@ -66,20 +66,19 @@ void refuse_all_but(const Source& s, const std::set<std::string>& used) {
 double voxel_size(const Source& s) { return s.voxel_mm.value_or(0.1) * units::mm; }
 
 Box box_of(const Source& s) {
-  if (!s.size_mm) fail_missing("workpiece.size_mm", s.source);
+  if (!s.size_mm) fail_missing("workpiece.size_mm"_name, s.source);
   return {Vec3::Zero(), *s.size_mm * units::mm};
 }
 
 Workpiece make_block(const Source& s) {
   refuse_all_but(s, {"voxel_mm", "size_mm", "material"});
-  if (s.material.empty()) fail_missing("workpiece.material", s.source);
+  if (s.material.empty()) fail_missing("workpiece.material"_name, s.source);
   return build_block(box_of(s), voxel_size(s), s.materials.find(s.material));
 }
 
 Workpiece make_slab(const Source& s) {
   refuse_all_but(s, {"voxel_mm", "size_mm", "layers"});
-  if (s.layers.empty())
-    throw Error("workpiece.layers is missing; a slab needs at least one. Set " + "workpiece.layers"_name + ".");
+  if (s.layers.empty()) throw Error("a slab needs at least one layer. Set " + "workpiece.layers"_name + ".");
   std::vector<hapticut::Layer> layers;
   for (const Source::Layer& layer : s.layers) {
     if (layer.material.empty() || !layer.thickness_mm)
@@ -116,8 +115,9 @@ Workpiece read_vdb(const Source& s) {
   if (s.material.empty()) {
     if (s.unit_mm || !s.grid.empty() || s.grid_kind)
       throw Error(
-          "workpiece.material is missing; a .vdb of another program needs material in addition to unit_mm, grid or "
-          "grid_kind. A .vdb of hapticut needs none of the four. Set " +
+          "workpiece.material"_name +
+          " is missing; a .vdb of another program needs it in addition to unit_mm, grid or grid_kind. A .vdb of "
+          "hapticut needs none of the four. Set " +
           "workpiece.material"_name + ", or leave the others out.");
     return with_changed_materials(load_vdb(s.source), s.materials);
   }
@@ -155,7 +155,7 @@ Workpiece make_molar(const Source& s) {
 void refuse_all_but(const WorkpieceSettings& settings, const std::set<std::string>& used, const std::string& because) {
   for (const std::string& name : given_settings(settings))
     if (!used.contains(name))
-      throw Error("workpiece." + name + " is set; must be left out, because " + because +
+      throw Error(Name("workpiece." + name) + " is set; must be left out, because " + because +
                   ". Leave it out, or choose another workpiece: docs/command-line.md lists the settings of each.");
 }
 
@@ -172,7 +172,8 @@ namespace {
 
 Workpiece made_or_read(const WorkpieceSettings& s) {
   if (s.source.empty())
-    throw Error("workpiece.source is missing. Set " + "workpiece.source"_name + " to block, slab, molar or a file.");
+    throw Error("workpiece.source"_name + " is missing. Set " + "workpiece.source"_name +
+                " to block, slab, molar or a file.");
   if (s.source == "block") return make_block(s);
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks the names in messages (core/sentence.hpp).
 
-No code searches a message of the library. In a message each C++ name is a Name. Each Name exists in the headers or is
-the key of a setting; program, C and Python have a word for it; each word of a table exists and is used.
+No code searches a message of the library, and the page searches no sentence. In a message each C++ name and each key of
+a setting is a Name. Each Name exists in the headers or is the key of a setting; program, C and Python have a word for
+it; each word of a table exists and is used.
 """
 import re
 import sys
@@ -19,10 +20,14 @@ OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/import/mesh/assimp.cpp", "src/i
              "src/import/volume/itk_volume.cpp", "src/import/volume/tiff_file.cpp", "src/settings/settings_file.cpp"}
 SEARCHED = re.compile(r"(?:what\(\)\)?|\b(?:reason|message|sentence|said|complaint|failure|missing)_?)"
                       r"\.(?:r?find\w*|starts_with|ends_with|contains|replace|erase)\(|\bstd::w?regex\b")
-MESSAGE = re.compile(r"\b(?:Error|FileError|Failure|UsageError|cannot_read|cannot_write|fail|refuse)\("
+OF_THE_PAGE = "apps/page/web/src"
+SEARCHED_BY_THE_PAGE = re.compile(r"\.(?:startsWith|endsWith|includes|indexOf|search|match)\(\s*[\"'`/][^)\n]*\)")
+MESSAGE = re.compile(r"\b(?:Error|FileError|Failure|UsageError|cannot_read|cannot_write|fail|fail_missing|refuse|"
+                     r"required|require_at_most|require_points|warn)\("
                      r"((?:[^;\"]|\"(?:[^\"\\]|\\.)*\")*);")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"(_name)?')
 CPP_NAME = re.compile(r"\b[A-Z]\w*::\w+")
+KEY_AND_FLAG = re.compile(r'"([a-z]+)\.\w+",\s*"--\w+"')
 
 # Users of the program and of C do not have these structs, or their settings are checked first, in their own words. If a
 # message names a member, it stands without the struct. The structs of drivers/*/include are such, and not in Python.
@@ -56,9 +61,21 @@ def words_in(text: str) -> set[str]:
     return set(re.findall(r"\w+", text))
 
 
+def keys_in(code: dict[str, str]) -> re.Pattern:
+    """A key of a setting in a text: tool.radius_mm."""
+    tables = set().union(*(KEY_AND_FLAG.findall(text) for path, text in code.items() if path != PROGRAM))
+    return re.compile(rf"(?<![\w./-])(?:{'|'.join(sorted(tables))})\.[a-z]\w*")
+
+
+def check_page() -> list[str]:
+    return [f"{path.relative_to(ROOT)} searches a sentence: {found.group()}"
+            for path in sorted((ROOT / OF_THE_PAGE).rglob("*.ts"))
+            for found in SEARCHED_BY_THE_PAGE.finditer(path.read_text(encoding="utf-8"))]
+
+
 def check_code(code: dict[str, str]) -> tuple[set[str], set[str], list[str]]:
     """The Names of all messages, the subjects of all checks, and the mistakes."""
-    names, subjects, mistakes = set(), set(), []
+    names, subjects, mistakes, key = set(), set(), [], keys_in(code)
     for path, text in code.items():
         if path == SENTENCE:
             continue
@@ -66,7 +83,7 @@ def check_code(code: dict[str, str]) -> tuple[set[str], set[str], list[str]]:
         if path not in OF_OTHERS and (found := SEARCHED.search(text)):
             mistakes.append(f"{path} searches a message: {found.group()}")
         for literal, is_name in LITERAL.findall(" ".join(MESSAGE.findall(text))):
-            if not is_name and (found := CPP_NAME.search(literal)):
+            if not is_name and (found := CPP_NAME.search(literal) or key.search(literal)):
                 mistakes.append(f'{path} types {found.group()} into a message; write "{found.group()}"_name')
         names |= set(re.findall(r'"([^"]+)"_name', text))
         subjects |= set(re.findall(r'require_\w+\([^;]*?"([A-Z]\w*::\w*)', text))
@@ -78,6 +95,7 @@ def main() -> int:
     of_drivers = {struct for path, text in code.items() if re.match("drivers/[^/]+/include/", path)
                   for struct in re.findall(r"^struct (\w+)", text, re.M)}
     names, subjects, mistakes = check_code(code)
+    mistakes += check_page()
     headers = [text for path, text in code.items() if "include/" in path]
     in_headers = set().union(*map(words_in, headers))
     in_python = words_in("".join(text for path, text in code.items() if path.startswith("bindings")))

@@ -245,7 +245,7 @@ TEST_F(Drill, WarnsOfASpindleThatStandsOrStallsInsteadOfTheStiffness) {
   EXPECT_NE(stands.find("the spindle stood in " + standing["status"]["spindle_stands"].dump() + " steps"),
             std::string::npos)
       << stands;
-  EXPECT_NE(stands.find("tool.spindle_rpm"), std::string::npos) << stands;
+  EXPECT_NE(stands.find("--spindle_rpm"), std::string::npos) << stands;
   const nlohmann::json stalling = drill(feed + "--spindle_rpm 30000 --motor electric --torque_limit_Nmm 0.001");
   ASSERT_EQ(stalling["warnings"].size(), 1U) << stalling["warnings"];
   EXPECT_NE(stalling["warnings"][0].get<std::string>().find("stalled the spindle"), std::string::npos);
@@ -256,7 +256,7 @@ TEST_F(Drill, SaysThatRemovalIsOffInsteadOfACureForAStall) {
       drill(kBlock + "--head sphere --radius_mm 1 --spindle_rpm 30000 --removal none " + kGroove);
   EXPECT_GT(report["status"]["spindle_stalled"], 0);
   ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
-  EXPECT_EQ(report["warnings"][0], "removal is off (simulation.removal is none), so nothing was removed.");
+  EXPECT_EQ(report["warnings"][0], "removal is off (--removal is none), so nothing was removed.");
 }
 
 TEST_F(Drill, CountsOfTheStepsWithAThickLayerThoseThatRemoveMaterial) {

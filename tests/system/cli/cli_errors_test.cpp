@@ -65,34 +65,32 @@ TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
 }
 
 TEST_F(Flags, ThatAreMissingAreNamed) {
-  expect("drill " + kBall + kLine, kFailed, "workpiece.source is missing. Set --workpiece to block");
+  expect("drill " + kBall + kLine, kFailed, "--workpiece is missing. Set --workpiece to block");
   expect("drill " + kBlock + kLine, kFailed, "--head");
   expect("drill " + kBlock + kBall, kFailed, "--path");
-  expect("drill " + kBlock + "--head sphere --radius_mm 1 " + kLine, kFailed, "tool.spindle_rpm is missing");
+  expect("drill " + kBlock + "--head sphere --radius_mm 1 " + kLine, kFailed, "--spindle_rpm is missing");
   const std::string ball = "--head sphere --radius_mm 1 ";
   expect("drill " + kBlock + ball + "--spindle_rpm 0 --handle ray " + kLine, kFailed,
-         "tool.handle_length_mm is missing; a ray handle needs it");
+         "--handle_length_mm is missing; a ray handle needs it");
   expect("drill " + kBlock + ball + "--spindle_rpm 300000 --motor electric " + kLine, kFailed,
-         "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower the speed, or choose "
+         "--spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower the speed, or choose "
          "another --motor");
   expect("drill " + kBlock + ball + "--spindle_rpm 0 --motor electric " + kLine, kFailed,
-         "tool.motor is set; must be left out");
-  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "path.to_mm is missing");
+         "--motor is set; must be left out");
+  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "--to_mm is missing");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --to_mm 1,0,0", kFailed, "feed_mm_per_s is missing");
-  expect("drill --workpiece block --material dentin " + kBall + kLine, kFailed, "workpiece.size_mm is missing");
+  expect("drill --workpiece block --material dentin " + kBall + kLine, kFailed, "--size_mm is missing");
   expect("convert block", kWrongUsage, "file to write");
 }
 
 TEST_F(Flags, ThatDoNotBelongTogetherAreRefused) {
-  expect(
-      "drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed,
-      "tool.handle_neck_mm = 3; must be left out, because a ray handle has none. Leave it out, or choose --handle L.");
-  expect(
-      "drill " + kBlock + kBall + kLine + "--turns 2", kFailed,
-      "path.turns = 2; must be left out, because a path of kind line has none. Leave it out, or choose --path circle.");
+  expect("drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed,
+         "--handle_neck_mm = 3; must be left out, because a ray handle has none. Leave it out, or choose --handle L.");
+  expect("drill " + kBlock + kBall + kLine + "--turns 2", kFailed,
+         "--turns = 2; must be left out, because a path of kind line has none. Leave it out, or choose --path circle.");
   expect("drill " + kBlock + "--layer enamel=1 " + kBall + kLine, kFailed,
-         "workpiece.layers is set; must be left out, because block");
-  expect("drill " + kBlock + kBall + kLine + "--point handle", kFailed, "path.point");
+         "--layer MATERIAL=THICKNESS_MM is set; must be left out, because block");
+  expect("drill " + kBlock + kBall + kLine + "--point handle", kFailed, "--point");
 }
 
 TEST_F(Flags, NameMaterialsThatExist) {
@@ -107,7 +105,7 @@ TEST_F(Flags, MustNotAskForTheImpossible) {
          "at most 1e+07");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,3 --to_mm 0,0,3 --feed_mm_per_s 1", kFailed,
          "at least two");
-  expect("drill " + kBlock + kBall + kLine + "--tool_axis 0,0,0", kFailed, "path.tool_axis");
+  expect("drill " + kBlock + kBall + kLine + "--tool_axis 0,0,0", kFailed, "--tool_axis");
 }
 
 // The depth is 100 m. The program counts the points of the path before it creates one.
@@ -116,11 +114,11 @@ TEST_F(SettingsFile, MustNotAskForAnImpossibleDepth) {
   const auto expect_of = [&](const std::string& keys, const std::string& part) {
     write_bytes(folder / "scene.toml", "[path]\n" + common + keys);
     expect_refused("drill --settings " + path("scene.toml") + " " + kBlock + kBall,
-                   {"the path would have", "at most 1e+07 are possible. Change path.depth_mm", part});
+                   {"the path would have", "at most 1e+07 are possible. Change --depth_mm", part});
   };
   expect_of("kind = \"cavity\"\ntop_radius_mm = 0.6\nbottom_radius_mm = 0.4\nlayer_mm = 0.2\n",
-            ", path.layer_mm or path.pitch_mm.");
-  expect_of("kind = \"spiral\"\nstart_radius_mm = 0.1\nend_radius_mm = 1\n", " or path.pitch_mm.");
+            ", --layer_mm or --pitch_mm.");
+  expect_of("kind = \"spiral\"\nstart_radius_mm = 0.1\nend_radius_mm = 1\n", " or --pitch_mm.");
 }
 
 TEST_F(SettingsFile, NamesMaterialsThatExistEvenWhereNothingIsMadeOfThem) {
@@ -182,8 +180,8 @@ TEST_F(Files, OfSamplesNeedTheMeaningOfTheirValues) {
   std::string volume = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n";
   write_bytes(folder / "v.nrrd", volume + std::string(64, '\1'));
   const std::string source = "drill --workpiece " + path("v.nrrd") + " " + kBall + kLine;
-  expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
-  expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
+  expect(source, kFailed, "0 of them are set. Set --label, --grey or --grade_low.");
+  expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 of them are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
   expect(source + "--label dentin=2", kFailed, "leave them out with --unclaimed_labels leave_out.");
   expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "needs labels");
@@ -194,7 +192,7 @@ TEST_F(Files, OfSamplesNeedTheMeaningOfTheirValues) {
   std::filesystem::create_directory(folder / "slices");
   write_bytes(folder / "slices/s1.png", "");
   expect("inspect " + path("slices"), kFailed, "set --spacing_mm");
-  expect(source + "--grey dentin=1: --crop_mm 0,0,0,1,1,-1", kFailed, "workpiece.crop_mm");
+  expect(source + "--grey dentin=1: --crop_mm 0,0,0,1,1,-1", kFailed, "--crop_mm");
   expect(source + "--grey dentin=1: --crop_mm 50,50,50,60,60,60", kFailed, "lies outside the volume");
   expect("inspect block --size_mm 1,1,1 --material dentin --threshold 3", kFailed, "--threshold");
 }

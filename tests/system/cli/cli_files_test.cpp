@@ -247,7 +247,7 @@ TEST_F(Inspect, FillsTheCavitiesOfLabels) {
   EXPECT_GE(voxels["pulp"], 64);
   EXPECT_EQ(voxels["dentin"], 1000 - 64 - 3);
   expect_refused("inspect " + open + "--fill_cavities pulp", {"Set close_gaps_mm"});
-  expect_refused("inspect " + open + "--close_gaps_mm 0.8", {"needs fill_cavities"});
+  expect_refused("inspect " + open + "--close_gaps_mm 0.8", {"needs --fill_cavities"});
 }
 
 TEST_F(Inspect, ReadsAFileWithoutAHeader) {
@@ -263,7 +263,8 @@ TEST_F(Inspect, ReadsAFileWithoutAHeader) {
   EXPECT_EQ(report["voxels_at_or_above"], 10);
   EXPECT_NEAR(report["spacing_mm"][2].get<double>(), 0.7, 1e-9);
   for (const auto& [arguments, part] :
-       {std::pair("", "needs all of workpiece.raw_dims"), std::pair("--raw_dims 4,3,2 --raw_type uint16", "spacing_mm"),
+       {std::pair("", "set all of --raw_dims, --raw_type and --spacing_mm"),
+        std::pair("--raw_dims 4,3,2 --raw_type uint16", "spacing_mm"),
         std::pair("--raw_dims 4,3,2 --raw_type short --spacing_mm 1,1,1", "must be one of uint8"),
         std::pair("--raw_dims 4,3,2.5 --raw_type int8 --spacing_mm 1,1,1", "whole numbers"),
         std::pair("--raw_dims 4,3,2 --raw_type int8 --spacing_mm 1,1,1 --dicom-series 1.2", "has no series"),

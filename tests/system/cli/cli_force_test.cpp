@@ -100,20 +100,20 @@ TEST_F(ForceSettings, TheTorqueAtTheHandMayBeThatOfTheThesis) {
              two = steps("--handle_torque thesis --handle_torque_scale 2", bent, side);
   EXPECT_NEAR(two.at("torque_y_Nmm").back() / one.at("torque_y_Nmm").back(), 2, kDigits);
   expect_failure("--handle_torque_scale 2",
-                 {"force.handle_torque_scale = 2; must be left out, because the full wrench has none",
+                 {"--handle_torque_scale = 2; must be left out, because the full wrench has none",
                   "choose --handle_torque thesis"});
 }
 
 TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
   expect_failure("--law twist_drill", {"was given a sphere of radius 1 mm", "no point angle", "a cone, a flat head"});
-  expect_failure("--law contact_mechanics", {"force.effective_modulus_Pa is missing", "--effective_modulus_Pa"});
+  expect_failure("--law contact_mechanics", {"--effective_modulus_Pa is missing", "Set --effective_modulus_Pa"});
   expect_failure("--law thesis --effective_modulus_Pa 1e6",
-                 {"force.effective_modulus_Pa = 1e+06", "the thesis has none", "choose --law contact_mechanics"});
+                 {"--effective_modulus_Pa = 1e+06", "the thesis has none", "choose --law contact_mechanics"});
   expect_failure("--burr_stiffness_Pa 1e6",
-                 {"force.burr_stiffness_Pa = 1e+06; must be left out, because the foundation law has none",
+                 {"--burr_stiffness_Pa = 1e+06; must be left out, because the foundation law has none",
                   "choose --law hertzian_burr"});
   expect_failure("--static_friction 0.2 --dynamic_friction 0.3",
-                 {"force.dynamic_friction = 0.3; must be at most force.static_friction = 0.2"});
+                 {"--dynamic_friction = 0.3; must be at most --static_friction = 0.2"});
 }
 
 // The flag is the library's thesis_mode: law, handle torque, quadrature, filter.
@@ -127,8 +127,7 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
   const auto cured = steps("--thesis_mode --law foundation", bent);
   EXPECT_EQ(cured.at("force_z_N"), steps("--handle_torque thesis --thesis_filter", bent).at("force_z_N"));
-  expect_failure("--law thesis --removal elastic_release",
-                 {"simulation.removal = elastic_release; only the foundation"});
+  expect_failure("--law thesis --removal elastic_release", {"--removal = elastic_release; only the foundation"});
   // Other settings override the thesis mode. The mode vibrates at rates of 1112 Hz and above.
   const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
   EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
@@ -176,13 +175,13 @@ TEST_F(EffectsSettings, VibrationShakesWhileItCuts) {
   EXPECT_GT(given, 0.38);
   EXPECT_LE(given, 0.4 + kDigits);
   EXPECT_NEAR(max_of("0 --vibration_N_per_W 1e9 --vibration_max_N 0.1"), 0.1, 0.01);
-  expect_failure("--vibration_Hz 500", {"effects.vibration_Hz = 500", "below 450", "simulation.rate_Hz = 1000"});
+  expect_failure("--vibration_Hz 500", {"--vibration_Hz = 500", "below 450", "--rate = 1000"});
   EXPECT_EQ(run("drill " + test::kBlock + test::kBall + kDown + "--rate 2000 --vibration_Hz 500").code, 0);
   expect_failure("--vibration_Hz 100 --vibration_N 1 --vibration_max_N 0.5",
-                 {"effects.vibration_N = 1", "effects.vibration_max_N = 0.5"});
-  expect_failure("--vibration_N 1",
-                 {"effects.vibration_N = 1; must be left out, because a tool without effects.vibration_Hz has none",
-                  "set --vibration_Hz"});
+                 {"--vibration_N = 1", "--vibration_max_N = 0.5"});
+  expect_failure(
+      "--vibration_N 1",
+      {"--vibration_N = 1; must be left out, because a tool without --vibration_Hz has none", "set --vibration_Hz"});
 }
 
 TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
@@ -208,8 +207,8 @@ TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
   EXPECT_LT(*std::max_element(lagging.at("force_z_N").begin(), lagging.at("force_z_N").end()),
             *std::max_element(plain.at("force_z_N").begin(), plain.at("force_z_N").end()));
   expect_failure("--thesis_filter --filter_delta_N 0.01 --filter_epsilon_N 0.02",
-                 {"effects.filter_epsilon_N = 0.02", "effects.filter_delta_N = 0.01"});
-  expect_failure("--filter_delta_N 1", {"effects.filter_delta_N = 1; must be left out", "set --thesis_filter"});
+                 {"--filter_epsilon_N = 0.02", "--filter_delta_N = 0.01"});
+  expect_failure("--filter_delta_N 1", {"--filter_delta_N = 1; must be left out", "set --thesis_filter"});
 }
 
 TEST_F(ForceSettings, ArriveBehindTheCouplingToo) {

@@ -85,17 +85,16 @@ TEST_F(HeadSettings, AProfileFromAMeshIsThatHead) {
 #endif
 
 TEST_F(HeadSettings, ThatAreMissingOrDoNotBelongAreNamed) {
-  expect_failure("--head flame --diameter_mm 1", {"tool.length_mm is missing", "a flame needs it"});
-  expect_failure("--head christmas_tree --diameter_mm 1 --length_mm 2", {"tool.tiers is missing"});
+  expect_failure("--head flame --diameter_mm 1", {"--length_mm is missing", "a flame needs it"});
+  expect_failure("--head christmas_tree --diameter_mm 1 --length_mm 2", {"--tiers is missing"});
   expect_failure("--head round --diameter_mm 1 --radius_mm 1",
-                 {"tool.radius_mm = 1; must be left out, because a round head has none", "--head sphere or flat"});
-  expect_failure("--head round --diameter_mm 1 --tiers 2",
-                 {"tool.tiers = 2; must be left out", "--head christmas_tree"});
+                 {"--radius_mm = 1; must be left out, because a round head has none", "--head sphere or flat"});
+  expect_failure("--head round --diameter_mm 1 --tiers 2", {"--tiers = 2; must be left out", "--head christmas_tree"});
   expect_failure("--head round --diameter_mm 1 --flat_rule both",
-                 {"tool.flat_rule is set; must be left out", "--head flat"});
+                 {"--flat_rule is set; must be left out", "--head flat"});
   expect_failure("--head round --diameter_mm 1 --profile x.csv",
-                 {"tool.profile = \"x.csv\"; must be left out", "--head profile"});
-  expect_failure("--head profile", {"tool.profile is missing"});
+                 {"--profile = \"x.csv\"; must be left out", "--head profile"});
+  expect_failure("--head profile", {"--profile is missing"});
   expect_failure("--head tapered --tip_diameter_mm 2 --diameter_mm 1 --length_mm 3", {"tip_diameter = 2 mm", "less"});
 }
 

@@ -97,9 +97,9 @@ TEST_F(Inputs, WithoutAMeaningOfTheirValuesNeedAFlag) {
   expect_refused("inspect " + source, {"b.vdb", "'density' does not say what its values mean; set --grid_kind: fog"});
   EXPECT_NEAR(volume(source + " --grid-kind fog_volume"), 8, 1e-3);
   expect_refused("inspect " + source + " --grid other", {"'density' (float)", "with --grid"});
-  expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"workpiece.material is missing"});
+  expect_refused("inspect " + path("b.vdb") + " --grid-kind fog_volume", {"--material is missing"});
   expect_refused("inspect block --size_mm 2,2,2 --material dentin --grid-kind level_set",
-                 {"workpiece.grid_kind is set; must be left out"});
+                 {"--grid_kind is set; must be left out"});
 }
 
 TEST_F(Inputs, OfASettingsFileAreBesideIt) {

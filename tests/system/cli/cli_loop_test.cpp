@@ -101,7 +101,7 @@ TEST_F(Loop, ReportsTheStatusOfItsStepsAndTheLastArming) {
     EXPECT_NE(out.find(bit + " in one or more steps\n"), std::string::npos) << out;
     EXPECT_NE(out.find("  " + report["arming"].get<std::string>() + " at the end\n"), std::string::npos) << out;
   };
-  expect_of("--spindle_rpm 0", "spindle_stands", "set tool.spindle_rpm.");
+  expect_of("--spindle_rpm 0", "spindle_stands", "set --spindle_rpm.");
   expect_of("--motor electric --torque_limit_Nmm 0.001", "spindle_stalled", "the load stalled the spindle");
 }
 
@@ -121,7 +121,7 @@ TEST_F(Loop, SaysThatRemovalIsOffInsteadOfACureForAStall) {
       kCoarse);
   EXPECT_NE(report["status_seen"].dump().find("spindle_stalled"), std::string::npos) << report["status_seen"];
   const std::string warnings = report["warnings"].dump();
-  EXPECT_NE(warnings.find("removal is off (simulation.removal is none), so nothing was removed."), std::string::npos);
+  EXPECT_NE(warnings.find("removal is off (--removal is none), so nothing was removed."), std::string::npos);
   EXPECT_EQ(warnings.find("stalled"), std::string::npos) << warnings;
 }
 
@@ -150,7 +150,7 @@ TEST_F(LoopWarnings, SayThatTheToolWaitedAtTheEnd) {
 
 TEST_F(LoopWarnings, SayThatTheToolNeverTouched) {
   report.seen.last.tool.steps = 1000;
-  expect_only("the tool never touched the workpiece; move loop.origin_mm");
+  expect_only("the tool never touched the workpiece; move --origin_mm");
   report.seen.last.tool.touched.insert(1);
   EXPECT_TRUE(apps::warnings_of(report).empty());
 }

@@ -52,7 +52,7 @@ TEST_F(MeshCures, DoWhatTheSentenceSays) {
   const std::string inside_out = cube(6, 3, 9, {0, 1, 2, 3, 4}, true);
   const std::string open = cube(0, 4, 1, {0, 1, 2, 3, 4});
   const std::vector<Cure> cures = {
-      {closed, "", "a mesh needs either workpiece.material or workpiece.shells", "", dentin, 64},
+      {closed, "", "a mesh needs either a material or shells", "", dentin, 64},
       {"o one\n" + closed + "o two\n" + other, dentin, "Set --shell MATERIAL=OBJECT for each object", "",
        "--shell dentin=one --shell dentin=two --voxel_mm 0.25", 91},
       {"o one\n" + closed, "--shell dentin=tow --voxel_mm 0.25", "there are one. Set --shell MATERIAL=OBJECT.", "",

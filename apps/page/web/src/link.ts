@@ -11,9 +11,9 @@ export interface Link {
 function objection(bytes: Uint8Array): string {
   const other = otherVersion(bytes);
   if (!other) return "The program sent a message that this page does not understand: reload the page.";
-  return other.startsWith("is older")
-    ? `This page ${other} than the program: reload the page; if that does not help, build it again.`
-    : `This page ${other} than the program: end hapticut view, and start the one that was built with the page.`;
+  return other.older
+    ? `This page ${other.text} than the program: reload the page; if that does not help, build it again.`
+    : `This page ${other.text} than the program: end hapticut view, and start the one that was built with the page.`;
 }
 
 /**

@@ -237,11 +237,18 @@ function readMessage(kind: number, r: Reader): Message | null {
   }
 }
 
+/** A version of the page that differs from that of a message. */
+export interface OtherVersion {
+  older: boolean; // than the sender of the message
+  text: string; // completes "This page ... than the program"
+}
+
 /** For a message of another version, whether the page is older or newer than its sender; null for the same version. */
-export function otherVersion(bytes: Uint8Array): string | null {
+export function otherVersion(bytes: Uint8Array): OtherVersion | null {
   const theirs = bytes[1] ?? kVersion;
   if (theirs === kVersion) return null;
-  return `${theirs > kVersion ? "is older" : "is newer"} (protocol ${kVersion}, not ${theirs})`;
+  const older = theirs > kVersion;
+  return { older, text: `${older ? "is older" : "is newer"} (protocol ${kVersion}, not ${theirs})` };
 }
 
 /** @returns null when any byte of the message is invalid */

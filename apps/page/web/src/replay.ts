@@ -18,7 +18,7 @@ export function readRecording(bytes: Uint8Array): Timed[] {
     const time = view.getFloat64(at, true), length = view.getUint32(at + 8, true);
     const part = bytes.slice(at + 12, at + 12 + length);
     const other = otherVersion(part);
-    if (other) throw new Error(`This page ${other} than its recording: export it again with the present program.`);
+    if (other) throw new Error(`This page ${other.text} than its recording: export it again with the present program.`);
     const message = decode(part);
     if (message === null) throw new Error("The recording is damaged: export it again.");
     all.push({ time, message });

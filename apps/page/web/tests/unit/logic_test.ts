@@ -168,6 +168,7 @@ test("a message of another version ends the connection with a cure: the page or 
     assert.ok(now().closed);
   }
   assert.equal(otherVersion(noticeOf(kVersion)), null);
+  assert.deepEqual([1, -1].map((more) => otherVersion(noticeOf(kVersion + more))?.older), [true, false]);
 });
 
 test("a lost connection is opened again, unless the program has ended", () => {
