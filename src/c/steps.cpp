@@ -2,6 +2,7 @@
 // The step, its results, snapshots and undo.
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "c/simulation_object.hpp"
 #include "c/structs.hpp"
@@ -25,6 +26,24 @@ namespace hapticut::c {
 namespace {
 
 static_assert(kHasEachField<EnergyLedger, hapticut_energy_ledger>, "C needs the new term, at the end of its ledger");
+
+/// Whether a struct has fields of these names, and no others.
+template <Described S, std::size_t kCount>
+consteval bool has_only(const std::string_view (&names)[kCount]) {
+  for (const std::string_view name : names)
+    if (place_of<S>(name) == kFieldsOf<S>) return false;
+  return kCount == kFieldsOf<S>;
+}
+
+// hapticut_step_result has other names than StepResult and its parts, so put_step names each field. C does not have
+// StepResult::model and Contact::level_of_detail; hapticut_energy returns StepResult::energy.
+static_assert(has_only<StepResult>({"force", "torque", "removed_voxels", "removed_volume", "contact", "model", "energy",
+                                    "spindle", "sub_steps", "status"}),
+              "put_step needs the new field, or the comment above its reason");
+static_assert(has_only<Contact>({"voxels", "volume", "depth", "level_of_detail", "point_W", "normal_W", "area",
+                                 "pressure"}),
+              "put_step needs the new field, or the comment above its reason");
+static_assert(has_only<SpindleState>({"speed", "torque"}), "put_step needs the new field");
 
 constexpr std::size_t kBlocksAtOnce = 1024;  // blocks at once in an undo or redo between steps
 
