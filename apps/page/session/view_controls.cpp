@@ -83,26 +83,39 @@ void ViewControls::add_materials() {
     std::replace(name.begin(), name.end(), '_', ' ');
     auto id = std::uint16_t(kMaterial + kIdsOfAMaterial * n);
     for (const MaterialNumber& one : kMaterialNumbers)
-      number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor, one.min, one.max);
+      number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor, one.range().low,
+             one.range().high);
   }
 }
 
+template <class Effect, std::size_t kCount>
+void ViewControls::add_numbers(const char* panel, const EffectNumber<Effect> (&numbers)[kCount], const Effect& effect) {
+  for (const EffectNumber<Effect>& one : numbers)
+    number(one.id, panel, one.label, std::string(one.unit()), effect.*one.member, one.range().low, one.range().high);
+}
+
+template <class Effect, std::size_t kCount>
+void ViewControls::show_numbers(const EffectNumber<Effect> (&numbers)[kCount], const Effect& effect) {
+  for (const EffectNumber<Effect>& one : numbers) at(one.id) = effect.*one.member;
+}
+
+template <class Effect, std::size_t kCount>
+Effect ViewControls::with_numbers(const EffectNumber<Effect> (&numbers)[kCount], Effect effect) const {
+  for (const EffectNumber<Effect>& one : numbers) effect.*one.member = at(one.id);
+  return effect;
+}
+
 void ViewControls::add_additional(const Effects& effects) {
-  const Gravity gravity = effects.gravity.value_or(Gravity{.mass = 0.1});
-  const Vibration vibration = effects.vibration.value_or(Vibration{});
-  const DeltaFilter filter = effects.delta_filter.value_or(DeltaFilter{});
+  Vibration vibration = effects.vibration.value_or(Vibration{});
+  vibration.max_amplitude = std::max(vibration.max_amplitude, vibration.amplitude);
   on_off(kGravity, "additional", "Gravity", effects.gravity.has_value());
-  number(kMass, "additional", "Mass", "kg", gravity.mass, 0, 2);
+  add_numbers("additional", kGravityNumbers, effects.gravity.value_or(Gravity{.mass = 0.1}));
   on_off(kSound, "additional", "Sound of the drill", true);
   number(kVolume, "additional", "Volume", "", 0.5, 0, 1);
   on_off(kFilter, "additional", "Filter", effects.delta_filter.has_value());
-  number(kDelta, "additional", "Filter passes", "N", filter.delta, 1e-3, 10);
-  number(kEpsilon, "additional", "Filter step", "N", filter.epsilon, 1e-4, 1);
+  add_numbers("additional", kFilterNumbers, effects.delta_filter.value_or(DeltaFilter{}));
   on_off(kVibration, "vibration", "Vibration", effects.vibration.has_value());
-  number(kFrequency, "vibration", "Frequency", "Hz", vibration.frequency, 1, 449);
-  number(kAmplitude, "vibration", "Amplitude", "N", vibration.amplitude, 0, 2);
-  number(kPerWatt, "vibration", "Growth", "N/W", vibration.amplitude_per_watt, 0, 1);
-  number(kMaxAmplitude, "vibration", "Largest", "N", std::max(vibration.max_amplitude, vibration.amplitude), 0, 5);
+  add_numbers("vibration", kVibrationNumbers, vibration);
   for (std::uint16_t axis = 0; axis < 6; ++axis)
     on_off(std::uint16_t(kMask + axis), "outputs", kAxisNames[axis],
            axis < 3 ? effects.enabled.force[axis] : effects.enabled.torque[axis - 3U]);
@@ -189,16 +202,11 @@ void ViewControls::show(const ModelSettings& model) {
 
 void ViewControls::show(const Effects& effects) {
   at(kGravity) = effects.gravity ? 1 : 0;
-  if (effects.gravity) at(kMass) = effects.gravity->mass;
+  if (effects.gravity) show_numbers(kGravityNumbers, *effects.gravity);
   at(kFilter) = effects.delta_filter ? 1 : 0;
-  if (effects.delta_filter) at(kDelta) = effects.delta_filter->delta, at(kEpsilon) = effects.delta_filter->epsilon;
+  if (effects.delta_filter) show_numbers(kFilterNumbers, *effects.delta_filter);
   at(kVibration) = effects.vibration ? 1 : 0;
-  if (const auto& vibration = effects.vibration) {
-    at(kFrequency) = vibration->frequency;
-    at(kAmplitude) = vibration->amplitude;
-    at(kPerWatt) = vibration->amplitude_per_watt;
-    at(kMaxAmplitude) = vibration->max_amplitude;
-  }
+  if (effects.vibration) show_numbers(kVibrationNumbers, *effects.vibration);
   const AxisMask& on = effects.enabled;
   const auto any = [](const auto& axes) { return std::ranges::any_of(axes, [](bool axis) { return axis; }); };
   at(kHaptics) = any(on.force) || any(on.torque) ? 1 : 0;
@@ -228,14 +236,15 @@ AxisMask ViewControls::mask() const {
 Effects ViewControls::effects() const {
   Effects effects = config_.effects;
   effects.gravity.reset(), effects.vibration.reset(), effects.delta_filter.reset();
-  if (at(kGravity) != 0) {
-    effects.gravity = config_.effects.gravity.value_or(Gravity{});
-    effects.gravity->mass = at(kMass);
+  if (at(kGravity) != 0) effects.gravity = with_numbers(kGravityNumbers, config_.effects.gravity.value_or(Gravity{}));
+  if (at(kVibration) != 0) {
+    Vibration& vibration = effects.vibration.emplace(with_numbers(kVibrationNumbers, Vibration{}));
+    vibration.max_amplitude = std::max(vibration.max_amplitude, vibration.amplitude);
   }
-  if (at(kVibration) != 0)
-    effects.vibration =
-        Vibration{at(kFrequency), at(kAmplitude), at(kPerWatt), std::max(at(kMaxAmplitude), at(kAmplitude))};
-  if (at(kFilter) != 0) effects.delta_filter = DeltaFilter{at(kDelta), std::min(at(kEpsilon), at(kDelta))};
+  if (at(kFilter) != 0) {
+    DeltaFilter& filter = effects.delta_filter.emplace(with_numbers(kFilterNumbers, DeltaFilter{}));
+    filter.epsilon = std::min(filter.epsilon, filter.delta);
+  }
   effects.enabled = mask();
   return effects;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/view/protocol.hpp"
 #include "hapticut/workpiece/material.hpp"
+#include "page/session/slider_range.hpp"
 
 namespace hapticut::apps {
 
@@ -85,6 +88,20 @@ class ViewControls {
     kMaterial = 100,  // kIdsOfAMaterial ids per material
   };
 
+  static constexpr EffectNumber<Gravity> kGravityNumbers[] = {
+      {kMass, "Mass", &Gravity::mass, Range::between(0, 2)},
+  };
+  static constexpr EffectNumber<DeltaFilter> kFilterNumbers[] = {
+      {kDelta, "Filter passes", &DeltaFilter::delta, Range::between(1e-3, 10)},
+      {kEpsilon, "Filter step", &DeltaFilter::epsilon, Range::between(1e-4, 1)},
+  };
+  static constexpr EffectNumber<Vibration> kVibrationNumbers[] = {
+      {kFrequency, "Frequency", &Vibration::frequency, Range::between(1, 449)},
+      {kAmplitude, "Amplitude", &Vibration::amplitude, Range::between(0, 2)},
+      {kPerWatt, "Growth", &Vibration::amplitude_per_watt, Range::between(0, 1)},
+      {kMaxAmplitude, "Largest", &Vibration::max_amplitude, Range::between(0, 5)},
+  };
+
   void add_application(const Tool& tool, bool can_record);
   void add_tool(const Tool& tool);
   void add_additional(const Effects& effects);
@@ -92,6 +109,13 @@ class ViewControls {
   void number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
               double value, double min, double max);
   void on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value);
+  template <class Effect, std::size_t kCount>
+  void add_numbers(const char* panel, const EffectNumber<Effect> (&numbers)[kCount], const Effect& effect);
+  template <class Effect, std::size_t kCount>
+  void show_numbers(const EffectNumber<Effect> (&numbers)[kCount], const Effect& effect);
+  /// @return `effect` with the numbers of the controls
+  template <class Effect, std::size_t kCount>
+  [[nodiscard]] Effect with_numbers(const EffectNumber<Effect> (&numbers)[kCount], Effect effect) const;
   void show(const Effects& effects);
   void show(const MaterialTable& materials);
   [[nodiscard]] double& at(std::uint16_t id);
