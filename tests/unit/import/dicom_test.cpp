@@ -7,6 +7,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/import/volume/volumes.hpp"
+#include "import/dicom/codec_process.hpp"
 #include "import/dicom/dicom_picture.hpp"
 #include "io/child_process.hpp"
 #include "support/dicom_files.hpp"
