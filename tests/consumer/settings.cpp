@@ -39,7 +39,7 @@ bool names_the_mistake() {
   try {
     (void)hapticut::settings::from_toml(text);
   } catch (const hapticut::Error& error) {
-    return std::string(error.what()) == "scene:9: tool.radius_mm: must be a number > 0, not -1.";
+    return std::string(error.what()) == "scene:9: tool.radius_mm: must be a number > 0 and <= 300, not -1.";
   }
   return false;
 }

@@ -117,7 +117,7 @@ spindle_rpm = 40000
     HapticutException refusal =
         Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
     Require(refusal.Code == HapticutException.Refused &&
-            refusal.Message == "scene:8: tool.radius_mm: must be a number > 0, not -1.", refusal.Message);
+            refusal.Message == "scene:8: tool.radius_mm: must be a number > 0 and <= 300, not -1.", refusal.Message);
     Require(Refused(() => Simulation.FromToml(Scene.Replace("cortical_bone", "k\u00f6rper")), "a material").Message
                 .Contains("k\u00f6rper"), "texts are UTF-8 both ways");
     Refused(() => Simulation.FromToml("[tool"), "a syntax error");

@@ -115,7 +115,7 @@ spindle_rpm = 40000
     HapticutScene wrong = new HapticutScene { scene = new TextAsset(Scene.Replace("radius_mm = 1", "radius_mm = -1")) };
     Call(wrong, "OnEnable");
     Require(!wrong.enabled && Debug.Errors.Count == 1 &&
-            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0, not -1.",
+            Debug.Errors[0] == "hapticut: scene:8: tool.radius_mm: must be a number > 0 and <= 300, not -1.",
             "a scene with an error");
     Console.WriteLine("drilled, seen, heard");
     return 0;

@@ -159,7 +159,7 @@ TEST_F(SettingsFile, NamesTheCommandOfAnotherCommandsKey) {
 
 TEST_F(SettingsFile, ThatIsWrongOrMissingIsRefused) {
   for (const auto& [toml, part] :
-       {std::pair("[tool]\nradius_mm = -1\n", ":2: tool.radius_mm: must be a number > 0, not -1."),
+       {std::pair("[tool]\nradius_mm = -1\n", ":2: tool.radius_mm: must be a number > 0 and <= 300, not -1."),
         std::pair("[tool]\nradius_mm = = 3\n", ":2: not valid TOML")}) {
     write_bytes(folder / "s.toml", toml);
     expect("drill --settings " + path("s.toml"), kFailed, "hapticut: " + path("s.toml") + part);

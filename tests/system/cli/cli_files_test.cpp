@@ -246,7 +246,7 @@ TEST_F(Inspect, FillsTheCavitiesOfLabels) {
   voxels = inspect(open + "--fill_cavities pulp --close_gaps_mm 0.8")["voxels"];
   EXPECT_GE(voxels["pulp"], 64);
   EXPECT_EQ(voxels["dentin"], 1000 - 64 - 3);
-  expect_refused("inspect " + open + "--fill_cavities pulp", {"Set close_gaps_mm"});
+  expect_refused("inspect " + open + "--fill_cavities pulp", {"Set --close_gaps_mm"});
   expect_refused("inspect " + open + "--close_gaps_mm 0.8", {"needs --fill_cavities"});
 }
 

@@ -218,7 +218,8 @@ TEST(CInterface, NeedsASimulationThatIsMadeForACoupling) {
 }
 
 TEST(CInterface, SaysLineKeyAndCureOfAWrongScene) {
-  EXPECT_EQ(complaint("radius_mm = 1", "radius_mm = -1"), "scene:9: tool.radius_mm: must be a number > 0, not -1.");
+  EXPECT_EQ(complaint("radius_mm = 1", "radius_mm = -1"),
+            "scene:9: tool.radius_mm: must be a number > 0 and <= 300, not -1.");
   const std::string unknown = complaint("radius_mm = 1", "radius_m = 1");
   EXPECT_NE(unknown.find("scene:9: "), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("radius_mm"), std::string::npos) << "the nearest key: " << unknown;
@@ -251,7 +252,7 @@ TEST(CInterface, SaysWhatIsWrongInNamesOfCAndKeysOfTheScene) {
       {complaint("head = \"sphere\"\n", ""), "Set tool.head to sphere, cone"},
       {complaint("\"block\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2\nmaterial = \"cortical_bone\"",
                  "\"slab\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2"),
-       "a slab needs at least one. Set workpiece.layers."},
+       "a slab needs at least one layer. Set workpiece.layers."},
       {refused(hapticut_coupling_open(simulation.get(), &gains, &none)), "hapticut_coupling_gains.mass [kg] = -1"},
       {refused(hapticut_set_spindle_speed(simulation.get(), 4e6)), "Write 40000 * HAPTICUT_RPM"},
       {refused(hapticut_device_open("openhaptics", &none)), "-DHAPTICUT_WITH_OPENHAPTICS=ON."},
@@ -355,7 +356,7 @@ TEST(CInterface, ReportsItsVersionAndTheNamesOfStatusBits) {
   EXPECT_STREQ(text, "pose_rejected");
   EXPECT_EQ(hapticut_set_spindle_speed(simulation.get(), 1e300), HAPTICUT_ERROR_REFUSED);
   EXPECT_EQ(hapticut_set_tool(simulation.get(), "[tool]\nradius_mm = -1\n"), HAPTICUT_ERROR_REFUSED);
-  EXPECT_STREQ(hapticut_last_error(), "tool:2: tool.radius_mm: must be a number > 0, not -1.");
+  EXPECT_STREQ(hapticut_last_error(), "tool:2: tool.radius_mm: must be a number > 0 and <= 300, not -1.");
   EXPECT_EQ(hapticut_set_tool(simulation.get(), (kOtherTool + "cutter = \"coarse_diamond\"\n").c_str()),
             HAPTICUT_ERROR_REFUSED);
   EXPECT_STREQ(

@@ -103,7 +103,8 @@ TEST(Scene, LeavesTheTablesOfTheProgramAlone) {
 }
 
 TEST(Scene, NamesLineKeyAndRangeOfAWrongValue) {
-  EXPECT_EQ(complaint("radius_mm = 0.8", "radius_mm = -1"), "scene:12: tool.radius_mm: must be a number > 0, not -1.");
+  EXPECT_EQ(complaint("radius_mm = 0.8", "radius_mm = -1"),
+            "scene:12: tool.radius_mm: must be a number > 0 and <= 300, not -1.");
   EXPECT_EQ(complaint("source = \"block\"", "source = 3"),
             "scene:2: workpiece.source: must be a text that is not empty, not a number.");
   EXPECT_EQ(complaint("cutting_ratio = 0.4", "cutting_ratio = -2").substr(0, 53),
