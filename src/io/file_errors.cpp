@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace hapticut {
@@ -38,7 +39,23 @@ std::string archive_instead(std::string_view head) {
   return "";
 }
 
+bool is_missing(const std::filesystem::path& path) {
+  std::error_code code;
+  return std::filesystem::status(path, code).type() == std::filesystem::file_type::not_found;
+}
+
+std::string unreachable(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::status(path, code).type() != std::filesystem::file_type::none) return "";
+  if (code == std::errc::permission_denied)
+    return "a folder on the way to it cannot be entered; check the permissions of its folders.";
+  if (code == std::errc::too_many_symbolic_link_levels)
+    return "it is a symbolic link that leads back to itself; name the file.";
+  return code.message() + ".";
+}
+
 std::uint64_t readable_size(const std::filesystem::path& path) {
+  if (const std::string reason = unreachable(path); !reason.empty()) cannot_read(path, reason);
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");

@@ -39,6 +39,13 @@ auto naming(const std::filesystem::path& path, const Work& work) {
   }
 }
 
+/// Whether there is certainly nothing at a path. Does not throw, other than std::filesystem::exists.
+[[nodiscard]] bool is_missing(const std::filesystem::path& path);
+
+/// Why a path leads nowhere, calling the file "it": no permission, a link to itself, too long a name. Empty if it leads
+/// to something, or if nothing is there.
+[[nodiscard]] std::string unreachable(const std::filesystem::path& path);
+
 /// The first line of the small text that Git stores in place of a large file.
 inline constexpr std::string_view kGitLfsPointer = "version https://git-lfs.github.com/spec/v1";
 

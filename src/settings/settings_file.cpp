@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/file_errors.hpp"
+
 namespace hapticut::settings {
 namespace {
 
@@ -202,7 +204,9 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& a
   if (std::filesystem::is_regular_file(path, error)) file.open(path, std::ios::binary);
   if (std::filesystem::is_directory(path, error))
     throw Error(path.string() + ": it is a folder; name the settings file in it.");
-  if (!file.is_open()) throw Error(path.string() + ": there is no such settings file." + advice);
+  if (is_missing(path)) throw Error(path.string() + ": there is no such settings file." + advice);
+  if (const std::string reason = unreachable(path); !reason.empty()) throw Error(path.string() + ": " + reason);
+  if (!file.is_open()) throw Error(path.string() + ": it cannot be read; check its kind and its permissions.");
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

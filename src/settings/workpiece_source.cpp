@@ -165,7 +165,7 @@ bool is_volume(const WorkpieceSettings& s) {
   for (const std::string& known : built_in_workpieces())
     if (s.source == known) return false;
   if (extension_in_lower_case(s.source) == ".vdb" || is_mesh_file(s.source)) return false;
-  return std::filesystem::exists(s.source);
+  return !is_missing(s.source);
 }
 
 namespace {
@@ -177,7 +177,8 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
   if (s.source == "block") return make_block(s);
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);
-  if (!std::filesystem::exists(s.source))
+  if (const std::string reason = unreachable(s.source); !reason.empty()) cannot_read(s.source, reason);
+  if (is_missing(s.source))
     throw Error("there is no file '" + std::filesystem::absolute(s.source).string() +
                 "', and no built-in workpiece of that name." +
                 suggestion(std::filesystem::path(s.source).filename().string(), built_in_workpieces()) +

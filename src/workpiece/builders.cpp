@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "workpiece/coverage.hpp"
 
 namespace hapticut {
@@ -127,9 +128,9 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
       return k >= 0 && covered(2, k).fraction > kNoise && material_of_row(k) == MaterialId(n + 1);
     };
     if (!is_of_layer(row) && !is_of_layer(row - 1) && !is_of_layer(row - 2))
-      throw Error("no row of voxels of " + format_number(voxel_size) + " m is for the most part layer " +
-                  std::to_string(n + 1) + " of the slab, '" + layers[n].material.name + "', of " +
-                  format_number(layers[n].thickness) + " m; choose smaller voxels.");
+      throw Error("layer " + std::to_string(n + 1) + " of the slab, '" + layers[n].material.name + "', is " +
+                  format_number(layers[n].thickness / units::mm) + " mm thick; no row of voxels of " +
+                  format_number(voxel_size / units::mm) + " mm lies mostly in it. Choose smaller voxels.");
   }
   const auto fill_block = [&](const VoxelIndex& origin, BlockContent& content) {
     std::array<std::array<Covered, kBlockEdge>, 3> along;

@@ -6,6 +6,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "import/mesh/mesh_extensions.hpp"
+#include "io/file_errors.hpp"
 #include "reports/progress.hpp"
 #include "reports/report.hpp"
 #include "settings/scene_settings.hpp"
@@ -69,13 +70,13 @@ SceneSettings scene_of_file(const std::string& name) {
     read_settings_file(name, settings_of(s), {"output", "loop"});
     return s;
   }
-  if (!std::filesystem::exists(name))
+  if (is_missing(name))
     throw Error("there is no scene '" + name +
                 "'. Choose clay, molar or skull, a settings file (.toml), or a workpiece (.vdb).");
   if (extension_in_lower_case(name) == ".h5")
     throw Error("'" + name + "' is a recording, which replaces the whole page. To show it: hapticut view " + name +
                 ".");
-  if (extension_in_lower_case(name) != ".vdb" || !std::filesystem::is_regular_file(name))
+  if (extension_in_lower_case(name) != ".vdb" || !unreachable(name).empty() || !std::filesystem::is_regular_file(name))
     throw Error("'" + name +
                 "' is no scene. Choose clay, molar or skull, a settings file (.toml), or a workpiece that hapticut has "
                 "saved (.vdb). A settings file names another file, and its materials, under [workpiece].");

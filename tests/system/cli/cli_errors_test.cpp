@@ -175,6 +175,16 @@ TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
   expect("inspect " + path("notes.docx"), kFailed, "notes.docx");
 }
 
+TEST_F(Files, ThatCannotBeReachedSayWhy) {
+  const std::string too_long = path(std::string(300, 'a'));
+  for (const std::string end : {".vdb", ".stl", ".nrrd", ".toml", ".h5"}) {
+    std::filesystem::create_symlink("loop" + end, folder / ("loop" + end));
+    const std::string command = end == ".toml" ? "drill --settings " : end == ".h5" ? "replay " : "inspect ";
+    expect(command + path("loop" + end), kFailed, "it is a symbolic link that leads back to itself");
+    expect(command + too_long + end, kFailed, "File name too long.");
+  }
+}
+
 #ifdef HAPTICUT_HAS_ITK
 TEST_F(Files, OfSamplesNeedTheMeaningOfTheirValues) {
   std::string volume = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n";

@@ -40,9 +40,10 @@ TEST(BuildLayeredSlab, RefusesALayerThatFillsNoVoxel) {
                               {{named("dentin"), 1.01 * mm}, {named("enamel"), enamel}, {named("pulp"), 1 * mm}});
   };
   EXPECT_NEAR(slab(0.2 * mm).amounts()[1].volume, 0.8e-9, 1e-15);
-  test::expect_refused([&] { return slab(0.02 * mm); },
-                       {"no row of voxels of 0.0001 m is for the most part layer 2 of the slab, 'enamel', of 2e-05 m",
-                        "choose smaller voxels."});
+  test::expect_refused(
+      [&] { return slab(0.02 * mm); },
+      {"layer 2 of the slab, 'enamel', is 0.02 mm thick; no row of voxels of 0.1 mm lies mostly in it.",
+       "Choose smaller voxels."});
 }
 
 TEST(MaterialAmount, HasNoCentreWithoutVoxels) {
