@@ -35,12 +35,16 @@ constexpr int kWrongUsage = 2;
 struct Registered {
   Command command;
   CLI::App* app = nullptr;
-  std::string settings_file = {};
+  std::vector<std::string> settings_files = {};
   std::deque<std::vector<std::string>> texts = {};  // one element per setting
 };
 
 void register_flags(Registered& entry) {
-  entry.app->add_option("--settings", entry.settings_file, "TOML file with settings; flags override it");
+  entry.app->add_option("--settings", entry.settings_files, "TOML file with settings; flags override it")
+      ->type_name("FILE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   for (const Setting& setting : entry.command.settings) {
     std::vector<std::string>& texts = entry.texts.emplace_back();
     if (setting.flag.empty()) continue;
@@ -51,8 +55,7 @@ void register_flags(Registered& entry) {
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     } else {
       option->type_name("")->expected(1)->allow_extra_args(false);
-      option->multi_option_policy(setting.flag.starts_with('-') ? CLI::MultiOptionPolicy::TakeAll  // apply_flag checks
-                                                                : CLI::MultiOptionPolicy::Throw);
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);  // apply_flag checks
     }
     const std::size_t dot = setting.key.find('.');
     if (dot != std::string::npos) option->group("[" + setting.key.substr(0, dot) + "]");
@@ -82,6 +85,9 @@ void require_own_files(const std::vector<Setting>& settings, const std::string& 
       const std::filesystem::path place = place_of(file);
       const auto [other, is_new] = taken.try_emplace(place, name_of(setting));
       std::error_code unknown;
+      if (!is_new && file == "-")
+        throw Error(name_of(setting) + " and " + other->second +
+                    " both go to standard output. Give one of them a file.");
       if (!is_new && (std::filesystem::is_regular_file(place, unknown) || !std::filesystem::exists(place, unknown)))
         throw Error(name_of(setting) + " would overwrite '" + file.string() + "', the file of " + other->second +
                     ". Give it another name.");
@@ -108,33 +114,77 @@ std::string of_other_commands(const std::deque<Registered>& entries, const Comma
 
 void run(const std::deque<Registered>& entries, const Registered& entry) {
   const std::vector<Setting>& settings = entry.command.settings;
-  if (!entry.settings_file.empty())
-    read_settings_file(entry.settings_file, settings, entry.command.ignored_tables,
-                       " Check the name given to --settings.",
+  if (entry.settings_files.size() > 1)
+    throw UsageError("--settings is given " + std::to_string(entry.settings_files.size()) + " times; give it once.");
+  const std::string settings_file = entry.settings_files.empty() ? "" : entry.settings_files.front();
+  if (settings_file.empty() && !entry.settings_files.empty()) throw UsageError("--settings has no value.");
+  if (!settings_file.empty())
+    read_settings_file(settings_file, settings, entry.command.ignored_tables, " Check the name given to --settings.",
                        [&](const std::string& key) { return of_other_commands(entries, entry.command, key); });
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty() && settings[i].begin_anew) settings[i].begin_anew();
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
-  require_own_files(settings, entry.settings_file);
+  require_own_files(settings, settings_file);
   entry.command.run();
 }
 
-std::string unknown_argument(const std::deque<Registered>& entries, const std::string& argument) {
-  std::vector<std::string> known = {"--settings", "--help"};
-  std::string help = "hapticut --help";
+/// The message for an argument that the parser did not take.
+/// @param command that the arguments name; empty if none
+std::string unknown_argument(const std::deque<Registered>& entries, const std::string& command,
+                             const std::string& argument) {
+  std::vector<std::string> flags = {"--settings", "--help"};
+  std::vector<std::string> commands;
   for (const Registered& entry : entries) {
-    if (!entry.app->parsed()) {
-      if (argument.front() != '-') known.push_back(entry.command.name);
-      continue;
-    }
+    commands.push_back(entry.command.name);
+    if (!command.empty() && command != entry.command.name) continue;
     for (const Setting& setting : entry.command.settings)
-      if (!setting.flag.empty()) known.push_back(setting.flag);
-    help = "hapticut " + entry.command.name + " --help";
+      if (!setting.flag.empty()) flags.push_back(setting.flag);
   }
+  const std::string see = " See hapticut " + (command.empty() ? "" : command + " ") + "--help.";
+  const bool is_flag = argument.front() == '-';
+  if (std::find(flags.begin(), flags.end(), argument) != flags.end())
+    return argument + " stands before the command. Write hapticut " + (command.empty() ? "COMMAND" : command) + " " +
+           argument + " ..." + see;
   if (parse_number(argument))
-    return argument + " belongs to no flag. Separate the numbers of one flag by commas: 60,10,10. See " + help + ".";
-  return "there is no " + argument + "." + suggestion(argument, known) + " See " + help + ".";
+    return argument + " belongs to no flag. Separate the numbers of one flag by commas: 60,10,10." + see;
+  if (!command.empty() && !is_flag)
+    return argument + " belongs to no flag." +
+           (argument.ends_with(".toml") ? " If it has settings, write --settings " + argument + "." : "") + see;
+  return "there is no " + argument + "." + suggestion(argument, is_flag ? flags : commands) + see;
+}
+
+/// The first flag of a command without its value; empty if each has one.
+/// @param arguments last one first
+std::string flag_without_value(const Command& command, const std::vector<std::string>& arguments) {
+  const auto lacks_value = [&](const std::string& flag) {
+    const auto at = std::find(arguments.begin(), arguments.end(), flag);
+    return std::find(arguments.begin(), arguments.end(), flag + "=") != arguments.end() ||
+           (at != arguments.end() && (at == arguments.begin() || std::prev(at)->starts_with("--")));
+  };
+  if (lacks_value("--settings")) return "--settings";
+  for (const Setting& setting : command.settings)
+    if (setting.kind != Setting::Kind::boolean && lacks_value(setting.flag)) return setting.flag;
+  return "";
+}
+
+/// The message for arguments that the parser refused.
+/// @param arguments last one first
+/// @param extras those that it did not take
+std::string wrong_arguments(const std::deque<Registered>& entries, const std::vector<std::string>& arguments,
+                            const std::vector<std::string>& extras, const CLI::ParseError& error) {
+  std::string command;
+  for (const Registered& entry : entries) {
+    if (!entry.app->parsed()) continue;
+    command = entry.command.name;
+    if (const std::string flag = flag_without_value(entry.command, arguments); !flag.empty())
+      return flag + " has no value. See hapticut " + command + " --help.";
+  }
+  // Unknown arguments explain the error better than the missing ones that follow from them.
+  if (!extras.empty()) return unknown_argument(entries, command, extras.front());
+  if (!command.empty()) return std::string(error.what()) + ". See hapticut " + command + " --help.";
+  return "there is no command. Choose " + joined(entries, ", ", [](const Registered& e) { return e.command.name; }) +
+         ". See hapticut --help.";
 }
 
 int complain(const std::string& message, int code) {
@@ -183,16 +233,13 @@ int main_with(int argc, char** argv) {
     register_flags(entry);
   }
 
+  const std::vector<std::string> arguments = reversed_arguments(entries, argc, argv);
   try {
-    app.parse(reversed_arguments(entries, argc, argv));
+    app.parse(std::vector<std::string>(arguments));
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    // Unknown arguments explain the error better than the missing ones that follow from them.
-    const std::vector<std::string> extras = app.remaining(true);
-    return complain(extras.empty() ? std::string(error.what()) + ". See hapticut --help."
-                                   : unknown_argument(entries, extras.front()),
-                    kWrongUsage);
+    return complain(wrong_arguments(entries, arguments, app.remaining(true), error), kWrongUsage);
   }
 
   try {

@@ -62,9 +62,8 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
          " took longer than 1 ms; for a haptic loop choose larger voxels, a smaller head or " +
          "simulation.voxel_budget"_name + ".");
   if (std::abs(r.energy.closure()) > kMaxClosure)
-    warn("the energy ledger does not close: " + rounded(100 * r.energy.closure(), 3) +
-         " % of the work is unexplained, " + rounded(r.energy.entered, 2) +
-         " J entered without contact work; raise the rate.");
+    warn("the energy ledger leaves " + rounded(100 * r.energy.closure(), 3) + " % of the work unexplained, " +
+         rounded(r.energy.entered, 2) + " J entered without contact work; raise the rate.");
   return warnings;
 }
 

@@ -126,6 +126,7 @@ void inspect_workpiece(const InspectSettings& s, Delivery& delivery) {
 }
 
 void run_inspect(const InspectSettings& s) {
+  if (s.workpiece.source.empty()) throw UsageError("the workpiece is missing. Use: hapticut inspect SOURCE.");
   const bool as_volume = is_volume(s.workpiece) && !has_materials(s.workpiece);
   Delivery delivery({s.json});
   if (s.threshold && !as_volume)

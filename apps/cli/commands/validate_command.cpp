@@ -63,7 +63,7 @@ void run_validate(const ValidateSettings& s) {
   }
   if (experiments.empty())
     throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all experiments, or choose " +
-                "from: " + joined(names) + ".");
+                "from: " + joined(names, "; ") + ".");
 
   std::string rows;
   std::size_t count = 0;

@@ -46,7 +46,23 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --rpm 4000", kWrongUsage, "there is no --rpm. Did you mean --spindle_rpm?");
   expect("drill --spindle-speed 4000", kWrongUsage, "there is no --spindle_speed. Did you mean --spindle_rpm?");
   expect("dril", kWrongUsage, "there is no dril. Did you mean drill?");
-  expect("", kWrongUsage, "subcommand");
+}
+
+TEST_F(Flags, ThatStandElsewhereOrAreIncompleteAreRefusedWithWhatToWrite) {
+  expect("", kWrongUsage, "there is no command. Choose drill, ");
+  expect("--settings a.toml drill", kWrongUsage,
+         "--settings stands before the command. Write hapticut drill --settings");
+  expect("--radius_mm 1", kWrongUsage, "--radius_mm stands before the command. Write hapticut COMMAND --radius_mm");
+  expect("drill a.toml", kWrongUsage, "a.toml belongs to no flag. If it has settings, write --settings a.toml.");
+  expect("drill --json --save a.vdb", kWrongUsage, "--json has no value.");
+  expect("drill --json= --save a.vdb", kWrongUsage, "--json has no value.");
+  expect("drill --settings", kWrongUsage, "--settings has no value.");
+  expect("drill --settings a.toml --settings b.toml", kWrongUsage, "--settings is given 2 times; give it once.");
+  expect("drill --settings ''", kWrongUsage, "--settings has no value.");
+  expect("inspect a.vdb b.vdb", kWrongUsage, "b.vdb belongs to no flag.");
+  expect("inspect", kWrongUsage, "the workpiece is missing. Use: hapticut inspect SOURCE.");
+  expect("drill " + kBlock + kLine + "--json - --steps_csv -", kFailed,
+         "--steps_csv and --json both go to standard output");
 }
 
 // every_setting_test.cpp tests every flag.
