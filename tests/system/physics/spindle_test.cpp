@@ -16,7 +16,7 @@ using namespace test;
 using units::kPi;
 using units::mm;
 
-constexpr double kClosure = 1e-4;  // [1] error of the ledger (docs/validation.md)
+constexpr double kClosure = 1e-4;  // [1] error of the ledger, with what entered
 
 /// A flat head fed axially needs the power u pi R^2 v_f, whatever its speed.
 double power_needed() {
