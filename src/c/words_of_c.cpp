@@ -2,10 +2,15 @@
 #include "c/words_of_c.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <string_view>
 
+#include "hapticut/core/description.hpp"
+#include "hapticut/loop/commands.hpp"
+#include "loop/command_ranges.hpp"
 #include "settings/names.hpp"
 
 namespace hapticut::c {
@@ -29,7 +34,6 @@ constexpr Word kWords[] = {
     {"PlaybackRange", ""},
     {"ProfileEdge::kind", "the column kind"},
     {"ReplayOptions::law", ""},
-    {"SetScale::scale", "value of HAPTICUT_COMMAND_SET_SCALE"},
     {"SimulationConfig::contact_time", "hapticut_simulation_options.for_coupling"},
     {"SimulationModelOptions::coupling", "hapticut_loop_options.coupling"},
     {"SimulationModelOptions::coupling.angular_stiffness", "hapticut_loop_options.stiffness, about the axes"},
@@ -51,10 +55,23 @@ constexpr Word kScopes[] = {
     {"SoundOptions", "hapticut_sound_options."},   {"WorkspaceMapOptions", "hapticut_loop_options."},
 };
 
+/// "value of HAPTICUT_COMMAND_SET_SCALE" for the scope "SetScale". Commands of C have one number.
+std::optional<std::string> number_of_command(std::string_view scope) {
+  const auto is_named = [&]<class Command>(std::size_t, Of<Command>) { return name_of_command<Command>() == scope; };
+  if (!find_alternative<LoopCommand>(is_named)) return std::nullopt;
+  std::string word = "value of HAPTICUT_COMMAND";
+  for (const char c : scope) {
+    if ('A' <= c && c <= 'Z') word += '_';
+    word += char(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return word;
+}
+
 std::optional<std::string> word_for(const Name& name) {
   if (const auto* const word = std::ranges::find(kWords, name.text(), &Word::name); word != std::end(kWords))
     return word->c.empty() ? std::nullopt : std::optional(std::string(word->c));
   if (const std::optional<std::string_view> key = settings::key_of(name)) return std::string(*key);
+  if (std::optional<std::string> number = number_of_command(name.scope())) return number;
   const auto* const scope = std::ranges::find(kScopes, name.scope(), &Word::name);
   return scope == std::end(kScopes) ? std::nullopt : std::optional(std::string(scope->c) + std::string(name.member()));
 }

@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM, C, KEYS = "apps/reports/flag_words.cpp", "src/c/words_of_c.cpp", "src/settings/names.cpp"
 SENTENCE, C_HEADERS = "include/hapticut/core/sentence.hpp", "include/hapticut/c/"
-HEAD = "include/hapticut/tool/head.hpp"
+HEAD, COMMANDS = "include/hapticut/tool/head.hpp", "include/hapticut/loop/commands.hpp"
 
 # They search messages of other libraries, which have no types.
 OF_OTHERS = {"src/core/lack_of_memory.hpp", "src/import/mesh/assimp.cpp", "src/io/recording/hdf5.cpp",
@@ -120,11 +120,12 @@ def main() -> int:
     mistakes += [f"no header declares {name}" for name in names | subjects
                  if not is_key.get(name) and not is_declared(name)]
     of_shapes = numbers_of_shapes(code)
+    of_commands = set(re.findall(r"^struct (\w+)", code[COMMANDS], re.M))  # C has a word for each
     if len(of_shapes) < 5:
         mistakes.append(f"only {len(of_shapes)} numbers of shapes were found; has {HEAD} changed?")
     for name in sorted(name for name in names if not is_key[name]):
         scope = name.rpartition("::")[0]
-        for where, words, scopes in ((PROGRAM, program, set()), (C, c, set(scopes_of_c))):
+        for where, words, scopes in ((PROGRAM, program, set()), (C, c, set(scopes_of_c) | of_commands)):
             if name not in {*words, *keys, *of_shapes} and scope not in scopes | IN_CODE_ONLY | of_drivers:
                 mistakes.append(f"{where} has no word for {name}")
         if not {scope, name} & (NOT_IN_PYTHON | of_drivers) and (scope or name) not in in_python:
