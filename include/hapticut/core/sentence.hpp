@@ -38,7 +38,7 @@ class Name {
   std::size_t colons_;
 };
 
-[[nodiscard]] consteval Name operator""_name(const char* text, std::size_t length) {
+[[nodiscard]] constexpr Name operator""_name(const char* text, std::size_t length) {
   return Name(std::string_view(text, length));
 }
 
@@ -105,7 +105,7 @@ class Sentence {
 class Subject {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): each check has a literal
-  consteval Subject(const char* text) : name_(""), words_(text) {
+  constexpr Subject(const char* text) : name_(""), words_(text) {
     constexpr std::string_view kOfNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_:.";
     std::size_t end = words_.find_first_not_of(kOfNames);
     if (end == std::string_view::npos) end = words_.size();
