@@ -141,7 +141,7 @@ TEST(CLoop, AppliesCommandsWhileItRuns) {
   ASSERT_EQ(scripted.send(HAPTICUT_COMMAND_SET_SPINDLE_SPEED, 2000), HAPTICUT_OK);
 
   EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_SET_SCALE, -1), HAPTICUT_ERROR_REFUSED);
-  EXPECT_TRUE(std::string_view(hapticut_last_error()).starts_with("value of HAPTICUT_COMMAND_SET_SCALE is -1"))
+  EXPECT_TRUE(std::string_view(hapticut_last_error()).starts_with("value of HAPTICUT_COMMAND_SET_SCALE = -1"))
       << hapticut_last_error();
   EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_HOLD_FORCE, 0.5), HAPTICUT_ERROR_ARGUMENT);
   EXPECT_EQ(scripted.send(HAPTICUT_COMMAND_SET_FORCE_MASK, 64), HAPTICUT_ERROR_ARGUMENT);
