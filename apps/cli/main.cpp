@@ -130,7 +130,7 @@ void run(const std::deque<Registered>& entries, const Registered& entry) {
 }
 
 /// The message for an argument that the parser did not take.
-/// @param command that the arguments name; empty if none
+/// @param command  the one that the arguments name; empty if they name none
 std::string unknown_argument(const std::deque<Registered>& entries, const std::string& command,
                              const std::string& argument) {
   std::vector<std::string> flags = {"--settings", "--help"};
@@ -155,7 +155,7 @@ std::string unknown_argument(const std::deque<Registered>& entries, const std::s
 }
 
 /// The first flag of a command without its value; empty if each has one.
-/// @param arguments last one first
+/// @param arguments  last one first
 std::string flag_without_value(const Command& command, const std::vector<std::string>& arguments) {
   const auto lacks_value = [&](const std::string& flag) {
     const auto at = std::find(arguments.begin(), arguments.end(), flag);
@@ -169,8 +169,8 @@ std::string flag_without_value(const Command& command, const std::vector<std::st
 }
 
 /// The message for arguments that the parser refused.
-/// @param arguments last one first
-/// @param extras those that it did not take
+/// @param arguments  last one first
+/// @param extras     those that it did not take
 std::string wrong_arguments(const std::deque<Registered>& entries, const std::vector<std::string>& arguments,
                             const std::vector<std::string>& extras, const CLI::ParseError& error) {
   std::string command;
