@@ -51,7 +51,7 @@ TEST_F(Validate, RefusesAnExperimentThatDoesNotExist) {
   const ProgramOutcome outcome = run("validate --only nonsense");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("no experiment has 'nonsense' in its name"), std::string::npos);
-  EXPECT_NE(outcome.errors.find(", defect D1"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("; defect D1"), std::string::npos) << outcome.errors;
 }
 
 TEST_F(Validate, FindsAnExperimentInAnyCase) {
