@@ -61,8 +61,6 @@ TEST_F(Flags, ThatStandElsewhereOrAreIncompleteAreRefusedWithWhatToWrite) {
   expect("drill --settings ''", kWrongUsage, "--settings has no value.");
   expect("inspect a.vdb b.vdb", kWrongUsage, "b.vdb belongs to no flag.");
   expect("inspect", kWrongUsage, "the workpiece is missing. Use: hapticut inspect SOURCE.");
-  expect("drill " + kBlock + kLine + "--json - --steps_csv -", kFailed,
-         "--steps_csv and --json both go to standard output");
 }
 
 // every_setting_test.cpp tests every flag.

@@ -138,7 +138,8 @@ TEST_F(Outputs, CalledADashAreStandardOutputAlone) {
 
 TEST_F(Outputs, CalledADashAreOfTextAndOne) {
   const std::string drill = "drill " + kBlock + kBall + kLine;
-  expect_refused(drill + "--json - --steps_csv -", {"would overwrite '-', the file of --json"});
+  expect_refused(drill + "--json - --steps_csv -",
+                 {"--steps_csv and --json both go to standard output. Give one of them a file."});
   expect_refused(drill + "--save -", {"extension must be"}, kWrongUsage);
   expect_refused(drill + "--record -", {"'-' is standard output, which takes text only"});
 }
