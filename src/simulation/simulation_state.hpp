@@ -112,6 +112,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] Sweep sweep_between(const Pose& from, const Pose& to) const noexcept;
   void set_spin(HeadPlacement& head) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
+  void note_status(const Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Pull tether(const SubStep& sub_step, const Encounter& encounter,
                                          DeepContact& deep) noexcept;
 

@@ -66,6 +66,7 @@ void Simulation::State::take_sub_steps(const HandlePath& path, Springs& acting, 
     }
     book_energy(sub_step, encounter);
     transport_to_handle(sub_step, encounter);
+    note_status(encounter);
     advance_spindle(sub_step, encounter);
   }
 }
@@ -235,6 +236,10 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.torque -= weight * wrench_T.torque.z();
   result.spindle.speed = spindle.motor().speed();
   result.contact = contact_stages.contact_of(encounter, sub_step.X_WT);
+}
+
+/// Sets the status bits that a sub-step shows.
+void Simulation::State::note_status(const Encounter& encounter) noexcept {
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
   if (could_cut && tool.spindle().speed == 0 && spindle.motor().setting() == 0 && !spindle.is_held())
     result.status |= StepStatus::spindle_stands;

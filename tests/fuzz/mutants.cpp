@@ -249,15 +249,15 @@ int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
 /// Adds further seed files.
 /// @return false, with a message, when the extension of a file is unknown
 bool copy_seeds(const std::vector<fs::path>& files, const fs::path& seeds) {
-  static constexpr std::pair<std::string_view, const char*> kEndings[] = {
+  static constexpr std::pair<std::string_view, const char*> kExtensions[] = {
       {".nrrd", "nrrd"}, {".nii", "nifti"},    {".gz", "nifti"},     {".mha", "meta"}, {".dcm", "dicom"},
       {".inv3", "inv3"}, {".stl", "stl"},      {".ply", "ply"},      {".obj", "obj"},  {".off", "off"},
       {".vdb", "vdb"},   {".h5", "recording"}, {".toml", "settings"}};
   for (const fs::path& file : files) {
-    const char* const* format = found_in(kEndings, extension_in_lower_case(file));
+    const char* const* format = found_in(kExtensions, extension_in_lower_case(file));
     if (format == nullptr) {
       std::fprintf(stderr, "%s: its extension is unknown; seeds must end in", file.c_str());
-      for (const auto& [ending, name] : kEndings) std::fprintf(stderr, " %s", std::string(ending).c_str());
+      for (const auto& [extension, name] : kExtensions) std::fprintf(stderr, " %s", std::string(extension).c_str());
       std::fputs(".\n", stderr);
       return false;
     }

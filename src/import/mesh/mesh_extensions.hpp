@@ -20,7 +20,7 @@
 namespace hapticut {
 
 struct MeshFormat {
-  std::string_view ending;                      ///< extension, in lower case
+  std::string_view extension;                   ///< in lower case, with its dot
   std::string_view name;                        ///< for messages, with its article
   std::array<std::string_view, 5> first_words;  ///< a text of this format begins with one of them; may be empty
   Polygons (*read)(const std::filesystem::path& path);
@@ -46,10 +46,10 @@ inline constexpr MeshFormat kMeshFormats[] = {
     {".glb", "a binary glTF file", {}, read_with_assimp, 1000}};
 
 /// The extensions of the table, for callers that do not link the parsers.
-inline constexpr auto kMeshEndings = [] {
-  std::array<std::string_view, std::size(kMeshFormats)> endings;
-  std::ranges::transform(kMeshFormats, endings.begin(), &MeshFormat::ending);
-  return endings;
+inline constexpr auto kMeshExtensions = [] {
+  std::array<std::string_view, std::size(kMeshFormats)> extensions;
+  std::ranges::transform(kMeshFormats, extensions.begin(), &MeshFormat::extension);
+  return extensions;
 }();
 
 /// The extension of a name, in lower case.
@@ -58,12 +58,13 @@ inline constexpr auto kMeshEndings = [] {
 }
 
 [[nodiscard]] inline bool is_mesh_file(const std::filesystem::path& path) {
-  return std::ranges::find(kMeshEndings, extension_in_lower_case(path)) != kMeshEndings.end();
+  return std::ranges::find(kMeshExtensions, extension_in_lower_case(path)) != kMeshExtensions.end();
 }
 
 /// The format of a file by its extension; null when it is not a mesh format.
 [[nodiscard]] inline const MeshFormat* mesh_format_of(const std::filesystem::path& path) {
-  const MeshFormat* const found = std::ranges::find(kMeshFormats, extension_in_lower_case(path), &MeshFormat::ending);
+  const MeshFormat* const found =
+      std::ranges::find(kMeshFormats, extension_in_lower_case(path), &MeshFormat::extension);
   return found == std::end(kMeshFormats) ? nullptr : found;
 }
 

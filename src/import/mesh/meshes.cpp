@@ -22,21 +22,21 @@ void require_readable(const std::filesystem::path& path) {
                           format_number(double(kMaxMeshBytes)) + " are allowed. Reduce the mesh first.");
 }
 
-/// Throws what the file is when it is of another kind than its ending.
-void require_own_ending(const std::filesystem::path& path, const MeshFormat& format) {
+/// Throws what the file is when it is of another kind than its extension.
+void require_own_extension(const std::filesystem::path& path, const MeshFormat& format) {
   constexpr std::size_t kHead = 1000;
-  const std::string other = kind_unlike_ending(first_bytes(path, kHead), std::filesystem::file_size(path), format);
+  const std::string other = kind_unlike_extension(first_bytes(path, kHead), std::filesystem::file_size(path), format);
   if (!other.empty()) throw Error(other);
 }
 
-/// @throws Error; when the file is of another kind than its ending, the message says which
+/// @throws Error; when the file is of another kind than its extension, the message says which
 Polygons polygons_in(const std::filesystem::path& path, const MeshFormat& format) {
   try {
     Polygons polygons = format.read(path);
-    if (polygons.objects.empty()) require_own_ending(path, format);
+    if (polygons.objects.empty()) require_own_extension(path, format);
     return polygons;
   } catch (const Error&) {
-    require_own_ending(path, format);
+    require_own_extension(path, format);
     throw;
   }
 }
@@ -71,7 +71,7 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optiona
   const MeshFormat* const format = mesh_format_of(path);
   if (format == nullptr)
     cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
-                          "'; supported are: " + in_one_line(kMeshEndings) + ".");
+                          "'; supported are: " + in_one_line(kMeshExtensions) + ".");
   require_readable(path);
   std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(polygons_in(path, *format), unit * units::mm); });
   if (meshes.empty()) cannot_read(path, "it has no triangle with an area.");

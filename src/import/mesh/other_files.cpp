@@ -27,8 +27,8 @@ constexpr Kind kKinds[] = {
     {"\x89HDF", "an HDF5 file", kNoMesh},
 };
 
-std::string renamed(std::string_view name, std::string_view ending) {
-  return "it is " + std::string(name) + "; rename it to end in " + std::string(ending) + ".";
+std::string renamed(std::string_view name, std::string_view extension) {
+  return "it is " + std::string(name) + "; rename it to end in " + std::string(extension) + ".";
 }
 
 /// Whether the number of triangles that the file announces explains its size.
@@ -42,25 +42,25 @@ bool is_binary_stl(std::string_view head, std::uintmax_t size) {
 
 }  // namespace
 
-std::string kind_unlike_ending(std::string_view head, std::uintmax_t size, const MeshFormat& own) {
-  const std::string_view ending = own.ending;
+std::string kind_unlike_extension(std::string_view head, std::uintmax_t size, const MeshFormat& own) {
+  const std::string_view extension = own.extension;
   if (const std::string archive = archive_instead(head); !archive.empty())
     return own.is_archive ? "" : archive + "; unpack it, and name the mesh in it.";
   for (const Kind& kind : kKinds)
     if (head.starts_with(kind.begin)) return "it is " + std::string(kind.name) + "; " + std::string(kind.cure) + ".";
-  if (ending != ".stl" && is_binary_stl(head, size)) return renamed("an STL file", ".stl");
-  if (head.starts_with("glTF")) return ending == ".glb" ? "" : renamed("a binary glTF file", ".glb");
+  if (extension != ".stl" && is_binary_stl(head, size)) return renamed("an STL file", ".stl");
+  if (head.starts_with("glTF")) return extension == ".glb" ? "" : renamed("a binary glTF file", ".glb");
   TextLines lines(head.substr(std::min(leading_comments(head).size(), head.size())));
   const std::string_view word = lines.word_of_any_line();
   const std::string lower = lower_case(word);
   if (lower.starts_with("<?xml") || lower.starts_with("<collada"))
     return "it is an XML file; " + std::string(kConvert) + ".";
   if (word.starts_with('{') && head.find("\"asset\"") != std::string_view::npos)
-    return ending == ".gltf" ? "" : renamed("a glTF file", ".gltf");
+    return extension == ".gltf" ? "" : renamed("a glTF file", ".gltf");
   for (const MeshFormat& format : kMeshFormats)
     if (!word.empty() && std::ranges::find(format.first_words, word) != format.first_words.end())
-      return ending == format.ending ? "" : renamed(format.name, format.ending);
-  if (ending == ".stl" && !head.empty() && std::ranges::none_of(head, [](char c) {
+      return extension == format.extension ? "" : renamed(format.name, format.extension);
+  if (extension == ".stl" && !head.empty() && std::ranges::none_of(head, [](char c) {
         return static_cast<unsigned char>(c) < ' ' && std::string_view("\t\r\n\f\v").find(c) == std::string_view::npos;
       }))
     return "it is not an STL file: it is a text that begins with " + in_quotes(word) +

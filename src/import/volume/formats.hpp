@@ -16,7 +16,7 @@
 namespace hapticut {
 
 /// The extensions that read_grey_volume and read_label_volume support, in lower case.
-[[nodiscard]] std::vector<std::string_view> volume_endings();
+[[nodiscard]] std::vector<std::string_view> volume_extensions();
 
 /// Returns the content of a file that a header names.
 using DataFile = std::function<std::string(const std::string& name)>;

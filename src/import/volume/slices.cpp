@@ -23,9 +23,9 @@ enum class SliceFormat : std::uint8_t { kPng, kTiff };
 /// Format of a slice; nullopt for other files, such as the `._name` files of macOS.
 std::optional<SliceFormat> format_of(const fs::path& path) {
   if (path.filename().string().starts_with("._")) return std::nullopt;
-  const std::string ending = lower_case(path.extension().string());
-  if (ending == ".png") return SliceFormat::kPng;
-  if (ending == ".tif" || ending == ".tiff") return SliceFormat::kTiff;
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".png") return SliceFormat::kPng;
+  if (extension == ".tif" || extension == ".tiff") return SliceFormat::kTiff;
   return std::nullopt;
 }
 

@@ -62,7 +62,7 @@ RawImage read_with_data_files(const fs::path& path) {
 }
 
 struct VolumeFormat {
-  std::string_view ending;  ///< extension, in lower case
+  std::string_view extension;  ///< in lower case, with its dot
   RawImage (*read)(const fs::path& path);
   bool is_archive = false;  ///< may be one
 };
@@ -82,7 +82,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   require_no_series(path, options);
   const std::string name = lower_case(path.filename().string());
   for (const VolumeFormat& format : kVolumeFormats)
-    if (name.ends_with(format.ending)) {
+    if (name.ends_with(format.extension)) {
       if (!format.is_archive) require_not_packed(path);
       return format.read(path);
     }
@@ -98,9 +98,9 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
                           Sentence::clause("; use " + "read_recording"_name) + ".");
   if (is_dicom_file(path)) return read_dicom_file(path);
   require_not_packed(path);
-  cannot_read(path, "its extension is not supported; volumes are " + in_one_line(volume_endings()) +
+  cannot_read(path, "its extension is not supported; volumes are " + in_one_line(volume_extensions()) +
                         ", or a folder with a DICOM series or PNG or TIFF slices; meshes are " +
-                        in_one_line(kMeshEndings) + "; workpieces are .vdb.");
+                        in_one_line(kMeshExtensions) + "; workpieces are .vdb.");
 }
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {
@@ -124,10 +124,10 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
 
 }  // namespace
 
-std::vector<std::string_view> volume_endings() {
-  std::vector<std::string_view> endings;
-  for (const VolumeFormat& format : kVolumeFormats) endings.push_back(format.ending);
-  return endings;
+std::vector<std::string_view> volume_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const VolumeFormat& format : kVolumeFormats) extensions.push_back(format.extension);
+  return extensions;
 }
 
 GreyVolume read_grey_volume(const fs::path& path, const VolumeReadOptions& options) {

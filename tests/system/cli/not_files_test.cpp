@@ -19,12 +19,12 @@ using NotFiles = Program;
 const std::string kLimited = std::string("timeout -k 1 120 ") + test::kProgram;
 
 TEST_F(NotFiles, ArePipesAndEndlessDevices) {
-  std::vector<std::string_view> endings = volume_endings();
-  endings.insert(endings.end(), kMeshEndings.begin(), kMeshEndings.end());
-  endings.push_back(".vdb");
-  for (const std::string_view ending : endings) {
-    const std::string pipe = path(std::string("pipe").append(ending));
-    const std::string endless = path(std::string("endless").append(ending));
+  std::vector<std::string_view> extensions = volume_extensions();
+  extensions.insert(extensions.end(), kMeshExtensions.begin(), kMeshExtensions.end());
+  extensions.push_back(".vdb");
+  for (const std::string_view extension : extensions) {
+    const std::string pipe = path(std::string("pipe").append(extension));
+    const std::string endless = path(std::string("endless").append(extension));
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     std::filesystem::create_symlink("/dev/zero", endless);
     for (const std::string& name : {pipe, endless})

@@ -30,14 +30,14 @@ TEST(ImportOracle, TwelveEncodingsOfTheBallGiveOneBall) {
   ASSERT_EQ(ball.dims, (std::array<int, 3>{30, 30, 30}));
   EXPECT_GT(std::count_if(ball.values.begin(), ball.values.end(), [](float v) { return v != 0; }), 1000);
   int same = 1;
-  for (const char* ending :
+  for (const char* extension :
        {".nhdr", ".nii.gz", "_byteskip_minus_five.nhdr", "_byteskip_minus_one.nhdr", "_byteskip_minus_one_nifti.nhdr",
         "_bz2.nrrd", "_gz.nrrd", "_gz_byteskip_minus_one.nrrd", "_gz_lineskip.nrrd", "_nifti.nhdr"}) {
-    const GreyVolume other = read_grey_volume(data_path(stem + ending));
-    EXPECT_EQ(other.values, ball.values) << ending;
-    EXPECT_TRUE(other.spacing.isApprox(ball.spacing)) << ending;
-    EXPECT_TRUE(other.X_WG.rotation.isApprox(ball.X_WG.rotation)) << ending;
-    EXPECT_LT((other.X_WG.translation - ball.X_WG.translation).norm(), 1e-12) << ending;
+    const GreyVolume other = read_grey_volume(data_path(stem + extension));
+    EXPECT_EQ(other.values, ball.values) << extension;
+    EXPECT_TRUE(other.spacing.isApprox(ball.spacing)) << extension;
+    EXPECT_TRUE(other.X_WG.rotation.isApprox(ball.X_WG.rotation)) << extension;
+    EXPECT_LT((other.X_WG.translation - ball.X_WG.translation).norm(), 1e-12) << extension;
     ++same;
   }
   const GreyVolume raw = read_raw_grey_volume(data_path(stem + ".raw"), {.dims = {30, 30, 30},

@@ -175,13 +175,15 @@ TEST(StepStatusText, NamesEveryBitThatIsSet) {
   EXPECT_EQ(describe(StepStatus::power_limited | StepStatus::pose_rejected), "pose_rejected | power_limited");
 }
 
-TEST(StepStatusText, IsNamedInThePageOfTheStep) {
-  std::ifstream page(test::source_path("docs/step.md"));
-  const std::string text(std::istreambuf_iterator<char>(page), {});
-  for (const auto& bit : names_of(Of<StepStatus>())) {
-    if (bit.value == StepStatus::ok) continue;
-    const std::string cited = '`' + std::string(bit.name) + '`';
-    EXPECT_NE(text.find(cited), std::string::npos) << cited;
+TEST(StepStatusText, IsNamedInThePagesThatExplainIt) {
+  for (const char* const page : {"docs/step.md", "docs/troubleshooting.md"}) {
+    std::ifstream file(test::source_path(page));
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    for (const auto& bit : names_of(Of<StepStatus>())) {
+      if (bit.value == StepStatus::ok) continue;
+      const std::string cited = '`' + std::string(bit.name) + '`';
+      EXPECT_NE(text.find(cited), std::string::npos) << cited << " in " << page;
+    }
   }
 }
 

@@ -282,10 +282,10 @@ TEST(CuresOfPictures, FoldersOfPicturesAreReadOnceTheyAreComplete) {
                     tiff = test::tiff_slice(4, 3, std::vector<std::uint8_t>(12, 7)),
                     wide = test::png_slice(5, 3, std::vector<std::uint8_t>(15, 7));
   for (const auto& kind : {std::pair(".png", png), std::pair(".tif", tiff)}) {
-    const std::string ending = kind.first, &whole = kind.second;
+    const std::string extension = kind.first, &whole = kind.second;
     const auto pictures = [&](const Files& others) {
       Files files = others;
-      for (int n = 0; n < 4; ++n) files.emplace(slice_name(n) + ending, whole);
+      for (int n = 0; n < 4; ++n) files.emplace(slice_name(n) + extension, whole);
       return files;
     };
     const auto refused = [&](const std::string& sentence, const std::string& name,
@@ -297,7 +297,7 @@ TEST(CuresOfPictures, FoldersOfPicturesAreReadOnceTheyAreComplete) {
       write_files(folder, {{name, cure}});
       EXPECT_EQ(test::refusal([&] { return read_grey_volume(folder / "", spaced); }), "");
     };
-    const std::string end = ending;
+    const std::string end = extension;
     refused("it is empty. Get a complete copy.", "s3" + end, "", whole);
     refused("damaged", "s3" + end, whole.substr(0, whole.size() - 40), whole);
     refused("one is missing", "s2" + end, std::nullopt, whole);

@@ -50,9 +50,9 @@ GreyVolume read(const std::filesystem::path& path) { return read_grey_volume(pat
 // --- slices
 
 /// Slices 9, 10, 11 ... 13: lexical order would put the first one last.
-void write_slices(const TemporaryFolder& folder, const std::string& ending,
+void write_slices(const TemporaryFolder& folder, const std::string& extension,
                   const std::function<std::string(int)>& slice) {
-  for (int k = 0; k < kDims[2]; ++k) write_bytes(folder / ("slice" + std::to_string(9 + k) + ending), slice(k));
+  for (int k = 0; k < kDims[2]; ++k) write_bytes(folder / ("slice" + std::to_string(9 + k) + extension), slice(k));
 }
 
 template <class Grey>
@@ -69,10 +69,10 @@ TEST(Slices, With8Or16BitsAreInTheOrderOfTheirNumbers) {
                                                                 {".PNG", png<std::uint16_t>},
                                                                 {".tif", tiff<std::uint8_t>},
                                                                 {".tiff", tiff<std::uint16_t>}};
-  for (const auto& [ending, slice] : kinds) {
-    SCOPED_TRACE(ending);
+  for (const auto& [extension, slice] : kinds) {
+    SCOPED_TRACE(extension);
     const TemporaryFolder folder;
-    write_slices(folder, ending, slice);
+    write_slices(folder, extension, slice);
     expect_ramp(read(folder / ""));
   }
 }
