@@ -142,6 +142,7 @@ std::string unknown_argument(const std::deque<Registered>& entries, const std::s
       if (!setting.flag.empty()) flags.push_back(setting.flag);
   }
   const std::string see = " See hapticut " + (command.empty() ? "" : command + " ") + "--help.";
+  if (argument.empty()) return "an argument is empty. Leave it out." + see;
   const bool is_flag = argument.starts_with('-');
   if (std::find(flags.begin(), flags.end(), argument) != flags.end())
     return argument + " stands before the command. Write hapticut " + (command.empty() ? "COMMAND" : command) + " " +

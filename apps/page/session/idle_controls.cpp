@@ -49,7 +49,7 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
     case kLength:
       return is_of_scene ? "choose a head first" : unless(head_has(is_height), "this head has no length");
     case kAngle:
-      return is_of_scene ? "choose a head first" : unless(head_has(is_cone_angle), "only a cone has one");
+      return is_of_scene ? "choose a head first" : unless(head_has(is_cone_angle), "this head has no angle");
     case kNeck:
     case kBend:
       return unless(at(kHandle) != 0, "only an L has one");

@@ -36,6 +36,7 @@ TEST_F(Complaint, OfADeviceThatThisBuildLacksNamesNoFunctionToCall) {
 }
 
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
+  expect("''", kWrongUsage, "an argument is empty. Leave it out.");
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
   expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Separate the numbers of one flag by commas");

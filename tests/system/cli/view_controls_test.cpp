@@ -272,7 +272,7 @@ TEST(ViewControls, SayWhyTheyDoNothing) {
   EXPECT_EQ(idle("tool/Diameter"), "choose a head first");
   panel.turn("tool/Head", head_named("sphere"));
   EXPECT_EQ(idle("tool/Diameter"), "");
-  EXPECT_EQ(idle("tool/Cone angle"), "only a cone has one");
+  EXPECT_EQ(idle("tool/Cone angle"), "this head has no angle");
   EXPECT_EQ(idle("vibration/Amplitude"), "vibration is off");
   panel.turn("vibration/Vibration", 1);
   EXPECT_EQ(idle("vibration/Amplitude"), "");
