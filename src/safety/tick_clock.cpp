@@ -19,7 +19,7 @@ void TickClock::restart() noexcept { *this = TickClock(period_, pause_); }
 
 TickClock::Elapsed TickClock::tick(double time, bool repeats, double waited) noexcept {
   const bool known = std::isfinite(time), first = !started_;
-  const bool starts = first || time < clock_ - kMaxAhead;  // also the clock of a device that was opened anew
+  const bool starts = first || time < clock_ - kMaxAhead;  // also the clock of a device that was opened again
   const double step = std::min(period_, waited);           // duration of a tick whose reading tells no time
   double elapsed = step, passed = step;                    // by the readings; by the clock
   if (known && starts) {

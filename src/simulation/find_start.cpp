@@ -13,7 +13,7 @@ constexpr double kMaxStepRotation = 1;  // [rad] rotation in a step; a script ma
 
 }  // namespace
 
-/// Places the tool where it moves from in this step: where the last step left it, or anew.
+/// Places the tool where it moves from in this step: where the last step left it, or at a new place.
 /// @return ok, or why the step is rejected
 StepStatus Simulation::State::find_start(bool coupled) noexcept {
   const StageTimer timer = timed(&StageTimes::find_start);

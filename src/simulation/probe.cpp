@@ -9,7 +9,7 @@ namespace hapticut {
 ContactProbe Simulation::probe(const Pose& X_WH, const Twist& V_WH, double dt, ProbedMotions motions) const noexcept {
   State& s = *state_;  // uses its buffers for the contact; nothing that a step depends on changes
   if (check_input(s.config, X_WH, V_WH, dt) != StepStatus::ok) return {};
-  // A step would place the tool anew, without the springs of the old place.
+  // A step would place the tool again, without the springs of the old place.
   const bool continues = s.motion.is_placed() && !(s.hand.released && s.is_placed_elsewhere(X_WH, V_WH, dt));
   const Pose from = continues ? s.motion.X_WH() : advance(X_WH, V_WH, -dt);
   const Springs springs = continues ? s.springs : Springs{};

@@ -146,7 +146,7 @@ HAPTICUT_C_API int hapticut_save_workpiece(hapticut_simulation simulation, const
 /** Makes a snapshot of the workpiece, which shares memory with it. */
 HAPTICUT_C_API int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot);
 
-/** Restores the workpiece; the tool starts anew.  REFUSED: the snapshot is of another simulation */
+/** Restores the workpiece; the tool starts again.  REFUSED: the snapshot is of another simulation */
 HAPTICUT_C_API int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot snapshot);
 
 /** Marks the present state; needs hapticut_simulation_options.undo_blocks. In a loop: HAPTICUT_COMMAND_SET_UNDO_MARK.

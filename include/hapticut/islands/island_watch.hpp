@@ -39,7 +39,7 @@ constexpr auto fields_of(Of<IslandWatchOptions>) {
 /// time: see IslandFinder and remove_island. The moment of removal depends on the timing of that thread, so two runs
 /// may differ in their bits. Steps of a recording end with the first removal.
 ///
-/// After a replacement of the workpiece (SimulationTotals::replacements), the watch begins anew: the bodies of the
+/// After a replacement of the workpiece (SimulationTotals::replacements), the watch starts again: the bodies of the
 /// new workpiece are separate from the beginning. Its search begins when all blocks were sent once. A workpiece that
 /// spans too many blocks for IslandFinder is not watched; `fault` says so.
 class IslandWatch {

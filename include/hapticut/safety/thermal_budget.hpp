@@ -40,7 +40,7 @@ constexpr auto fields_of(Of<ThermalOptions>) {
 class ThermalBudget {
  public:
   /// @param peak        [N] limit while the motors are cool; 0: no motors
-  /// @param continuous  [N] force that the motors bear permanently; 0: unknown, so only a measured temperature limits
+  /// @param continuous  [N] force that the motors give permanently; 0: unknown, so only a measured temperature limits
   /// @throws Error when an option is out of range
   ThermalBudget(double peak, double continuous, const ThermalOptions& options);
 

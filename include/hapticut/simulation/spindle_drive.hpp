@@ -14,7 +14,7 @@ class SpindleDrive {
   explicit SpindleDrive(const Spindle& spindle) noexcept : motor_(spindle) {}
 
   /// Sets the spindle's speed for the following steps. With Spindle::acceleration_limit it is reached on a ramp. A
-  /// motor that is slowed by its load, or stalled, starts anew even if that speed is the present one.
+  /// motor that is slowed by its load, or stalled, starts again even if that speed is the present one.
   /// @throws Error when it is faster than kMaxSpindleSpeed or not finite
   void set_speed(AngularSpeed speed);
 

@@ -162,7 +162,7 @@ class Direct final : public HandCoupling {
   }
 };
 
-// A refused step of a coupling may place the tool anew before it is refused.
+// A refused step of a coupling may place the tool again before it is refused.
 TEST(Replay, KnowsThatARejectedStepWasThatOfACoupling) {
   const TemporaryFolder folder;
   Simulation simulation = soft_cut();

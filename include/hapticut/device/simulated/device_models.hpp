@@ -23,14 +23,14 @@ struct DeviceModel {
   double dry_friction = 0;             ///< [N] Coulomb
   double encoder_step = 0;             ///< [m] resolution of positions
   double peak_force = 0;               ///< [N] maximum of the motors
-  double continuous_force = 0;         ///< [N] that the motors bear permanently
+  double continuous_force = 0;         ///< [N] that the motors give permanently
   double rendered_stiffness = 0;       ///< [N/m] maximum that the device is said to render
   double rendered_damping = 0;         ///< [N s/m] maximum that the device is said to render
   double rotational_inertia = 2e-5;    ///< [kg m^2] inertia of the gimbal
   double rotational_damping = 2e-4;    ///< [N m s/rad] damping of the gimbal
   double peak_torque = 0;              ///< [N m] 0: the gimbal has no motors
   double workspace_half_width = 0.08;  ///< [m] half the edge of the cube around the origin
-  double continuous_torque = 0;        ///< [N m] that the motors of the gimbal bear permanently
+  double continuous_torque = 0;        ///< [N m] that the motors of the gimbal give permanently
   /// [N m] largest torque about the stylus, whose motor is weaker; peak_torque is about the axes across it
   double peak_roll_torque = 0;
 };
@@ -44,7 +44,7 @@ constexpr auto fields_of(Of<DeviceModel>) {
       field("dry_friction", &M::dry_friction, "N", Range::not_negative(), "Coulomb"),
       field("encoder_step", &M::encoder_step, "m", Range::not_negative(), "resolution of positions"),
       field("peak_force", &M::peak_force, "N", Range::not_negative(), "maximum of the motors"),
-      field("continuous_force", &M::continuous_force, "N", Range::not_negative(), "that the motors bear permanently"),
+      field("continuous_force", &M::continuous_force, "N", Range::not_negative(), "that the motors give permanently"),
       field("rendered_stiffness", &M::rendered_stiffness, "N/m", Range::not_negative(),
             "maximum that the device is said to render"),
       field("rendered_damping", &M::rendered_damping, "N s/m", Range::not_negative(),
@@ -55,7 +55,7 @@ constexpr auto fields_of(Of<DeviceModel>) {
       field("workspace_half_width", &M::workspace_half_width, "m", Range::not_negative(),
             "half the edge of the cube around the origin"),
       field("continuous_torque", &M::continuous_torque, "N m", Range::not_negative(),
-            "that the motors of the gimbal bear permanently"),
+            "that the motors of the gimbal give permanently"),
       field("peak_roll_torque", &M::peak_roll_torque, "N m", Range::not_negative(),
             "largest torque about the stylus, whose motor is weaker; peak_torque is about the axes across it"),
   };
