@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hapticut/core/units.hpp"
+#include "io/file_errors.hpp"
 #include "settings/csv_file.hpp"
 #include "settings/setting.hpp"
 #ifdef HAPTICUT_HAS_IMPORT
