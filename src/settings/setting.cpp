@@ -185,7 +185,7 @@ Setting boolean(std::string key, std::string flag, std::optional<bool>& target, 
 
 void apply_flag(const Setting& setting, const std::vector<std::string>& texts) {
   const auto refuse = [&](const std::string& text) {
-    throw UsageError(setting.flag + " " + text + ": must be " + setting.allowed + ".");
+    throw UsageError(setting.flag + " " + (text.empty() ? "''" : text) + ": must be " + setting.allowed + ".");
   };
   if (setting.kind == Kind::tables) {
     setting.clear();

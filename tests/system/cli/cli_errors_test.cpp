@@ -36,7 +36,6 @@ TEST_F(Complaint, OfADeviceThatThisBuildLacksNamesNoFunctionToCall) {
 }
 
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
-  expect("''", kWrongUsage, "an argument is empty. Leave it out.");
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
   expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Separate the numbers of one flag by commas");
@@ -47,6 +46,13 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --rpm 4000", kWrongUsage, "there is no --rpm. Did you mean --spindle_rpm?");
   expect("drill --spindle-speed 4000", kWrongUsage, "there is no --spindle_speed. Did you mean --spindle_rpm?");
   expect("dril", kWrongUsage, "there is no dril. Did you mean drill?");
+}
+
+TEST_F(Flags, ThatAreEmptyAreRefusedInWords) {
+  expect("''", kWrongUsage, "an argument is empty. Leave it out.");
+  expect("drill ''", kWrongUsage, "an argument is empty. Leave it out. See hapticut drill --help.");
+  expect("drill --radius_mm ''", kWrongUsage, "--radius_mm '': must be a number > 0");
+  expect("drill --head ''", kWrongUsage, "--head '': must be one of sphere, cone");
 }
 
 TEST_F(Flags, ThatStandElsewhereOrAreIncompleteAreRefusedWithWhatToWrite) {
