@@ -35,7 +35,7 @@ TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
       ++flags;
       for (const std::string& text : wrong_texts().at(setting.kind))
         EXPECT_EQ(test::refusal([&] { apply_flag(setting, {text}); }),
-                  setting.flag + " " + text + ": must be " + setting.allowed + ".")
+                  setting.flag + " " + (text.empty() ? "''" : text) + ": must be " + setting.allowed + ".")
             << command.name;
     }
   EXPECT_GT(flags, 200U);
