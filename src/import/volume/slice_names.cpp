@@ -45,7 +45,7 @@ bool is_placeholder(const std::string& name) {
   return name.size() > kPlaceholder.size() + 1 && name.starts_with('.') && name.ends_with(kPlaceholder);
 }
 
-/// The name of a file, also when there is only a placeholder of it.
+/// The name of a file, also when iCloud has not downloaded it: "s06.dcm" of ".s06.dcm.icloud".
 fs::path name_of(const fs::path& file) {
   const std::string name = file.filename().string();
   return is_placeholder(name) ? name.substr(1, name.size() - 1 - kPlaceholder.size()) : name;

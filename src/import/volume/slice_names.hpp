@@ -16,8 +16,8 @@ class SliceNames {
   void add(const std::filesystem::path& slice);
 
   /// Whether a file has the name of a slice: the same name with another number, or the same extension; also with a
-  /// further extension, unless that slice is there (s06.dcm.part is one, s00.dcm.json is not), or as a placeholder of
-  /// iCloud (.s06.dcm.icloud). A folder without extension is none: it is rather a folder of slices.
+  /// further extension, unless that slice is there (s06.dcm.part is one, s00.dcm.json is not), or when iCloud has not
+  /// downloaded it (.s06.dcm.icloud). A folder without extension is none: it is rather a folder of slices.
   [[nodiscard]] bool is_name_of_slice(const std::filesystem::path& file) const;
 
   /// Whether a picture in another format has the name of a missing slice: s06.bmp beside s05.png, but not s05.jpg.

@@ -297,13 +297,13 @@ TEST(CuresOfPictures, FoldersOfPicturesAreReadOnceTheyAreComplete) {
       write_files(folder, {{name, cure}});
       EXPECT_EQ(test::refusal([&] { return read_grey_volume(folder / "", spaced); }), "");
     };
-    const std::string end = extension;
-    refused("it is empty. Get a complete copy.", "s3" + end, "", whole);
-    refused("damaged", "s3" + end, whole.substr(0, whole.size() - 40), whole);
-    refused("one is missing", "s2" + end, std::nullopt, whole);
+    refused("it is empty. Get a complete copy.", "s3" + extension, "", whole);
+    refused("damaged", "s3" + extension, whole.substr(0, whole.size() - 40), whole);
+    refused("one is missing", "s2" + extension, std::nullopt, whole);
     refused("'s4.bmp' has the name of a slice, but it is no PNG or TIFF file", "s4.bmp", "BM", std::nullopt);
-    refused("'s4" + end + ".part' has the name of a slice, but it is empty", "s4" + end + ".part", "", std::nullopt);
-    refused("Move the file elsewhere", "cover" + end, whole, std::nullopt);
+    refused("'s4" + extension + ".part' has the name of a slice, but it is empty", "s4" + extension + ".part", "",
+            std::nullopt);
+    refused("Move the file elsewhere", "cover" + extension, whole, std::nullopt);
   }
   const test::TemporaryFolder folder;
   write_files(folder, {{"s0.png", png}, {"s1.png", wide}, {"s1.jpg", "preview"}, {"notes.txt", ""}});
