@@ -29,7 +29,10 @@ struct Axial {
   Vec3 axis = Vec3(0.0293, 0.0113, 0) * mm;  // off the grid's columns
 
   [[nodiscard]] forms::SteadyCut form() const {
-    return {material.specific_cutting_energy, material.cutting_ratio, kAxialSpin, feed_speed, material.edge_pressure};
+    forms::SteadyCut cut = {material.specific_cutting_energy, material.cutting_ratio, kAxialSpin, feed_speed,
+                            material.edge_pressure};
+    cut.viscosity = material.viscosity;
+    return cut;
   }
   [[nodiscard]] double thrust() const { return forms::axial_cutting_force_of_a_flat_head(form(), kR); }
   [[nodiscard]] Wrench wrench() const {
@@ -189,6 +192,17 @@ std::vector<Check> axial_edge_pressure() {
                            below.removed_volume + rubbed, {0, "nothing"}, "m^3")}});
 }
 
+std::vector<Check> axial_viscosity() {
+  Axial cut = axial_with_layer(kLayer);
+  cut.material.edge_pressure = 5e5;
+  cut.material.viscosity = 1e6 / kAxialFeed;
+  std::vector<Check> checks = compared("C22 viscous", "flat head fed axially, with edge pressure and viscosity",
+                                       cut.wrench(), cut.run(), kThinnest);
+  cut.feed_speed *= 2;  // the share of the viscosity grows with the speed
+  return joined({std::move(checks),
+                 compared("C22 viscous, fast", "the same at twice the feed", cut.wrench(), cut.run(), kThinnest)});
+}
+
 /// A feed so slow that the edge carries 95 % of the force.
 std::vector<Check> axial_edge_dominated() {
   Axial cut;
@@ -219,6 +233,11 @@ std::vector<Check> constant_hand_force() {
   cut.material.edge_pressure = 5e5;
   const double edge = kPi * kR * kR * cut.material.edge_pressure;
   std::vector<Check> checks;
+  Axial viscous = cut;
+  viscous.material.viscosity = 1e6 / kAxialFeed;
+  const double slowed = forms::feed_of_a_flat_head_under(cut.thrust(), viscous.form(), kR);
+  checks.push_back({"C23 viscous", "feed speed under a constant force of the hand, with viscosity", "m/s", slowed,
+                    feed_under(cut.thrust(), viscous, slowed), kOfThinLayer});
   for (const double share : {0.5, 1.0}) {
     const double hand = edge + share * (cut.thrust() - edge);
     const double expected = forms::feed_of_a_flat_head_under(hand, cut.form(), kR);
@@ -269,6 +288,7 @@ std::vector<Experiment> axial_experiments() {
           {"axial, law G", axial_elastic_release},
           // Proves: edge pressure.
           {"axial, edge pressure", axial_edge_pressure},
+          {"axial, viscosity", axial_viscosity},
           {"flat head, edge dominated", axial_edge_dominated},
           {"constant hand force", constant_hand_force},
           // Proves: twist drill.

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/calibration.hpp"
 
 /// @file
-/// Published measurements: constants calibrated on them, and predictions of the model with these constants.
+/// Published measurements that the simulation is run with; published.hpp has all.
 namespace hapticut::experiments {
 
 /// A drilling test of Orelaja, Wang et al. 2020 (J Healthc Eng 8817422, Table 6): mean of the maximum thrust and
@@ -64,8 +63,5 @@ struct CarbideBur {
   static constexpr double kInDentin = 0.493 * units::mm;  ///< [m/s]
   static constexpr double kScatter = 0.17;                ///< [1] scatter of the rate in enamel, as the source gives it
 };
-
-/// Published measurements and the model's predictions for them, in Markdown: `hapticut validate --measurements`.
-[[nodiscard]] std::string measurements_report();
 
 }  // namespace hapticut::experiments

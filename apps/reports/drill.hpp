@@ -43,6 +43,8 @@ struct DrillResult {
   double max_torque = 0, mean_torque = 0;  ///< [N·m] about Ho; mean over the steps in contact
   bool starts_in_contact = false;
   bool blocks_refilled = false;
+  ByMaterial<double> pressed = {};  ///< [N] sum over the steps of Simulation::normal_forces
+  double load_to_cut = 0;           ///< [N] largest Contact::load_to_cut
   EnergyLedger energy;
   StepTimes times;
   std::array<std::size_t, 32> status_counts = {};  ///< number of steps, by bit of StepStatus

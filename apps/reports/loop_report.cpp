@@ -63,6 +63,9 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   if (cuts && saw(StepStatus::spindle_stalled))
     warn("the load stalled the spindle, and the head did not cut until it ran again; press less, or raise " +
          "tool.power_limit_W"_name + " or " + "tool.torque_limit_Nmm"_name + ".");
+  if (cuts && saw(StepStatus::edges_carry_load) && tool.removed_volume == 0)
+    warn("the edges of the drill carried the whole load, so it cut nothing; press harder, or set " +
+         "tool.sharpness"_name + " new.");
   const std::uint64_t slow = r.run.compute.at_least(r.run.period);
   if (double(slow) > kOftenSlow * double(r.run.ticks))
     warn(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +

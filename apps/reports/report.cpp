@@ -56,6 +56,16 @@ Json status_json(const DrillResult& result) {
   return json;
 }
 
+/// [1] Shares of the materials in a sum, of those that have one.
+Json shares_json(const MaterialTable& materials, const ByMaterial<double>& sums) {
+  double all = 0;
+  for (const double sum : sums) all += sum;
+  Json shares = Json::object();
+  for (int id = 1; id <= materials.size(); ++id)
+    if (const double sum = sums[std::size_t(id)]; sum > 0) shares[materials[MaterialId(id)].name] = sum / all;
+  return shares;
+}
+
 }  // namespace
 
 WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece) {
@@ -138,6 +148,7 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
         {"by_material", by_material(materials, simulation.totals().removed_volume)}}},
       {"removed_voxels", r.removed_voxels},
       {"force_N", {{"max", r.max_force}, {"mean", r.mean_force}}},
+      {"normal_force_share", shares_json(materials, r.pressed)},
       {"torque_Nmm", {{"max", r.max_torque / units::N_mm}, {"mean", r.mean_torque / units::N_mm}}},
       {"energy_closure", std::abs(r.energy.closure())},
       {"energy_J", to_json(r.energy)},

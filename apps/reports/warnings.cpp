@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMaxClosure = 0.01;  // [1] above it, energies and forces are inconsistent
 constexpr double kOftenThick = 0.5;   // [1] fraction of the cutting steps
+constexpr double kOftenBlunt = 0.5;   // [1] fraction of the steps in contact
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
 
@@ -52,6 +53,11 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
     warn("the load stalled the spindle in " + steps(stalled) + " of " + std::to_string(r.steps_in_contact) +
          " in contact, so the head did not cut; lower the feed, or raise " + "tool.power_limit_W"_name + " or " +
          "tool.torque_limit_Nmm"_name + ".");
+  if (const std::size_t blunt = r.count(StepStatus::edges_carry_load);
+      double(blunt) > kOftenBlunt * double(r.steps_in_contact))
+    warn("in " + steps(blunt) + " of " + std::to_string(r.steps_in_contact) +
+         " in contact the edges of the drill carried the load, so it cut hardly anything; press harder than " +
+         rounded(r.load_to_cut, 3) + " N, feed faster, or set " + "tool.sharpness"_name + " new.");
   if (double(r.steps_too_soft) > kOftenThick * double(r.steps_cutting))
     warn("in " + steps(r.steps_too_soft) + " of " + std::to_string(r.steps_cutting) +
          " that cut, the engaged layer was thicker than a tenth of the head, so forces are too low; "

@@ -77,6 +77,7 @@ namespace Hapticut {
     public Vec3 contactPoint, contactNormal;
     public double contactArea, contactPressure;
     public MaterialSet firstTouched;
+    public double loadToCut;
   }
 
   /// <summary>A set of materials, by their ids.</summary>

@@ -109,8 +109,10 @@ void bind_force(py::module_& m) {
       field("edge_length", &Calibration::edge_length), field("size_length", &Calibration::size_length),
       field("ratio_identified", &Calibration::ratio_identified),
       field("edge_identified", &Calibration::edge_identified), field("edge_assumed", &Calibration::edge_assumed),
+      field("size_assumed", &Calibration::size_assumed), field("better_term", &Calibration::better_term),
       field("checked", &Calibration::checked), field("chip_identified", &Calibration::chip_identified),
-      field("thrust_residual", &Calibration::thrust_residual), field("torque_residual", &Calibration::torque_residual));
+      field("thrust_residual", &Calibration::thrust_residual), field("torque_residual", &Calibration::torque_residual),
+      field("worst_factor", &Calibration::worst_factor), field("thinnest_chip", &Calibration::thinnest_chip));
   bind_result<AxialCutForce>(m, "AxialCutForce", member("thrust", &AxialCutForce::thrust),
                              member("torque", &AxialCutForce::torque));
   m.def("axial_cut_force", &axial_cut_force, py::arg("constants"), py::arg("radius"), py::arg("spindle_speed"),
@@ -118,6 +120,7 @@ void bind_force(py::module_& m) {
   m.def(
       "calibrate", [](const std::vector<DrillingTest>& tests, ChipTerm term) { return calibrate(tests, term); },
       py::arg("tests"), py::arg("term") = ChipTerm::edge_length, doc("calibrate"));
+  m.def("advice_on", &advice_on, py::arg("constants"), py::arg("term") = ChipTerm::edge_length, doc("advice_on"));
 }
 
 }  // namespace hapticut::python

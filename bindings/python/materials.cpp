@@ -10,7 +10,15 @@ namespace hapticut::python {
 void bind_materials(py::module_& m) {
   m.attr("kEmpty") = kEmpty;
   m.attr("kMaxMaterials") = kMaxMaterials;
-  bind_described<Material>(m, "Material");
+  bind_enum<Estimate>(m, "Estimate");
+  bind_enum<Sharpness>(m, "Sharpness");
+  bind_described_result<PresetConstant>(m, "PresetConstant")
+      .def("at", &PresetConstant::at, py::arg("estimate"), doc("PresetConstant::at"));
+  bind_described<Material>(m, "Material")
+      .def("with_", py::overload_cast<Estimate>(&Material::with, py::const_), py::arg("estimate"),
+           doc("Material::with(Estimate)"))
+      .def("with_", py::overload_cast<Estimate, std::string_view>(&Material::with, py::const_), py::arg("estimate"),
+           py::arg("number"), doc("Material::with(Estimate, string_view)"));
   m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate(Material)"));
 
   py::class_<MaterialTable>(m, "MaterialTable", doc("MaterialTable"))
@@ -32,7 +40,15 @@ void bind_materials(py::module_& m) {
       .def(py::pickle([](const MaterialTable& table) { return table.all(); },
                       [](const std::vector<Material>& materials) { return MaterialTable(materials); }));
 
-  m.def("find_preset", &find_preset, py::arg("name"), py::arg("cutter") = CutterKind::carbide_bur, doc("find_preset"));
+  m.def("find_preset", &find_preset, py::arg("name"), py::arg("cutter") = CutterKind::carbide_bur,
+        py::arg("sharpness") = Sharpness::used, doc("find_preset"));
+  m.def(
+      "preset_constants",
+      [] {
+        const auto constants = preset_constants();
+        return std::vector<PresetConstant>(constants.begin(), constants.end());
+      },
+      doc("preset_constants"));
   m.def(
       "preset_names",
       [] {

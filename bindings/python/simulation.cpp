@@ -135,6 +135,10 @@ void bind_the_simulation(py::module_& m) {
           "removed_volume_by_material", [](const S& self) { return by_material(self.read().totals().removed_volume); },
           "[m^3] (256,) removed since construction or reset, by material id.")
       .def_property_readonly(
+          "normal_forces", [](const S& self) { return by_material(self.read().normal_forces()); },
+          "[N] (256,) normal forces of each material on a head that cuts, by material id, in the last sub-step of the "
+          "last step: their shares tell which layers are being cut.")
+      .def_property_readonly(
           "spindle_setting", [](const S& self) { return self.read().spindle().setting(); },
           doc("SpindleDrive::setting"))
       .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))

@@ -7,9 +7,9 @@
 ///
 ///     sample_contact -> ForceLaw::evaluate -> sum_resultant -> find_changes         block by block
 ///
-/// Only ProfileHead's constructor and exact_spring need hapticut::hapticut, because the table of a profile is compiled.
-/// The heads of tool/catalogue.hpp, meshes of profiles, the calibration of drilling tests and the presets of materials
-/// are compiled too, so they are not included here.
+/// Only ProfileHead's constructor and exact_spring, whose table is compiled, and Material::with need
+/// hapticut::hapticut. The heads of tool/catalogue.hpp, meshes of profiles, the calibration of drilling tests and the
+/// presets of materials are compiled too, so they are not included here.
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"

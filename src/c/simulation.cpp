@@ -73,6 +73,10 @@ void SimulationObject::sweep() {
 Tool tool_from_toml(const char* text, const Tool& before) {
   settings::ToolSettings settings;
   (void)settings::read_settings(text, "tool", settings_of(settings));
+  if (settings.sharpness)
+    throw Error("tool.sharpness"_name + " = " + std::string(name_or_null(*settings.sharpness)) +
+                " was given, but the materials of this scene keep their constants. Leave it out, or make another "
+                "scene.");
   Tool tool = make_tool(settings);
   const CutterKind kind = before.cutter().kind;
   if (!settings.cutter && tool.cutter().kind == CutterKind::carbide_bur) {  // the default

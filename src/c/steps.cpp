@@ -41,7 +41,7 @@ static_assert(has_only<StepResult>({"force", "torque", "removed_voxels", "remove
                                     "spindle", "sub_steps", "status"}),
               "put_step needs the new field, or the comment above its reason");
 static_assert(has_only<Contact>({"voxels", "volume", "depth", "level_of_detail", "point_W", "normal_W", "area",
-                                 "pressure"}),
+                                 "pressure", "load_to_cut"}),
               "put_step needs the new field, or the comment above its reason");
 static_assert(has_only<SpindleState>({"speed", "torque"}), "put_step needs the new field");
 
@@ -76,6 +76,7 @@ void put_step(const StepResult& stepped, hapticut_step_result& result) noexcept 
   put(stepped.contact.normal_W, result.contact_normal_W);
   result.contact_area = stepped.contact.area;
   result.contact_pressure = stepped.contact.pressure;
+  result.load_to_cut = stepped.contact.load_to_cut;
 }
 
 }  // namespace hapticut::c

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
@@ -25,6 +26,12 @@ constexpr double kMaxRadius = 0.05;      // [m]
 constexpr double kExact = 1e-4;          // [1] root mean square residual of numbers that fit exactly
 constexpr double kMinSeparation = 1e-6;  // [1] ratio of the eigenvalues above which constants are separated
 constexpr double kWithinErrors = 4;      // [1] factor of the variance: two standard errors
+constexpr double kScatter = 0.05;        // [1] of measured numbers that do not contradict a prior
+constexpr double kLeastScatter = 0.02;   // [1] of measured numbers, even where a fit leaves less
+constexpr double kDullest = 30, kSharpest = 0.1;  // [1] edge over chip between which an edge length is assumed
+constexpr double kContradicts = 1.5;              // [1] Calibration::worst_factor
+constexpr double kMuchBetter = 0.5;               // [1] residual of a better term over that of the term
+constexpr double kThinnestEdge = 1e-6;            // [m] below which a length is not that of an edge
 
 /// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both
 /// coefficients are for kappa = 1. Thrusts are proportional to 1/kappa, except that of p_e; the torque of p_e is
@@ -142,7 +149,8 @@ Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identifi
     return {fit.u > kExact * whole_u,
             fit.squares < kExact * kExact && eigenvalues.x() > kMinSeparation * eigenvalues.z()};
   }
-  const Vec3 errors = (fit.squares / freedom * normal.inverse().diagonal()).cwiseSqrt();
+  const double variance = std::max(fit.squares / freedom, kLeastScatter * kLeastScatter);
+  const Vec3 errors = (variance * normal.inverse().diagonal()).cwiseSqrt();
   return {errors.y() < kMaxError * fit.u / whole_u,
           errors.z() < std::max(kMaxError * fit.edge / whole_edge, kSmallEdge)};
 }
@@ -177,7 +185,51 @@ AxialCutForce axial_cut_force(const Calibration& c, double radius, AngularSpeed 
               c.specific_cutting_energy * kPi * radius * radius * x};
 }
 
-Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
+namespace {
+
+/// What is assumed when the tests do not tell the third constant.
+struct Prior {
+  ChipTerm term = ChipTerm::edge_length;
+  double length = 0;  // [m]
+};
+
+/// Edges of drills where they matter and leave something to the chip; the size effect of blades for thinner chips.
+Prior prior_for(ChipTerm asked, double thinnest, double thickest) {
+  if (asked != ChipTerm::edge_length || kAssumedEdgeLength < kSharpest * thinnest) return {};
+  if (kAssumedEdgeLength > kDullest * thickest) return {ChipTerm::size_length, kAssumedSizeLength};
+  return {ChipTerm::edge_length, kAssumedEdgeLength};
+}
+
+/// [m] Smallest and largest feed per lip.
+std::pair<double, double> feeds_per_lip(std::span<const DrillingTest> tests) {
+  double thinnest = std::numeric_limits<double>::infinity(), thickest = 0;
+  for (const DrillingTest& t : tests) {
+    const double feed = 2 * kPi * t.feed_speed / (std::abs(t.spindle_speed) * t.lips);
+    thinnest = std::min(thinnest, feed), thickest = std::max(thickest, feed);
+  }
+  return {thinnest, thickest};
+}
+
+double residual_of(const Calibration& c) { return std::hypot(c.thrust_residual, c.torque_residual); }
+
+/// Sets the residuals of a fit.
+void compare(std::span<const DrillingTest> tests, Calibration& c) {
+  double thrust_count = 0, torque_count = 0;
+  const auto add = [&](double model, double measured, double& squares, double& count) {
+    if (!(measured > 0)) return;
+    squares += std::pow(model / measured - 1, 2), ++count;
+    c.worst_factor = std::max({c.worst_factor, model / measured, measured / std::max(model, 1e-300)});
+  };
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
+    add(model.thrust, t.thrust, c.thrust_residual, thrust_count);
+    add(model.torque, t.torque, c.torque_residual, torque_count);
+  }
+  c.thrust_residual = std::sqrt(c.thrust_residual / std::max(thrust_count, 1.0));
+  c.torque_residual = std::sqrt(c.torque_residual / std::max(torque_count, 1.0));
+}
+
+Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term) {
   if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
   double min_chip = std::numeric_limits<double>::infinity(), max_chip = 0;
   bool thrusts = false, torques = false;
@@ -194,19 +246,26 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   Calibration c;
   c.ratio_identified = thrusts && torques;
   const int freedom = freedom_of(rows, true, c.ratio_identified);
-  const bool may_separate = max_chip > kMinSpread * min_chip && freedom >= 0, has_prior = term == ChipTerm::edge_length;
+  const bool may_separate = max_chip > kMinSpread * min_chip && freedom >= 0;
   Fit fit = best_fit(rows, may_separate, c.ratio_identified);
+  ChipTerm fitted = term;
   if (may_separate) {
     const Known known = known_by(fit, rows, c.ratio_identified);
     c.edge_identified = known.edge;
     c.chip_identified = known.chip;
   }
-  if (!c.edge_identified) {
-    const Fit assumed = fit_with_ratio(has_prior ? kAssumedEdgeLength : 0, rows, c.ratio_identified);
-    const double bearable = fit.squares * (1 + (freedom > 0 ? kWithinErrors / freedom : 0));
-    if (!has_prior || !may_separate || assumed.squares <= std::max(bearable, kExact * kExact)) {
+  const auto [thinnest, thickest] = feeds_per_lip(tests);
+  c.thinnest_chip = thinnest;
+  if (const Prior prior = prior_for(term, thinnest, thickest); !c.edge_identified) {
+    const double ratio = prior.term == ChipTerm::size_length ? std::sqrt(prior.length) : prior.length;
+    const Fit assumed = fit_with_ratio(ratio, rows_of(tests, prior.term), c.ratio_identified);
+    const double bearable = std::max(fit.squares * (1 + (freedom > 0 ? kWithinErrors / freedom : 0)),
+                                     double(rows.size()) * kScatter * kScatter);
+    if (prior.length == 0 || !may_separate || assumed.squares <= bearable) {
       fit = assumed;
-      c.edge_assumed = has_prior;
+      fitted = prior.term;
+      c.edge_assumed = prior.length > 0 && fitted == ChipTerm::edge_length;
+      c.size_assumed = prior.length > 0 && fitted == ChipTerm::size_length;
       c.chip_identified = true;
     }
   }
@@ -214,23 +273,71 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   c.specific_cutting_energy = fit.u;
   c.cutting_ratio = fit.kappa;
   if (fit.edge > 0) {
-    if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
+    if (fitted == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
     // If the edge carries all, u is the minimum at which the length is within its range.
     const double max_length = range_of(&Material::edge_length).high;
-    const double min_u = fit.edge / (term == ChipTerm::edge_length ? max_length : std::sqrt(max_length));
-    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, min_u);
-    if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
-    if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
+    const double min_u = fit.edge / (fitted == ChipTerm::edge_length ? max_length : std::sqrt(max_length));
+    const double u = c.specific_cutting_energy = fitted == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, min_u);
+    if (fitted == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
+    if (fitted == ChipTerm::size_length)
+      c.size_length = c.size_assumed ? kAssumedSizeLength : std::pow(fit.edge / u, 2);
   }
-  double thrust_count = 0, torque_count = 0;
-  for (const DrillingTest& t : tests) {
-    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
-    if (t.thrust > 0) c.thrust_residual += std::pow(model.thrust / t.thrust - 1, 2), ++thrust_count;
-    if (t.torque > 0) c.torque_residual += std::pow(model.torque / t.torque - 1, 2), ++torque_count;
-  }
-  c.thrust_residual = std::sqrt(c.thrust_residual / std::max(thrust_count, 1.0));
-  c.torque_residual = std::sqrt(c.torque_residual / std::max(torque_count, 1.0));
+  compare(tests, c);
   return c;
+}
+
+}  // namespace
+
+Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
+  Calibration c = fit_term(tests, term);
+  double least = kMuchBetter * residual_of(c);
+  if (!c.checked || least < kScatter) return c;
+  for (const auto& other : names_of(Of<ChipTerm>{})) {
+    if (other.value == term) continue;
+    const Calibration with_other = fit_term(tests, other.value);
+    if (!with_other.edge_identified || residual_of(with_other) >= least) continue;
+    least = residual_of(with_other);
+    c.better_term = other.value;
+  }
+  return c;
+}
+
+std::string advice_on(const Calibration& c, ChipTerm term) {
+  std::string advice =
+      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
+      "the tests in the tool.\n";
+  const auto in_um = [](double length) { return format_number(length / units::um) + " um"; };
+  const std::string asked = name_or_null(term);
+  if (c.better_term)
+    advice += std::string(name_or_null(*c.better_term)) + " describes these tests better than " + asked +
+              ", with less than half of its residual: fit that.\n";
+  if (c.worst_factor >= kContradicts)
+    advice += "No constants of this kind fit these tests: one differs by a factor of " + format_number(c.worst_factor) +
+              ". They contradict each other, or are not of one material and tool; fit those of each laboratory and "
+              "each bone alone.\n";
+  if (c.size_assumed)
+    advice += "With feeds per lip of " + in_um(c.thinnest_chip) +
+              " the chips are those of blades, not of a drill: a size length of " + in_um(kAssumedSizeLength) +
+              " was assumed, and no edge.\n";
+  if (c.edge_identified && term == ChipTerm::edge_length && c.edge_length > 0 && c.edge_length < kThinnestEdge)
+    advice +=
+        "An edge length of " + in_um(c.edge_length) +
+        " is right for these tests, but it is not the edge of a tool, which has 1 ... 100 um: chips so thin have a "
+        "size effect; fit size_length.\n";
+  if (!c.edge_identified && !c.better_term)
+    advice +=
+        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n";
+  else if (!c.checked)
+    advice +=
+        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n";
+  if (!c.edge_identified && !c.edge_assumed && !c.size_assumed)
+    advice += "No edge was assumed: at feeds per lip below " + in_um(c.thinnest_chip) + " the force may be too low.\n";
+  if (!c.ratio_identified) advice += "To identify the cutting ratio, add tests with thrust and torque.\n";
+  if (!c.chip_identified)
+    advice +=
+        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
+        "revolution.\n";
+  return advice;
 }
 
 }  // namespace hapticut

@@ -52,6 +52,7 @@ struct Columns {
     kThreshold,
     kEdge,
     kSize,
+    kViscosity,
     kCrushing,
     kSliding,       // ContactMaterial::sliding_ratio
     kSquareOfLand,  // [m^2]
@@ -100,9 +101,9 @@ struct Columns {
     return {get(kP, first), get(kQ, first), get(kPerArea, first)};
   }
   [[nodiscard]] HWY_INLINE Material material(int first) const {
-    return {get(kStiffness, first), get(kDamping, first),   get(kRatio, first),
-            get(kEnergy, first),    get(kPerEnergy, first), get(kThreshold, first),
-            get(kEdge, first),      get(kSize, first),      get(kCrushing, first)};
+    return {get(kStiffness, first), get(kDamping, first),   get(kRatio, first), get(kEnergy, first),
+            get(kPerEnergy, first), get(kThreshold, first), get(kEdge, first),  get(kSize, first),
+            get(kViscosity, first), get(kCrushing, first)};
   }
 
   HWY_INLINE void clear() {

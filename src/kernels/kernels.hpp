@@ -133,9 +133,10 @@ struct ContactTotals {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : ContactTotals {  // the scalar reference sums the results
-  ByMaterial<double> removed = {};    ///< [voxels] filled volume that was removed, by MaterialId
-  double helped = 0;                  ///< [J] LawTotals::helped
+struct ContactSums : ContactTotals {      // the scalar reference sums the results
+  ByMaterial<double> removed = {};        ///< [voxels] filled volume that was removed, by MaterialId
+  ByMaterial<double>* pressed = nullptr;  ///< [N/m^3] normal reactions to a head that cuts; null: nobody asks
+  double helped = 0;                      ///< [J] LawTotals::helped
 };
 struct StiffnessSums {  // likewise
   Stiffness sum = Stiffness::Zero();

@@ -33,7 +33,7 @@ class ColumnMaterials {
       for (std::size_t name = 0; name < kConstants; ++name)
         for (int n = 0; n < (one == kEmpty ? c_.count : C::kCapacity); n += int(kWidth))
           c_.put(C::Name(C::kStiffness + name), n, each(n, [&](MaterialId id) { return constants_[id][name]; }));
-    in_columns_ = c_.smooth ? kEmpty : one;
+    in_columns_ = c_.smooth || job_.motion.resists() ? kEmpty : one;  // those are changed below and in `Stages::resist`
     if (c_.smooth) set_smooth();
   }
 
@@ -75,17 +75,9 @@ class ColumnMaterials {
     const ContactMaterial& material = job_.materials[id];
     const float voxel_size = job_.motion.voxel_size;
     const auto m = hapticut::formulas::SurfaceMaterial<float>::of(material, voxel_size);
-    constants_[id] = {m.stiffness,
-                      m.damping,
-                      m.cutting_ratio,
-                      m.energy,
-                      m.per_energy,
-                      m.threshold,
-                      m.edge_length,
-                      m.size_length,
-                      m.crushing_depth,
-                      material.sliding_ratio,
-                      material.square_of_land(voxel_size)};
+    constants_[id] = {m.stiffness,  m.damping,        m.cutting_ratio,        m.energy,
+                      m.per_energy, m.threshold,      m.edge_length,          m.size_length,
+                      m.viscosity,  m.crushing_depth, material.sliding_ratio, material.square_of_land(voxel_size)};
   }
   HWY_NOINLINE void set_smooth() {
     for (int n = 0; n < c_.count; n += int(kWidth)) {

@@ -43,6 +43,8 @@ void evaluate_block(const ContactJob& job, BlockTask& task, ContactSums& sums, S
       FoundationLaw().evaluate(motion, job.materials, contact, stiffness != nullptr ? &stiffness->sum : nullptr);
   hapticut::sum_resultant(contact, sums.resultant);
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
+  if (motion.cuts() && sums.pressed != nullptr)
+    add_pressed(contact, std::pow(double(motion.voxel_size), -3), *sums.pressed);
   sums.energies += totals.energies;
   sums.helped += totals.helped;
   if (friction != nullptr) friction->sum.add(contact, motion, job.materials);

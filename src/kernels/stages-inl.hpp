@@ -55,6 +55,7 @@ class Stages {
     sums_.voxels += count;
     materials_.set(tasks);
     move();
+    if (spins_ && m_.resists()) resist();
     kept_ = {C::kTop, C::kHeight, C::kFill};
     crushed_ = crushes_ && some_are_deep();
     if (crushed_) crush();
@@ -99,6 +100,16 @@ class Stages {
       }
       const auto advance = formulas::HeadAdvance<Wide>::of(m_, rate);
       c_.put(C::kMoved, n, advance.moved), c_.put(C::kApproach, n, advance.approach);
+    }
+  }
+
+  /// What a cut takes that depends on the motion: few materials and drills have it.
+  HWY_NOINLINE void resist() {
+    for (int n = 0; n < c_.count; n += kStep) {
+      const Surface surface = Surface::of(m_, axis_, c_.place(n), c_.normal(n));
+      const Material there = formulas::CutResistance<Wide>::of(m_, surface, c_.get(C::kFactor, n), c_.material(n));
+      c_.put(C::kEnergy, n, there.energy), c_.put(C::kPerEnergy, n, there.per_energy);
+      c_.put(C::kThreshold, n, there.threshold);
     }
   }
 
@@ -248,6 +259,19 @@ class Stages {
     sums_.add(Term::kPushX, pushed), sums_.add(Term::kMomentX, moment);
     sums_.add(Term::kNormal, normals), sums_.add(Term::kDamping, damping);
     sums_.add(Term::kRubbing, rubbing), sums_.add(Term::kCouple, couple);
+    if (cuts_ && totals_.pressed != nullptr) share(normals);
+  }
+  /// Adds the normal forces of each material.
+  /// @param normals  [N/m^3] of all voxels
+  HWY_NOINLINE void share(Wide normals) {
+    for (const MaterialId id : materials_.listed()) {
+      Wide pressed = normals;
+      if (materials_.listed().size() > 1) {
+        pressed = 0;
+        for (int n = 0; n < c_.count; n += kStep) pressed = pressed + materials_.only(id, n, part_force(n).push);
+      }
+      (*totals_.pressed)[id] += sum_of_lanes(pressed.v);
+    }
   }
 
   HWY_NOINLINE void add_stiffness() {

@@ -46,8 +46,10 @@ struct ContactSums {
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
   ByMaterial<double> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
-  int voxels = 0;                   ///< number of samples
-  float depth = 0;                  ///< [m] maximum
+  /// [N/m^3] normal reactions to a head that cuts, by MaterialId, to add to; null: nobody asks
+  ByMaterial<double>* pressed = nullptr;
+  int voxels = 0;   ///< number of samples
+  float depth = 0;  ///< [m] maximum
 
   [[nodiscard]] double total(Term term) const {
     double sum = 0;

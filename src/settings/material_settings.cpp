@@ -58,7 +58,7 @@ Material MaterialChanges::find(const std::string& name) const {
   const std::string base =
       change != changes_.end() && !change->second.based_on.empty() ? change->second.based_on : name;
   require_preset(base);
-  Material material = find_preset(base, cutter);
+  Material material = find_preset(base, cutter, sharpness.value_or(Sharpness::used));
   material.name = name;
   if (change != changes_.end()) apply(change->second, material);
   return material;

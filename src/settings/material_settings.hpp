@@ -23,6 +23,7 @@ struct MaterialChange {
 class MaterialChanges {
  public:
   CutterKind cutter = CutterKind::carbide_bur;  ///< cutter that selects the constants of the presets
+  std::optional<Sharpness> sharpness;           ///< of this cutter, if it was given
 
   /// The setting that reads all tables of `[material]`.
   [[nodiscard]] Setting setting();

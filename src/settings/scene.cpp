@@ -27,7 +27,7 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
   WorkpieceSettings source = s.workpiece;
   std::vector<std::string> warnings;
   source.warn = [&](const std::string& warning) { warnings.push_back(warning); };
-  Workpiece workpiece = make_workpiece(std::move(source), tool.cutter().kind);
+  Workpiece workpiece = make_workpiece(std::move(source), tool.cutter().kind, s.tool.sharpness);
   return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion), std::move(warnings)};
 }
 

@@ -174,6 +174,8 @@ std::vector<Setting> settings_of(ToolSettings& t) {
       number("tool.droop_rpm_per_Nmm", "--droop_rpm_per_Nmm", t.droop_rpm_per_Nmm, Range::not_negative(),
              "speed drop per load torque, as in an air turbine [value of the motor]"),
       choice("tool.cutter", "--cutter", t.cutter, "kind of cutter [twist_drill for a twist drill, else carbide_bur]"),
+      choice("tool.sharpness", "--sharpness", t.sharpness,
+             "how worn the cutter is, which the constants of presets depend on [used]"),
       integer("tool.lips", "--lips", t.lips, 1, 1000,
               "number of cutting edges that pass a point per revolution [value of common cutters]"),
   };

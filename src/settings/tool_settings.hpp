@@ -30,7 +30,8 @@ struct ToolSettings {
   std::optional<double> handle_length_mm, handle_neck_mm, handle_bend_deg;
   std::optional<double> spindle_rpm;
   std::optional<CutterKind> cutter;
-  std::size_t lips = 0;  ///< 0: not set
+  std::optional<Sharpness> sharpness;  ///< for the presets of the workpiece
+  std::size_t lips = 0;                ///< 0: not set
   std::optional<MotorKind> motor;
   std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm, torque_limit_Nmm, rotor_inertia_gmm2;
 

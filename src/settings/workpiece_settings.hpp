@@ -84,8 +84,10 @@ struct WorkpieceSettings {
 void refuse_all_but(const WorkpieceSettings& settings, const std::set<std::string>& used, const std::string& because);
 
 /// Builds or reads the workpiece.
-/// @param cutter  cutter that selects the constants of presets; materials of a .vdb file keep their constants
+/// @param cutter     cutter that selects the constants of presets; materials of a .vdb file keep their constants
+/// @param sharpness  of this cutter, if it was given: `tool.sharpness`
 /// @throws Error when a file cannot be read, a setting is missing, or a setting does not apply to this source
-[[nodiscard]] Workpiece make_workpiece(WorkpieceSettings settings, CutterKind cutter = CutterKind::carbide_bur);
+[[nodiscard]] Workpiece make_workpiece(WorkpieceSettings settings, CutterKind cutter = CutterKind::carbide_bur,
+                                       std::optional<Sharpness> sharpness = {});
 
 }  // namespace hapticut::settings

@@ -119,6 +119,10 @@ Workpiece read_vdb(const Source& s) {
           " is missing; a .vdb of another program needs it in addition to unit_mm, grid or grid_kind. A .vdb of "
           "hapticut needs none of the four. Set " +
           "workpiece.material"_name + ", or leave the others out.");
+    if (s.materials.sharpness)
+      throw Error("tool.sharpness"_name + " = " + std::string(name_or_null(*s.materials.sharpness)) +
+                  " was given, but the materials of '" + s.source +
+                  "' keep the constants of the file. Leave it out, or set the constants in [material].");
     return with_changed_materials(load_vdb(s.source), s.materials);
   }
   VdbImport import;
@@ -204,8 +208,9 @@ Workpiece made_or_read(const WorkpieceSettings& s) {
 
 }  // namespace
 
-Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
+Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter, std::optional<Sharpness> sharpness) {
   s.materials.cutter = cutter;
+  s.materials.sharpness = sharpness;
   Workpiece workpiece = made_or_read(s);
   s.materials.require_known(workpiece.materials());
   return workpiece;

@@ -75,6 +75,7 @@ std::span<const FoundBlock> ContactStages::find_blocks(const HeadPlacement& at) 
 
 Encounter ContactStages::press_and_cut(std::span<const FoundBlock> blocks, const HeadPlacement& at,
                                        RemovalRecord& removal) noexcept {
+  std::fill_n(pressed_.begin(), workpiece_.materials().size() + 1, 0.0);
   return evaluate(blocks, at, &removal, Asked::force);
 }
 
@@ -150,6 +151,7 @@ Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const H
   job.motion.level_of_detail = float(job.level_of_detail);
   job.writes_fills = keeps;
   kernels::ContactSums sums;
+  if (keeps) sums.pressed = &pressed_;
   kernels::StiffnessSums stiffness;
   kernels::FrictionSums friction;
   bool exhausted = false;
@@ -176,6 +178,9 @@ Encounter ContactStages::run_kernels(std::span<const FoundBlock> blocks, const H
   encounter.blocks_exhausted = exhausted;
   if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
   if (keeps) record(sums.removed, *removal);
+  if (keeps)
+    for (int id = 1; id <= workpiece_.materials().size(); ++id)
+      pressed_[std::size_t(id)] *= double(job.level_of_detail) * voxel_volume_;
   return encounter;
 }
 
@@ -234,6 +239,7 @@ Encounter ContactStages::ask_law(std::span<const FoundBlock> blocks, const HeadP
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
+    if (removal != nullptr && motion.cuts()) add_pressed(contact_, 1, pressed_);
     if (motion.spin == 0) encounter.friction_T.add(contact_, motion, materials);
     if (removal == nullptr || !totals.may_remove || !writable) continue;
     float* after = fill_target(block, 0);

@@ -185,6 +185,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   /// The contact: its size, and its point, normal and pressure by the normal forces alone.
   [[nodiscard]] Contact contact_of(const Encounter& encounter, const Pose& X_WT) const noexcept;
+  /// [N] Sum of the normal forces of each material on a head that cuts, in the last `press_and_cut`.
+  [[nodiscard]] const ByMaterial<double>& pressed() const noexcept { return pressed_; }
   [[nodiscard]] double voxel_volume() const noexcept { return voxel_volume_; }  ///< [m^3]
 
   /// Whether a point of the head that is thinner than the voxels bears the normal forces.
@@ -222,8 +224,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T
   std::size_t voxel_budget_;  // 0: no limit
-  unsigned subset_ = 0;       // of strips, the one that this step evaluates with a level of detail
-  IndexBox bounds_;           // voxels that were ever solid
+  ByMaterial<double> pressed_ = {};
+  unsigned subset_ = 0;  // of strips, the one that this step evaluates with a level of detail
+  IndexBox bounds_;      // voxels that were ever solid
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
   ChangedBlocks changed_blocks_;       // as the user sees it

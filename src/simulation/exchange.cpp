@@ -23,6 +23,7 @@ struct PreparedTool::State {
   WorstCase worst_case;
   std::vector<RemovedVoxel> removed;
   HeadStiffness stiffness;
+  double thickest_chip;  // [m]
 };
 
 PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config) {
@@ -34,8 +35,9 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   std::vector<RemovedVoxel> removed;
   reserve_touched(removed, removed_list_size(config, buffers.max_voxels));
   const HeadStiffness stiffness = stiffness_of(tool.head(), config);
+  const double thickest_chip = crowded_chip(tool);
   state_ = std::make_unique<State>(
-      State{std::move(tool), voxel_size, std::move(buffers), worst, std::move(removed), stiffness});
+      State{std::move(tool), voxel_size, std::move(buffers), worst, std::move(removed), stiffness, thickest_chip});
 }
 
 PreparedTool::PreparedTool(PreparedTool&&) noexcept = default;
@@ -103,6 +105,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.set_contact_materials();
   s.result.removed_voxels = {};
   s.spindle.exchange(s.tool.spindle());
+  std::swap(s.thickest_chip, p.thickest_chip);
   s.other_cutter = any_for_other_cutter(s.workpiece.materials(), s.tool.cutter().kind);
   s.forget_pose();
   return true;

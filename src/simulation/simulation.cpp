@@ -56,6 +56,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
   head_stiffness = stiffness_of(tool.head(), config);
   set_material_friction();
   other_cutter = any_for_other_cutter(workpiece.materials(), tool.cutter().kind);
+  thickest_chip = crowded_chip(tool);
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -102,6 +103,7 @@ void StepObservers::remove(StepObserver& observer) noexcept {
   count_ = std::size_t(end - observers_.begin());
 }
 
+const ByMaterial<double>& Simulation::normal_forces() const noexcept { return state_->contact_stages.pressed(); }
 const MaterialSet& Simulation::first_touched() const noexcept { return state_->totals.first_touched; }
 SimulationTotals Simulation::totals() const noexcept {
   const RunningTotals& t = state_->totals;

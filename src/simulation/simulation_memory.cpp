@@ -159,7 +159,7 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   archive(s.result, lists_removed, s.times);
   s.result.removed_voxels = lists_removed ? removal.voxels() : std::span<const RemovedVoxel>();
   ContactStages& stages = s.contact_stages;
-  archive(stages.subset_, stages.bounds_, stages.changed_, stages.changed_blocks_.complete);
+  archive(stages.subset_, stages.pressed_, stages.bounds_, stages.changed_, stages.changed_blocks_.complete);
   stages.changed_blocks_.origins = stages.changed_;
 }
 

@@ -113,6 +113,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void set_spin(HeadPlacement& head) const noexcept;
   void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
   void note_status(const Encounter& encounter) noexcept;
+  [[nodiscard]] double load_to_cut() const noexcept;
   [[nodiscard]] DeepContact::Pull tether(const SubStep& sub_step, const Encounter& encounter,
                                          DeepContact& deep) noexcept;
 
@@ -145,6 +146,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   Pose X_VW;
   HeadStiffness head_stiffness;
   bool other_cutter = false;  // the materials are for another kind of cutter
+  double thickest_chip = 0;   // [m] crowded_chip(tool)
 
   // What one step hands to the next. A recording stores or repeats all of it, and a copy has it: a new member that a
   // step depends on needs a line in the table of src/io/recording/recorder.cpp and a place in simulation_memory.cpp.

@@ -13,6 +13,7 @@ namespace {
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
 constexpr double kMuchCrushed = 0.1;         // [1] crushing's part of the energy that removes material
+constexpr double kHardlyCut = 0.01;          // [1] cutting's part of the work of edges that carry the load
 constexpr double kThickLayer = 0.1;          // [1] engaged layer over the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -238,6 +239,18 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.contact = contact_stages.contact_of(encounter, sub_step.X_WT);
 }
 
+/// [N] Contact::load_to_cut: of several materials the mean, by the force on each.
+double Simulation::State::load_to_cut() const noexcept {
+  double load = 0, pressed = 0;
+  for (int id = 1; id <= workpiece.materials().size(); ++id) {
+    const Material& m = *workpiece.materials().find(MaterialId(id));
+    const double force = contact_stages.pressed()[std::size_t(id)];
+    pressed += force;
+    if (m.cutting_ratio > 0) load += force * m.specific_cutting_energy * m.edge_length / m.cutting_ratio;
+  }
+  return pressed > 0 ? load / pressed * tool.cutter().lips * tool.head().cutting_radius() : 0;
+}
+
 /// Sets the status bits that a sub-step shows.
 void Simulation::State::note_status(const Encounter& encounter) noexcept {
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
@@ -246,6 +259,12 @@ void Simulation::State::note_status(const Encounter& encounter) noexcept {
   if (could_cut && result.spindle.speed != 0 && other_cutter) result.status |= StepStatus::other_cutter;
   if (const LawEnergies& e = encounter.energies; e.crushed > kMuchCrushed * (e.crushed + std::max(0.0, e.cutting)))
     result.status |= StepStatus::material_crushed;
+  if (tool.cutter().kind == CutterKind::twist_drill && could_cut) {
+    result.contact.load_to_cut = load_to_cut();
+    if (const LawEnergies& e = encounter.energies;
+        result.contact.load_to_cut > 0 && e.rubbing > 0 && e.cutting < kHardlyCut * e.rubbing)
+      result.status |= StepStatus::edges_carry_load;
+  }
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;

@@ -20,13 +20,14 @@ class StepMaterials {
     max_damping_ = 0;
     min_crushing_depth_ = ContactMaterial::kNeverCrushed;
     frictional_ = 0;
-    any_chips_ = false;
+    any_chips_ = any_floor_ = false;
     for (std::size_t id = 0; id < materials_.size(); ++id) {
       const ContactMaterial& m = materials_[id];
       fast_ratios_[id] = {m.cutting_ratio, m.sliding_ratio};
       max_damping_ = std::max(max_damping_, m.damping);
       if (may_crush) min_crushing_depth_ = std::min(min_crushing_depth_, m.crushing_depth);
       frictional_ += int(m.static_friction > 0);
+      any_floor_ = any_floor_ || m.viscosity > 0 || m.cutting_depth > 0;
       any_chips_ = any_chips_ || m.edge_length > 0 || m.size_length > 0;
     }
     scale_all();
@@ -52,6 +53,7 @@ class StepMaterials {
   [[nodiscard]] float min_crushing_depth() const noexcept { return min_crushing_depth_; }  ///< [m]
   [[nodiscard]] bool any_friction() const noexcept { return frictional_ > 0; }  ///< some material has dry friction
   [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }  ///< some cutting energy depends on the chip
+  [[nodiscard]] bool any_floor() const noexcept { return any_floor_; }  ///< some has an edge pressure or a viscosity
 
   /// Whether some material can be crushed, which only the default law does.
   [[nodiscard]] bool any_crushing() const noexcept { return min_crushing_depth_ < ContactMaterial::kNeverCrushed; }
@@ -73,7 +75,7 @@ class StepMaterials {
   double share_ = 1;  // that acts in materials_
   float max_damping_ = 0, min_crushing_depth_ = ContactMaterial::kNeverCrushed;
   int frictional_ = 0;  // number of materials with dry friction
-  bool any_chips_ = false;
+  bool any_chips_ = false, any_floor_ = false;
 };
 
 }  // namespace hapticut

@@ -27,6 +27,8 @@ EXPECTED = {
                                 r"stopped 0\.[5-7]\d mm from the pulp.*\nthinnest wall that \d+ rays found: 0\.\d+ mm",
                                 [], []),
     "10_moving_picture": (r"4 frames, max force [\d.]+ N, removed 1\d\.\d mm\^3", ["drilling.webp"], ["4", "0.4"]),
+    "12_which_constant_matters": (r"drill of 2 mm .*: \w+ matters most, [\d.]+ \.\.\. [\d.]+ N\ncarbide bur .* matters most",
+                                  ["which_constant_matters.png"], []),
     "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
 }
 

@@ -236,6 +236,20 @@ def test_presets_are_those_of_the_library():
         hapticut.find_preset("unobtainium")
 
 
+def test_the_constants_of_presets_have_ranges_and_sources():
+    constants = hapticut.presets.preset_constants()
+    assert len(constants) > 60 and all(c.low <= c.typical <= c.high and c.source for c in constants)
+    edge = next(c for c in constants if (c.of, c.number) == ("twist_drill", "edge_length"))
+    assert (edge.unit, edge.wears, edge.at(hapticut.Estimate.high)) == ("m", True, edge.high)
+    kind = hapticut.CutterKind.twist_drill
+    bone = hapticut.presets.cortical_bone(kind)
+    assert bone.with_(hapticut.Estimate.high, "edge_length").edge_length == edge.high
+    assert hapticut.presets.cortical_bone(kind, hapticut.Sharpness.new).edge_length == edge.low
+    assert bone.with_(hapticut.Estimate.low).specific_cutting_energy < bone.specific_cutting_energy
+    with pytest.raises(hapticut.Error, match="hardness"):
+        bone.with_(hapticut.Estimate.low, "hardness")
+
+
 def test_a_material_has_every_field_of_the_table_of_the_documentation():
     page = Path(__file__).resolve().parents[2] / "docs" / "heads-and-materials.md"
     head = next(line for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("| name"))

@@ -49,25 +49,6 @@ double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size
   return *value;
 }
 
-/// What to do with the constants, and what is missing to know them better.
-std::string advice_on(const Calibration& c) {
-  std::string advice =
-      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
-      "the tests in the tool.\n";
-  if (!c.edge_identified)
-    advice +=
-        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n";
-  else if (!c.checked)
-    advice +=
-        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n";
-  if (!c.ratio_identified) advice += "To identify the cutting ratio, add tests with thrust and torque.\n";
-  if (!c.chip_identified)
-    advice +=
-        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
-        "revolution.\n";
-  return advice;
-}
-
 /// @throws Error that names file, line and column
 std::vector<DrillingTest> read_tests(const std::string& path) {
   CsvFile file(path, "file of drilling tests", "hapticut calibrate");
@@ -99,11 +80,13 @@ void run_calibrate(const CalibrateSettings& s) {
   table.add("cutting_ratio", rounded(c.cutting_ratio, 4) + (c.ratio_identified ? "" : ": assumed, not measured"));
   const std::string not_known = c.edge_identified ? ""
                                 : c.edge_assumed  ? ", value of bone, because the tests do not identify it"
+                                : c.size_assumed  ? ", value of blades, because the tests do not identify it"
                                                   : ": the tests do not identify it";
+  const ChipTerm shown = c.size_assumed ? ChipTerm::size_length : s.fitted();
   for (const auto& [term, value, unit] :
        {std::tuple(ChipTerm::edge_length, c.edge_length, " m"), std::tuple(ChipTerm::size_length, c.size_length, " m"),
         std::tuple(ChipTerm::edge_pressure, c.edge_pressure, " Pa")})
-    table.add(name_or_null(term), s.fitted() == term ? rounded(value, 4) + unit + not_known : "0");
+    table.add(name_or_null(term), shown == term ? rounded(value, 4) + unit + not_known : "0");
   table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
                              rounded(100 * c.torque_residual, 3) + " % (root mean square)" +
                              (c.checked ? "" : ", unchecked: as many constants as measured numbers"));
@@ -125,12 +108,15 @@ void run_calibrate(const CalibrateSettings& s) {
               {"ratio_identified", c.ratio_identified},
               {"edge_identified", c.edge_identified},
               {"edge_assumed", c.edge_assumed},
+              {"size_assumed", c.size_assumed},
+              {"better_term", c.better_term ? Json(name_or_null(*c.better_term)) : Json(nullptr)},
+              {"worst_factor", c.worst_factor},
               {"checked", c.checked},
               {"chip_identified", c.chip_identified},
               {"thrust_residual", c.thrust_residual},
               {"torque_residual", c.torque_residual},
               {"tests", rows}});
-  delivery.print(table.text() + advice_on(c));
+  delivery.print(table.text() + advice_on(c, s.fitted()));
   delivery.finish();
 }
 

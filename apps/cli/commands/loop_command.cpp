@@ -142,7 +142,8 @@ void run_loop(LoopSettings s) {
       s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
       Coupling::virtual_tool;
   const Tool tool = make_tool(s.tool);
-  Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind); });
+  Workpiece workpiece =
+      with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind, s.tool.sharpness); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   SimulationConfig config = make_config(s.simulation);
   if (coupled)

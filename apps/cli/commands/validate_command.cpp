@@ -6,7 +6,7 @@
 
 #include "cli/commands/command.hpp"
 #include "experiments/checks.hpp"
-#include "experiments/measurements.hpp"
+#include "experiments/published.hpp"
 #include "experiments/report.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"

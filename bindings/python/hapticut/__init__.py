@@ -84,6 +84,7 @@ from ._hapticut import (
     ProfileEdge as ProfileEdge,
     ProfileHead as ProfileHead,
     RayHandle as RayHandle,
+    Sharpness as Sharpness,
     SphereHead as SphereHead,
     Spindle as Spindle,
     SpindleState as SpindleState,
@@ -98,6 +99,7 @@ from ._hapticut import (
 
     # Workpiece: materials and voxels
     Box as Box,
+    Estimate as Estimate,
     GridFrame as GridFrame,
     IndexBox as IndexBox,
     Material as Material,

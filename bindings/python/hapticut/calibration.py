@@ -6,6 +6,7 @@ from ._hapticut import (
     Calibration as Calibration,
     ChipTerm as ChipTerm,
     DrillingTest as DrillingTest,
+    advice_on as advice_on,
     axial_cut_force as axial_cut_force,
     calibrate as calibrate,
 )

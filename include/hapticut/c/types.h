@@ -111,6 +111,7 @@ typedef struct hapticut_step_result {
   double contact_pressure;    /**< [Pa] mean over that area */
   uint64_t first_touched[4];  /**< set of the materials that were touched for the first time since the simulation was
                                  made: HAPTICUT_HAS_MATERIAL */
+  double load_to_cut;         /**< [N] thrust that the edges of a twist drill carry without a chip; 0: other cutters */
 } hapticut_step_result;
 
 typedef struct hapticut_probe_result {

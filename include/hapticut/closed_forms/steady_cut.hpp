@@ -25,28 +25,32 @@ struct SteadyCut {
   double tooth_rate = 0;   ///< [1/s] f_z, used by C35 ... C38 and C42 only
   double edge_length = 0;  ///< [m] h_e, used by C35 ... C38 and C42 only
   double size_length = 0;  ///< [m] h_s, used by C35 ... C38 and C42 only
+  double viscosity = 0;    ///< [Pa s/m] eta, used by C22 and C23 only
 
   /// [m/s] `sqrt(h_s f_z v_f)`: additional feed speed with the cost of thin chips.
   [[nodiscard]] double size_speed() const { return std::sqrt(size_length * tooth_rate * feed_speed); }
   /// [m/s] `h_e f_z`: additional feed speed with the cost of the edges.
   [[nodiscard]] double edge_speed() const { return edge_length * tooth_rate; }
 
+  /// [Pa] `p_e + eta v_f`: pressure on a flat head that cuts nothing.
+  [[nodiscard]] double idle_pressure() const { return edge_pressure + viscosity * feed_speed; }
+
   /// [N/m] u v_f/omega: torque per area, and force per length across the feed.
   [[nodiscard]] double chip() const { return specific_cutting_energy * feed_speed / spin; }
 };
 
 /// C20 and, with an edge pressure, C22: thrust of a flat head fed axially, rule bottom_only,
-/// `F_z = pi R^2 p_e + 2 pi R u v_f/(kappa omega)`.
+/// `F_z = pi R^2 p_e + 2 pi R u v_f/(kappa omega)`; with a viscosity p_e + eta v_f in place of p_e.
 /// @return [N]
 [[nodiscard]] inline double axial_cutting_force_of_a_flat_head(const SteadyCut& cut, double R) {
-  return units::kPi * R * R * cut.edge_pressure + 2 * units::kPi * R * cut.chip() / cut.cutting_ratio;
+  return units::kPi * R * R * cut.idle_pressure() + 2 * units::kPi * R * cut.chip() / cut.cutting_ratio;
 }
 
 /// C20 and, with an edge pressure, C22: torque of a flat head fed axially, `T_z = -[(2 pi/3) kappa p_e R^3 + u pi R^2
-/// v_f/omega]`.
+/// v_f/omega]`; with a viscosity p_e + eta v_f in place of p_e.
 /// @return [N·m]
 [[nodiscard]] inline double axial_cutting_torque_of_a_flat_head(const SteadyCut& cut, double R) {
-  return -(2 * units::kPi / 3 * cut.cutting_ratio * cut.edge_pressure * R * R * R + units::kPi * R * R * cut.chip());
+  return -(2 * units::kPi / 3 * cut.cutting_ratio * cut.idle_pressure() * R * R * R + units::kPi * R * R * cut.chip());
 }
 
 /// C21: the thrust of C20 under law G, where elastic energy helps to cut,
@@ -59,12 +63,15 @@ struct SteadyCut {
 }
 
 /// C23: feed of a flat head under a constant force of the hand, `kappa omega (F - pi R^2 p_e)/(2 pi R u)`; 0 if the
-/// edges carry the whole force. `SteadyCut::feed_speed` is not used.
+/// edges carry the whole force; with a viscosity the denominator has kappa omega pi R^2 eta more.
+/// `SteadyCut::feed_speed` is not used.
 /// @param force  [N]
 /// @return [m/s]
 [[nodiscard]] inline double feed_of_a_flat_head_under(double force, const SteadyCut& cut, double R) {
   const double on_chips = force - units::kPi * R * R * cut.edge_pressure;
-  return std::max(0.0, cut.cutting_ratio * cut.spin * on_chips / (2 * units::kPi * R * cut.specific_cutting_energy));
+  const double per_speed = 2 * units::kPi * R * cut.specific_cutting_energy +
+                           cut.cutting_ratio * cut.spin * units::kPi * R * R * cut.viscosity;  // [J/m^2]
+  return std::max(0.0, cut.cutting_ratio * cut.spin * on_chips / per_speed);
 }
 
 /// C25: wrench on a cylinder fed along +x that cuts with its side between two angles, over a height h; with

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
@@ -49,6 +51,11 @@ struct Calibration {
   bool edge_identified = false;
   /// The edge length is kAssumedEdgeLength, because the tests neither determine it nor contradict this value.
   bool edge_assumed = false;
+  /// The size length is kAssumedSizeLength and the edge length 0, because the chips are so thin that an edge of a drill
+  /// would be more than 30 times as long: they are those of blades.
+  bool size_assumed = false;
+  /// Another third constant describes the tests with less than half of the residual.
+  std::optional<ChipTerm> better_term = {};
   /// The tests determine the energy of the chip: the standard error of u is less than half of u. Otherwise the edge
   /// carries nearly all of thrust and torque, and u may be 0.
   bool chip_identified = true;
@@ -59,12 +66,17 @@ struct Calibration {
   bool checked = true;
   double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured, over the measured thrusts
   double torque_residual = 0;  ///< [1] over the measured torques
+  /// [1] the largest ratio of a measured number and the model, or its inverse: from 1.5 on the tests contradict each
+  /// other, or are not of one material and tool
+  double worst_factor = 1;
+  double thinnest_chip = 0;  ///< [m] smallest feed per lip of the tests
 };
 
 inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa when tests do not determine it: that of burs
 /// [m] h_e when tests do not determine it: the middle of the range found in bone, 20 ... 40 um
-/// (docs/heads-and-materials.md).
+/// (docs/heads-and-materials.md). It is assumed for chips of 1 um to 0.3 mm; a thicker chip hardly depends on it.
 inline constexpr double kAssumedEdgeLength = 30e-6;
+inline constexpr double kAssumedSizeLength = 180e-6;  ///< [m] h_s of blades, when tests do not determine it
 
 /// Steady thrust and torque of a flat head fed axially (C22, C35).
 struct AxialCutForce {
@@ -80,10 +92,15 @@ struct AxialCutForce {
 ///
 /// For a given kappa, thrust and torque are linear in u and in u h_e, u sqrt(h_s) or p_e. None of these may be
 /// negative. kappa is searched from 0.001 to 1000. One test, or several with the same chip, cannot separate edge from
-/// chip; nor can tests whose scatter exceeds the effect of the edge. Then an edge length is assumed, and a size length
-/// or edge pressure is set to 0.
+/// chip; nor can tests whose scatter exceeds the effect of the edge. Then an edge length is assumed, with very thin
+/// chips a size length, and another requested constant is set to 0.
 /// @throws Error when there is no test, a number of a test is out of its range, or no kappa within the range fits the
 /// tests
 [[nodiscard]] Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term = ChipTerm::edge_length);
+
+/// What to do with the constants, what is missing to know them better, and what makes them doubtful: sentences, each in
+/// a line.
+/// @param term  that was asked for
+[[nodiscard]] std::string advice_on(const Calibration& constants, ChipTerm term = ChipTerm::edge_length);
 
 }  // namespace hapticut

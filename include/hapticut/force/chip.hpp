@@ -10,9 +10,9 @@
 ///
 /// v is the speed at which the interface recedes, z the number of lips. h_e is a force per length of lip, u h_e, which
 /// ploughs and removes nothing; h_s is the size effect of thin chips. At a pressure p and a slip s the interface
-/// therefore recedes by (g_d is the factor of the damper, which p contains)
+/// therefore recedes by
 ///
-///     q = kappa s (p - g_d p_e)/u = v + sqrt(h_s f_z v) + h_e f_z    v(q) = 0 up to q = h_e f_z, and then y^2,
+///     q = kappa s (p - p_e)/u = v + sqrt(h_s f_z v) + h_e f_z    v(q) = 0 up to q = h_e f_z, and then y^2,
 ///                                                            y = 2 (q - h_e f_z)/(b + sqrt(b^2 + 4 (q - h_e f_z))),
 ///                                                            b = sqrt(h_s f_z)
 ///

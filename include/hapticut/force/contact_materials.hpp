@@ -57,6 +57,7 @@ inline void require_contact_stiffness(const MaterialTable& table, double referen
                                   .cutting_depth = float(std::sqrt(2 * m.edge_pressure / stiffness)),
                                   .edge_length = float(m.edge_length),
                                   .size_length = float(m.size_length),
+                                  .viscosity = float(m.viscosity),
                                   .crushing_depth = m.compressive_strength > 0
                                                         ? float(std::sqrt(2 * m.compressive_strength / stiffness))
                                                         : ContactMaterial::kNeverCrushed,

@@ -37,6 +37,7 @@ struct ContactMaterial {
   float cutting_energy;                    ///< [J/m^3] u
   float cutting_depth;                     ///< [m] w0 = sqrt(2 p_e / k_v); shallower material is not cut
   float edge_length = 0, size_length = 0;  ///< [m] h_e and h_s of chips (force/chip.hpp)
+  float viscosity = 0;                     ///< [Pa s/m] eta
   float crushing_depth = kNeverCrushed;    ///< [m] sqrt(2 sigma / k_v); deeper material is crushed
   float static_friction = 0;               ///< [1] mu_s
   float dynamic_friction = 0;              ///< [1] mu_d
@@ -72,7 +73,9 @@ struct HeadMotion {
   float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: as `duration`
   /// [m/s] Velocity less its mean over the last 20 ms; it does not affect the energy of chips.
   Eigen::Vector3f ripple = Eigen::Vector3f::Zero();
-  bool crushes = false;  ///< material deeper than its crushing_depth is removed, whether the head turns or not
+  float fastest_chips = 0;  ///< [m/s] speed into a surface up to which lips take their chips without crowding; 0: any
+  bool floors = false;      ///< some material has an edge pressure or a viscosity
+  bool crushes = false;     ///< material deeper than its crushing_depth is removed, whether the head turns or not
   /// [1] Of VoxelSection: kMinStandingWidth while the spindle is off.
   float min_width = VoxelSection<float>::kMinWidth;
 
@@ -81,6 +84,8 @@ struct HeadMotion {
 
   /// Whether a spinning head removes material.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
+  /// Whether the constants of a cut depend on the motion (`formulas::CutResistance`).
+  [[nodiscard]] bool resists() const noexcept { return floors || fastest_chips > 0; }
   /// [s] Time in which a small motion to the pose of the evaluation changes the velocity.
   [[nodiscard]] float time_to_move() const noexcept { return elapsed > 0 ? elapsed : duration; }
   /// Whether the contact is evaluated at the end of the sub-step.

@@ -22,6 +22,14 @@ struct Resultant {
   double area = 0;               ///< [voxel edges^2] part of the head's surface that is in material
 };
 
+/// Adds the normal forces [N] of the samples of a block to those of their materials.
+inline void add_pressed(const ContactBlock& b, double scale, ByMaterial<double>& pressed) {
+  for (int n = 0; n < b.lanes(); ++n)
+    if (b.fill[n] > 0)
+      pressed[b.material_of(n)] -=
+          scale * double(b.force_x[n] * b.normal_x[n] + b.force_y[n] * b.normal_y[n] + b.force_z[n] * b.normal_z[n]);
+}
+
 /// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.
 ///
 /// Partial sums per lane within a block are in single precision, sums across blocks in double precision, always in the

@@ -38,6 +38,7 @@ struct SurfaceMaterial {
   Real threshold;       ///< [1] w0/l
   Real edge_length;     ///< [1] h_e/l
   Real size_length;     ///< [1] h_s/l
+  Real viscosity;       ///< [Pa s/m] eta
   Real crushing_depth;  ///< [1] w_c/l
 
   static constexpr float kNeverCut = 1e6F;  ///< [1] w0/l of a surface that does not cut
@@ -55,6 +56,7 @@ struct SurfaceMaterial {
             Real(m.cutting_depth * per_edge),
             Real(m.edge_length * per_edge),
             Real(m.size_length * per_edge),
+            Real(m.viscosity),
             Real(m.crushing_depth * per_edge)};
   }
 
@@ -144,6 +146,32 @@ struct SurfaceMotion {
   /// [J/m^3] Half of the work of the slip per depth: kappa k_v g_d s/2 times the time, for `stiffness` = k_v l.
   [[nodiscard]] HAPTICUT_FORMULA Real work(Real kappa, Real stiffness, Real damping, float time) const {
     return Real(0.5F) * kappa * stiffness * damping * slip * Real(time);
+  }
+};
+
+/// What a cut takes that depends on the motion. The edge pressure is a pressure, so the damping makes its depth
+/// smaller. A viscous material takes the pressure eta v more at a speed v, which is the energy kappa s eta of the slip
+/// s. The chips of a drill fill its flutes when they are too thick: a head that moves into a surface faster than
+/// HeadMotion::fastest_chips pays the eighth power of the ratio. It is the speed of the head and not that of the
+/// recession at some depth, so that a layer is as dear at its top as at its bottom.
+template <class Real>
+struct CutResistance {
+  static constexpr float kMostCrowded = 16, kLeastDamping = 1e-6F;  ///< [1] keep the arithmetic finite
+
+  /// @param damping  [1] g_d
+  /// @return `material` with the energy and the threshold of its cut
+  HAPTICUT_FORMULA static SurfaceMaterial<Real> of(const HeadMotion& m, const SurfaceMotion<Real>& surface,
+                                                   Real damping, const SurfaceMaterial<Real>& material) {
+    SurfaceMaterial<Real> there = material;
+    there.threshold = material.threshold * inverse_root(max(damping, Real(kLeastDamping)));
+    there.energy = material.energy + material.cutting_ratio * surface.slip * material.viscosity;
+    if (m.fastest_chips > 0) {
+      const Real ratio = min(Real(kMostCrowded), max(Real(1), surface.rate * Real(1 / m.fastest_chips)));
+      const Real second = ratio * ratio, fourth = second * second;
+      there.energy = there.energy * (fourth * fourth);
+    }
+    there.per_energy = reciprocal(there.energy);
+    return there;
   }
 };
 

@@ -139,6 +139,11 @@ class Simulation {
   /// of the pulp of a tooth.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] const MaterialSet& first_touched() const noexcept;
 
+  /// By MaterialId [N], the sum of the magnitudes of a material's normal forces on the head, in the last sub-step of
+  /// the last step: their shares tell which layers are being cut. Zero while the head cuts nothing.
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] const ByMaterial<double>& normal_forces() const noexcept;
+
   /// Sums since construction or `reset`; valid until the next `reset` or `exchange` of a simulation.
   /// @realtime no allocation, no lock; O(1)
   [[nodiscard]] SimulationTotals totals() const noexcept;

@@ -111,6 +111,9 @@ enum class StepStatus : std::uint32_t {
   /// The contact is at a point of the head, of a needle or a slender cone, that is thinner than 1.5 voxels. It hits or
   /// misses material by half a voxel, and its depth has the same error. Cure: smaller voxels.
   point_thin = 1U << 20,
+  /// A twist drill turns in material that it does not cut: the whole load is below Contact::load_to_cut, which its
+  /// edges carry without a chip. Cure: press harder than that, or take a sharper drill (Sharpness).
+  edges_carry_load = 1U << 21,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -155,6 +158,8 @@ constexpr auto names_of(Of<StepStatus>) {
             "The tool breaks through, or is thrown about in a corner, and is braked: press less, or slow the spindle."},
       Named{point_thin, "point_thin",
             "The point of the head is thinner than the voxels, so its depth is wrong: use smaller voxels."},
+      Named{edges_carry_load, "edges_carry_load",
+            "The edges of the drill carry the whole load, so it cuts nothing: press harder, or take a sharper drill."},
   };
 }
 
@@ -196,6 +201,9 @@ struct Contact {
   Vec3 normal_W = Vec3::Zero();
   double area = 0;      ///< [m^2] area of the head's surface that is in material
   double pressure = 0;  ///< [Pa] mean of the normal forces over that area
+  /// [N] thrust that the edges of a twist drill carry without a chip in what it touches, u h_e z R/kappa; 0: other
+  /// cutters, a spindle that stands
+  double load_to_cut = 0;
 };
 
 constexpr auto fields_of(Of<Contact>) {
@@ -213,6 +221,9 @@ constexpr auto fields_of(Of<Contact>) {
             "and when they cancel"),
       field("area", &Contact::area, "m^2", "area of the head's surface that is in material"),
       field("pressure", &Contact::pressure, "Pa", "mean of the normal forces over that area"),
+      field("load_to_cut", &Contact::load_to_cut, "N",
+            "thrust that the edges of a twist drill carry without a chip in what it touches, u h_e z R/kappa; 0: other "
+            "cutters, a spindle that stands"),
   };
 }
 

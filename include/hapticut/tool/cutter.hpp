@@ -32,6 +32,23 @@ constexpr auto names_of(Of<CutterKind>) {
   };
 }
 
+/// How worn the edges of a cutter are. Its presets differ in one number, which grows with wear (PresetConstant::wears):
+/// the edge length of a drill, the cutting energy of other cutters.
+enum class Sharpness {
+  new_,  ///< fresh from the package: half as dear as used grains, a third of the edges of a used drill
+  used,  ///< after some cuts, as in most publications: the default
+  worn   ///< should have been replaced
+};
+
+constexpr auto names_of(Of<Sharpness>) {
+  using enum Sharpness;
+  return std::array{
+      Named{new_, "new"},
+      Named{used, "used"},
+      Named{worn, "worn"},
+  };
+}
+
 /// The cutting edges of a head. The number of edges that pass a place per revolution decides the chip thickness, on
 /// which the cutting energy of some materials depends.
 struct Cutter {

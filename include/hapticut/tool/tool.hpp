@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,5 +61,24 @@ class Tool {
   Cutter cutter_;
   Pose X_HT_;
 };
+
+/// [1] Feed per lip over the diameter from which the chips of a twist drill crowd its flutes: an assumption, twice that
+/// of ordinary drilling. With the steep law of `formulas::CutResistance` no hand feeds it more than a tenth.
+inline constexpr double kCrowdedFeed = 0.08;
+
+/// [m] The chip, along the normal of a drill's point, from which chips crowd its flutes; 0 for other cutters, whose
+/// chips are never as thick.
+[[nodiscard]] inline double crowded_chip(const Tool& tool) {
+  if (tool.cutter().kind != CutterKind::twist_drill) return 0;
+  const Profile profile = tool.head().profile();
+  double facing = 0;  // [1] largest component of the cutting edges' normals along the axis
+  double rho = 0, z = profile.tip;
+  for (const ProfileEdge& edge : profile.edges) {
+    const double along = std::abs(edge.rho - rho) / std::hypot(edge.rho - rho, edge.z - z);
+    if (edge.kind == EdgeKind::cutting) facing = std::max(facing, edge.radius == 0 ? along : 1.0);
+    rho = edge.rho, z = edge.z;
+  }
+  return kCrowdedFeed * 2 * tool.head().cutting_radius() * facing;
+}
 
 }  // namespace hapticut

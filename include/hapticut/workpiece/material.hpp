@@ -24,6 +24,8 @@ inline constexpr int kMaxMaterials = 255;
 template <class T>
 using ByMaterial = std::array<T, kMaxMaterials + 1>;
 
+enum class Estimate;  // preset_constants.hpp
+
 /// A material of a workpiece. The cutting constants are valid for this material with one kind of cutter. The list below
 /// has the meaning, unit and range of each number.
 struct Material {
@@ -35,6 +37,7 @@ struct Material {
   double edge_pressure = 0;              ///< [Pa] p_e: below this pressure nothing is cut
   double edge_length = 0;                ///< [m] h_e: ploughing of a lip costs u h_e per length and removes nothing
   double size_length = 0;                ///< [m] h_s: chips of thickness h cost u sqrt(h_s/h) more energy
+  double viscosity = 0;                  ///< [Pa s/m] eta: cutting at a speed v takes the pressure eta v more
   /// [Pa] sigma: pressure that crushes the material under any head; 0: it is never crushed
   double compressive_strength = 0;
   double static_friction = 0.3;   ///< [1] dry friction with the spindle at rest, not below dynamic_friction
@@ -47,6 +50,17 @@ struct Material {
   /// Presets set it, workpieces and recordings keep it, and a scene sets it from its tool; see
   /// StepStatus::other_cutter.
   std::optional<CutterKind> cutter = {};
+
+  /// This preset with the constants that resist a cut at one place of their ranges: u, share, edge_pressure,
+  /// edge_length, size_length and viscosity, of `preset_constants`. With Estimate::low the force is the least that
+  /// published measurements allow. A number is changed only if its range says so; others stay as they are.
+  /// @throws Error when the name is not that of a preset
+  [[nodiscard]] Material with(Estimate estimate) const;
+
+  /// This preset with one number at one place of its range.
+  /// @param number  a number of Material, or "share"
+  /// @throws Error when the name is not that of a preset, or the table has no such number of it
+  [[nodiscard]] Material with(Estimate estimate, std::string_view number) const;
 };
 
 namespace detail {
@@ -75,6 +89,8 @@ constexpr auto fields_of(Of<Material>) {
             "h_e: ploughing of a lip costs u h_e per length and removes nothing"),
       field("size_length", &M::size_length, "m", Range::between(0, 0.01),
             "h_s: chips of thickness h cost u sqrt(h_s/h) more energy"),
+      field("viscosity", &M::viscosity, "Pa s/m", Range::between(0, 1e12),
+            "eta: cutting at a speed v takes the pressure eta v more"),
       field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
             "sigma: pressure that crushes the material under any head; 0: it is never crushed"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),

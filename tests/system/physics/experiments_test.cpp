@@ -62,18 +62,6 @@ TEST(ValidationReport, HasARowForEachFormWithItsWorstCase) {
             "| balls |  | cone | plain | 0 % | 10 % | voxels |  |\n");
 }
 
-TEST(MeasurementsReport, PredictsWhatThePageOfValidationSays) {
-  std::ifstream page(test::source_path("docs/validation.md"));
-  const std::string report = experiments::measurements_report();
-  int rows = 0;
-  for (std::string line; std::getline(page, line);) {
-    if (line.find("bone | ") == std::string::npos) continue;
-    EXPECT_NE(report.find(line + "\n"), std::string::npos) << line << "\nis not in hapticut validate --measurements";
-    ++rows;
-  }
-  EXPECT_EQ(rows, 3);
-}
-
 TEST(Check, OfANumberThatIsNoneDoesNotPass) {
   Check check{"x", "", "", 1, std::nan(""), {0.1, ""}};
   EXPECT_FALSE(check.pass());

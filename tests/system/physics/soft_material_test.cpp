@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/setup/cutting.hpp"
@@ -100,8 +101,9 @@ TEST(SoftMaterial, IsCrushedAsMuchInSmallVoxelsAsInLargeOnes) {
         return plunge(SphereHead{1 * mm}, soft.material, 20 * mm, spindle, ContactTime::end, voxel, 1000).energy;
       };
       const EnergyLedger fine = energy(0.05 * mm);
-      for (const double voxel : {0.2 * mm, 0.1 * mm})
-        EXPECT_NEAR(energy(voxel).crushed, fine.crushed, 0.1 * fine.crushed + 0.02 * (fine.crushed + fine.cutting))
+      // Of clay under a slow spindle the cap has a radius of 0.25 mm.
+      for (const auto& [voxel, of_all] : {std::pair(0.2 * mm, 0.05), std::pair(0.1 * mm, 0.02)})
+        EXPECT_NEAR(energy(voxel).crushed, fine.crushed, 0.1 * fine.crushed + of_all * (fine.crushed + fine.cutting))
             << soft.name << ", " << spindle << " rpm, voxels of " << voxel;
     }
 }

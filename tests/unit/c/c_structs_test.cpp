@@ -54,7 +54,7 @@ TEST(CStructs, KeepTheirPublishedSizes) {
   const std::map<std::string, std::size_t> given_out = {
       {"hapticut_pose", 96},           {"hapticut_vertex", 12},          {"hapticut_simulation_options", 16},
       {"hapticut_scene_info", 336},    {"hapticut_material_info", 88},   {"hapticut_step_input", 160},
-      {"hapticut_step_result", 304},   {"hapticut_ray_hit", 64},         {"hapticut_probe_result", 352},
+      {"hapticut_step_result", 312},   {"hapticut_ray_hit", 64},         {"hapticut_probe_result", 352},
       {"hapticut_energy_ledger", 120}, {"hapticut_coupling_gains", 72},  {"hapticut_device_info", 240},
       {"hapticut_loop_options", 160},  {"hapticut_loop_state", 472},     {"hapticut_command", 16},
       {"hapticut_loop_report", 1344},  {"hapticut_page", 160},           {"hapticut_sound_options", 24},

@@ -34,7 +34,7 @@ static inline void every_layout(layout_user use) {
   STRUCT(hapticut_step_input, F(struct_size) F(unused) F(X_WH) F(linear_velocity) F(angular_velocity) F(dt))
   STRUCT(hapticut_step_result, F(struct_size) F(status) F(force) F(torque) F(removed_volume) F(removed_voxels)
     F(spindle_speed) F(spindle_torque) F(contact_depth) F(contact_volume) F(contact_voxels) F(sub_steps) F(X_WH)
-    F(contact_point_W) F(contact_normal_W) F(contact_area) F(contact_pressure) F(first_touched))
+    F(contact_point_W) F(contact_normal_W) F(contact_area) F(contact_pressure) F(first_touched) F(load_to_cut))
   STRUCT(hapticut_ray_hit, F(struct_size) F(material) F(distance) F(point_W) F(normal_W))
   STRUCT(hapticut_probe_result, F(struct_size) F(contact_voxels) F(force) F(torque) F(stiffness) F(contact_depth))
   STRUCT(hapticut_energy_ledger, F(struct_size) F(unused) F(hand_work) F(motor_work) F(elastic) F(cutting)

@@ -48,8 +48,9 @@ Wrench integrate(const SteadyCut& cut, const std::vector<MeridianPoint>& meridia
       const double recession = cut.feed_speed * feed.dot(n);
       if (recession <= 0) continue;
       const double chips = std::sqrt(cut.size_length * cut.tooth_rate * recession) + cut.edge_length * cut.tooth_rate;
-      const double pressure = cut.edge_pressure + cut.specific_cutting_energy * (recession + chips) /
-                                                      (cut.cutting_ratio * cut.spin * point.rho);
+      const double pressure =
+          cut.edge_pressure + cut.viscosity * recession +
+          cut.specific_cutting_energy * (recession + chips) / (cut.cutting_ratio * cut.spin * point.rho);
       const double area = point.rho * (to - from) / kAngles * point.length;
       wrench.force -= pressure * area * (n + cut.cutting_ratio * slip);
       wrench.torque.z() -= pressure * area * cut.cutting_ratio * point.rho;
@@ -84,6 +85,7 @@ TEST(CuttingForms, C20C22OfAFlatHeadAreTheIntegralOfItsPressure) {
   for (const double edge : {0.0, 1e6}) {
     SteadyCut cut = kCut;
     cut.edge_pressure = edge;
+    cut.viscosity = edge / cut.feed_speed;
     expect_force(integrate(cut, meridian_of_a_bottom(), -Vec3::UnitZ()),
                  {Vec3(0, 0, forms::axial_cutting_force_of_a_flat_head(cut, kR)),
                   Vec3(0, 0, forms::axial_cutting_torque_of_a_flat_head(cut, kR))});
@@ -146,6 +148,7 @@ TEST(CuttingForms, C34IsTheLayerThatTheDecayLeaves) {
 TEST(CuttingForms, C23IsTheFeedWhoseThrustIsTheForceOfTheHand) {
   SteadyCut cut = kCut;
   cut.edge_pressure = 3e5;
+  cut.viscosity = 2e8;
   const double thrust = forms::axial_cutting_force_of_a_flat_head(cut, kR);
   EXPECT_NEAR(forms::feed_of_a_flat_head_under(thrust, cut, kR) / cut.feed_speed, 1, kRounding);
   EXPECT_EQ(forms::feed_of_a_flat_head_under(0.9 * kPi * kR * kR * cut.edge_pressure, cut, kR), 0);

@@ -201,6 +201,90 @@ TEST(Calibration, SaysThatTheChipIsNotKnownWhereTheEdgeCarriesAll) {
   EXPECT_NEAR(c.edge_pressure / 1e6, 1, 0.05);
 }
 
+void expect_sentence(const Calibration& c, const std::string& words, ChipTerm term = ChipTerm::edge_length) {
+  EXPECT_NE(advice_on(c, term).find(words), std::string::npos) << words << "\nis not in\n" << advice_on(c, term);
+}
+
+// A carbide bur of 0.84 mm with six lips at 250000 rpm: chips of 20 nm.
+TEST(Calibration, AssumesTheSizeEffectOfBladesForTheThinChipsOfABur) {
+  Calibration made;
+  made.specific_cutting_energy = 1e8;
+  made.cutting_ratio = 0.5;
+  made.size_length = kAssumedSizeLength;
+  const double radius = 0.42 * mm, feed = 20e-9 * 6 * 250000.0 / 60;
+  const AxialCutForce force = axial_cut_force(made, radius, 250000 * rpm, feed, 6);
+  const Calibration c = calibrate(std::vector<DrillingTest>{{radius, 250000 * rpm, feed, force.thrust, 0, 6}});
+  EXPECT_TRUE(c.size_assumed);
+  EXPECT_FALSE(c.edge_assumed || c.edge_identified);
+  EXPECT_EQ(c.edge_length, 0);
+  EXPECT_EQ(c.size_length, kAssumedSizeLength);
+  EXPECT_NEAR(c.specific_cutting_energy / 1e8, 1, kSearched);
+  expect_sentence(c, "0.02 um the chips are those of blades");
+  // A chip of half a millimetre is hardly dearer for an edge, so none is assumed.
+  const Calibration thick = calibrate(std::vector<DrillingTest>{{2 * mm, 60 * rpm, 1 * mm, 100, 0}});
+  EXPECT_FALSE(thick.edge_assumed || thick.size_assumed);
+  EXPECT_EQ(thick.edge_length, 0);
+  expect_sentence(thick, "No edge was assumed: at feeds per lip below 500 um");
+}
+
+// Two tests of nearly equal chips that fit without an edge by chance.
+TEST(Calibration, KeepsTheAssumedEdgeLengthWhereTwoTestsCannotTellIt) {
+  const double feed = 1 * mm;
+  const Calibration c = calibrate(std::vector<DrillingTest>{{1 * mm, 1000 * rpm, feed, 20, 4.5 * N_mm},
+                                                            {1 * mm, 1000 * rpm, 1.08 * feed, 21.6, 4.86 * N_mm}});
+  EXPECT_TRUE(c.edge_assumed);
+  EXPECT_EQ(c.edge_length, kAssumedEdgeLength);
+  expect_sentence(c, "To separate edge and chip");
+}
+
+// Thrusts of drills in bovine bone: Hillery, Alam, Lee, Orelaja.
+TEST(Calibration, SaysThatTestsContradictEachOther) {
+  const double per_minute = mm / 60;
+  const std::vector<DrillingTest> tests = {{1.6 * mm, 400 * rpm, 50 * per_minute, 48, 14.5 * N_mm},
+                                           {1.6 * mm, 2000 * rpm, 50 * per_minute, 24, 10 * N_mm},
+                                           {1.25 * mm, 1000 * rpm, 100 * per_minute, 20.07, 41.2 * N_mm},
+                                           {2 * mm, 600 * rpm, 50 * per_minute, 85, 23 * N_mm},
+                                           {1.6 * mm, 1000 * rpm, 120 * per_minute, 198, 186 * N_mm},
+                                           {1.25 * mm, 1000 * rpm, 100 * per_minute, 5.6, 13.6 * N_mm}};
+  const Calibration c = calibrate(tests);
+  EXPECT_GT(c.worst_factor, 2);
+  expect_sentence(c, "They contradict each other, or are not of one material and tool");
+  const Calibration alone = calibrate(std::span(tests).first(2));
+  EXPECT_LT(alone.worst_factor, 1.5);
+  EXPECT_EQ(advice_on(alone).find("contradict"), std::string::npos);
+}
+
+TEST(Calibration, NamesTheTermThatDescribesTheTests) {
+  Calibration drill;
+  drill.specific_cutting_energy = 7e7;
+  drill.cutting_ratio = 0.45;
+  drill.edge_length = 60e-6;
+  std::vector<DrillingTest> tests;
+  for (const double feed : {0.05, 0.2, 1.0, 4.0, 12.0}) tests.push_back(made_by(drill, 1 * mm, 1000 * rpm, feed * mm));
+  tests[1].thrust *= 1.05, tests[3].thrust *= 0.95;
+  const Calibration c = calibrate(tests, ChipTerm::size_length);
+  ASSERT_TRUE(c.better_term.has_value());
+  EXPECT_EQ(*c.better_term, ChipTerm::edge_length);
+  expect_sentence(c, "edge_length describes these tests better than size_length", ChipTerm::size_length);
+  EXPECT_FALSE(calibrate(tests).better_term.has_value());
+}
+
+TEST(Calibration, SaysThatALengthOfNanometresIsNoEdge) {
+  Calibration made;
+  made.specific_cutting_energy = 5e10;
+  made.cutting_ratio = 0.5;
+  made.edge_length = 8e-9;
+  std::vector<DrillingTest> tests;
+  for (const double feed : {0.2, 0.5}) {
+    const AxialCutForce force = axial_cut_force(made, 0.42 * mm, 250000 * rpm, feed * mm, 6);
+    tests.push_back({0.42 * mm, 250000 * rpm, feed * mm, force.thrust, force.torque, 6});
+  }
+  const Calibration c = calibrate(tests);
+  EXPECT_TRUE(c.edge_identified);
+  EXPECT_NEAR(c.edge_length / 8e-9, 1, 0.01);
+  expect_sentence(c, "0.008 um is right for these tests, but it is not the edge of a tool");
+}
+
 // B8, B15, DC8: thrust and torque rise with feed and diameter; force falls with speed.
 TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
   const DrillingTest bovine{1.25 * mm, 1000 * rpm, 1 * mm, 20.07, 41.2 * N_mm};

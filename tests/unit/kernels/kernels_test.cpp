@@ -150,6 +150,7 @@ TEST_P(KernelTarget, EvaluatesABlockAsTheScalarStagesDoOneByOne) {
                         trial % 8 < 4 ? 0.0F : 0.5F,
                         float(1 + trial % 11 % 3)};
       if (trial % 13 < 5) motion.tooth_rate = 600, motion.ripple = 0.25F * motion.felt_velocity;
+      motion.floors = trial % 19 < 9, motion.fastest_chips = trial % 23 < 8 ? 0.01F : 0.0F;
       motion.crushes = trial % 17 < 9, motion.min_width = trial % 7 < 3 ? VoxelSection<float>::kMinStandingWidth : 0.3F;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);

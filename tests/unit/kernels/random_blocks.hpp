@@ -71,6 +71,7 @@ inline ContactMaterials three_materials(float damping) {
                   .cutting_depth = 1e-5F,
                   .edge_length = 1e-5F,
                   .size_length = 3e-5F,
+                  .viscosity = 1e8F,
                   .crushing_depth = 2e-4F,
                   .static_friction = 0.2F,
                   .dynamic_friction = 0.2F,

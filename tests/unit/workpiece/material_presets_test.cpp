@@ -9,7 +9,6 @@
 #include <map>
 #include <sstream>
 
-#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "support/places.hpp"
@@ -63,73 +62,110 @@ TEST(MaterialPresets, HaveATableOfAllTheFieldsOfAMaterial) {
   EXPECT_EQ(line, expected);
 }
 
-TEST(MaterialPresets, AreThoseOfTheTablesForEachCutter) {
-  const auto cutters = documented_under("By cutter"), relative_energies = documented_under("By material");
-  EXPECT_EQ(cutters.size(), names_of(Of<CutterKind>{}).size());
+/// The lines of a table of the page under a heading, without its head.
+std::vector<std::string> lines_under(const std::string& heading) {
+  std::ifstream page(test::source_path("docs/heads-and-materials.md"));
+  std::vector<std::string> lines;
+  std::string line, here;
+  while (std::getline(page, line)) {
+    if (line.rfind("## ", 0) == 0) here = line.substr(3);
+    if (here == heading && line.rfind("| ", 0) == 0 && line.rfind("| of |", 0) != 0) lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST(PresetConstants, AreTheTableOfTheDocumentation) {
+  std::vector<std::string> expected;
+  for (const PresetConstant& c : preset_constants()) {
+    std::string line = "| " + std::string(c.of) + " | " + std::string(c.number) + " [" + std::string(c.unit) + "] | ";
+    for (const double value : {c.low, c.typical, c.high}) line += format_number(value) + " | ";
+    expected.push_back(line + (c.wears ? "new ... worn | " : " | ") + std::string(c.source) + " |");
+  }
+  const std::vector<std::string> found = lines_under("Where each number comes from");
+  for (std::size_t n = 0; n < std::max(expected.size(), found.size()); ++n)
+    EXPECT_EQ(n < found.size() ? found[n] : "", n < expected.size() ? expected[n] : "") << "row " << n;
+}
+
+TEST(PresetConstants, AreInOrderAndBelongToACutterOrAMaterial) {
+  for (const PresetConstant& c : preset_constants()) {
+    const std::string what = std::string(c.of) + ", " + std::string(c.number);
+    EXPECT_LE(c.low, c.typical) << what;
+    EXPECT_LE(c.typical, c.high) << what;
+    EXPECT_FALSE(c.source.empty()) << what;
+    EXPECT_EQ(find_constant(c.of, c.number), &c) << what << " is there twice";
+    const auto names = preset_names();
+    EXPECT_TRUE(c.of == "solid" || value_named<CutterKind>(c.of) || std::ranges::find(names, c.of) != names.end())
+        << what;
+  }
+  EXPECT_EQ(find_constant("enamel", "hardness"), nullptr);
+}
+
+/// A preset has the numbers of its own rows, of its cutter, and of all solids; nothing else.
+TEST(MaterialPresets, HaveTheNumbersOfTheTable) {
   for (const auto& kind : names_of(Of<CutterKind>{}))
     for (const std::string_view name : preset_names()) {
       const Material m = find_preset(name, kind.value);
       EXPECT_EQ(m.name, name);
       EXPECT_NO_THROW(validate(m));
-      if (!relative_energies.contains(m.name)) {
-        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": equal for each cutter";
-        continue;
-      }
-      const std::vector<double>& of = cutters.at(kind.name);
-      const double relative_energy = relative_energies.at(m.name).at(0);
-      const double found[] = {m.cutting_ratio, m.specific_cutting_energy, m.edge_length, m.size_length};
-      const double expected[] = {of.at(0), of.at(1) * relative_energy, of.at(2), of.at(3) / relative_energy};
-      for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(found[n], expected[n], 0.006 * found[n]) << name << kind.name;
+      const PresetConstant* share = find_constant(name, "share");
+      const double e = share == nullptr ? 1 : share->typical;
+      EXPECT_EQ(m.cutter.has_value(), share != nullptr) << name;
+      for_each_number<Material>([&](const auto& field) {
+        const PresetConstant* row = constant_of(name, kind.name, field.name);
+        if (row == nullptr) {
+          EXPECT_EQ(m.*field.member, Material{}.*field.member) << name << field.name;
+          return;
+        }
+        const std::string_view number = field.name;
+        const double factor = number == "specific_cutting_energy" ? e : number == "size_length" ? 1 / e : 1;
+        EXPECT_DOUBLE_EQ(m.*field.member, row->typical * factor) << name << ", " << kind.name << ", " << number;
+      });
     }
 }
 
-/// [m^3/s] Volume rate of a ball that is plunged deeper than its radius under a load (C38).
-double rate_of(CutterKind kind, const Material& m, double load, double radius = 1 * units::mm) {
-  constexpr double kSpin = 8000;  // [rad/s]
-  closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, kSpin, 0};
-  cut.tooth_rate = tooth_rate(Cutter{kind}, kSpin);
-  cut.edge_length = m.edge_length;
-  cut.size_length = m.size_length;
-  double low = 0, high = 1e3;  // [m/s]
-  for (int halving = 0; halving < 100; ++halving) {
-    cut.feed_speed = (low + high) / 2;
-    (closed_forms::ball_plunge_chip_wrench(cut, radius).force.z() < load ? low : high) = cut.feed_speed;
+TEST(MaterialPresets, WearInOneNumberOfTheirCutter) {
+  for (const auto& kind : names_of(Of<CutterKind>{})) {
+    int worn_numbers = 0;
+    for (const PresetConstant& c : preset_constants()) {
+      if (!c.wears || c.of != kind.name) continue;
+      ++worn_numbers;
+      for_each_number<Material>([&](const auto& field) {
+        if (c.number != field.name) return;
+        const auto number = [&](Sharpness sharpness) { return presets::enamel(kind.value, sharpness).*field.member; };
+        const double used = number(Sharpness::used);
+        EXPECT_DOUBLE_EQ(number(Sharpness::new_) / used, c.low / c.typical) << kind.name;
+        EXPECT_DOUBLE_EQ(number(Sharpness::worn) / used, c.high / c.typical) << kind.name;
+      });
+    }
+    EXPECT_EQ(worn_numbers, 1) << kind.name;
+    EXPECT_EQ(numbers_of(presets::pulp(kind.value, Sharpness::worn)), numbers_of(presets::pulp(kind.value)));
   }
-  return low < 1e-15 ? 0 : low * units::kPi * radius * radius;
 }
 
-TEST(MaterialPresets, AreInTheSameOrderUnderEveryCutterAndLoad) {
-  const std::vector<std::vector<std::string>> slower_first = {
-      {"enamel"}, {"amalgam"}, {"dentin", "cortical_bone"}, {"caries"}, {"trabecular_bone"}, {"pulp"}, {"clay"}};
-  for (const auto& kind : names_of(Of<CutterKind>{}))
-    for (const double load : {0.3, 1.0, 3.0, 6.0, 10.0, 30.0}) {
-      double last = 0;
-      for (const auto& alike : slower_first) {
-        const double rate = rate_of(kind.value, find_preset(alike.front(), kind.value), load);
-        const std::string at = alike.front() + ", " + kind.name + ", " + std::to_string(load) + " N";
-        EXPECT_TRUE(rate > 1.1 * last || rate + last == 0) << at << ": " << rate << " after " << last;
-        for (const auto& other : alike)
-          EXPECT_EQ(rate_of(kind.value, find_preset(other, kind.value), load), rate) << at << ", as " << other;
-        last = rate;
-      }
-    }
-}
+TEST(MaterialPresets, GoToTheEndsOfTheirRanges) {
+  const Material bone = presets::cortical_bone(CutterKind::twist_drill);
+  const Material weak = bone.with(Estimate::low), strong = bone.with(Estimate::high);
+  EXPECT_DOUBLE_EQ(weak.specific_cutting_energy, 0.5 * 30e6);
+  EXPECT_DOUBLE_EQ(strong.specific_cutting_energy, 2 * 130e6);
+  EXPECT_DOUBLE_EQ(weak.edge_length, 6e-6);
+  EXPECT_DOUBLE_EQ(strong.edge_length, 45e-6);
+  EXPECT_EQ(weak.cutting_ratio, bone.cutting_ratio) << "does not resist";
+  EXPECT_EQ(numbers_of(bone.with(Estimate::typical)), numbers_of(bone));
 
-TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalfNewtonsOn) {
-  using enum CutterKind;
-  struct Pair {
-    CutterKind blades, grains;
-    double max_radius;  // [m]
-  };
-  for (const Pair& pair :
-       {Pair{mastoid_cutting_bur, mastoid_diamond_bur, 3.5 * units::mm},
-        Pair{carbide_bur, fine_diamond, 1.2 * units::mm}, Pair{carbide_bur, coarse_diamond, 1.2 * units::mm}})
-    for (const double radius : {0.5 * units::mm, pair.max_radius})
-      for (const char* bone : {"cortical_bone", "trabecular_bone"})
-        for (const double load : {1.5, 3.0, 10.0})
-          EXPECT_GT(rate_of(pair.blades, find_preset(bone, pair.blades), load, radius),
-                    rate_of(pair.grains, find_preset(bone, pair.grains), load, radius))
-              << names_of(Of<CutterKind>{})[std::size_t(pair.grains)].name << ", " << load << " N, " << radius << " m";
+  Material changed = bone;
+  changed.density = 1234;
+  changed = changed.with(Estimate::high, "cutting_ratio");
+  EXPECT_DOUBLE_EQ(changed.cutting_ratio, 0.6);
+  EXPECT_EQ(changed.density, 1234) << "a number without that range stays";
+  EXPECT_EQ(changed.edge_length, bone.edge_length);
+  EXPECT_DOUBLE_EQ(presets::enamel().with(Estimate::low, "share").size_length, 180e-6 / 1.6);
+  EXPECT_DOUBLE_EQ(presets::pulp().with(Estimate::high).viscosity, 30e6);
+
+  Material granite = bone;
+  granite.name = "granite";
+  test::expect_refused([&] { (void)granite.with(Estimate::low); }, {"'granite'", "trabecular_bone"});
+  test::expect_refused([&] { (void)bone.with(Estimate::low, "hardness"); }, {"'cortical_bone'", "'hardness'"});
+  test::expect_refused([&] { (void)bone.with(Estimate::low, "viscosity"); }, {"'viscosity'"});
 }
 
 // docs/model.md, "Crushing and deep contact": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.

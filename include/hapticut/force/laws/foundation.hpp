@@ -44,6 +44,9 @@ namespace formulas {
 /// max(u - k_v w^2/2, 1e-6 u). w_dot = (V + Omega x r) . n is the speed along the path; only in g_d it is that of the
 /// velocity that the device measures.
 ///
+/// u is what a cut costs: of a viscous material u + kappa s eta, and more where chips crowd the flutes of a drill
+/// (`formulas::CutResistance`).
+///
 /// Before that, material that would be pressed harder than it can bear is removed, below the crushing depth w_c =
 /// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while
 /// it sinks in: what the pressure sigma cuts within half of a sub-step, v(w_c) dt/2 and at most what the head moves in
@@ -81,8 +84,9 @@ class FoundationLaw final : public ForceLaw {
       // Motion and material at the head's surface.
       const Triple r = {b.x[n], b.y[n], b.z[n]}, normal = {b.normal_x[n], b.normal_y[n], b.normal_z[n]};
       const auto surface = formulas::SurfaceMotion<float>::of(m, axis, r, normal);
-      const Material material = material_at(m, materials, b, n);
+      Material material = material_at(m, materials, b, n);
       const auto damping = Damping::of(m, material.damping, r, normal);
+      if (m.resists()) material = formulas::CutResistance<float>::of(m, surface, damping.factor, material);
       const float kappa = m.spin != 0 ? material.cutting_ratio : 0.0F;
       const float work = surface.work(kappa, material.stiffness, damping.factor, time);
       const auto advance = formulas::HeadAdvance<float>::of(m, surface.rate);
