@@ -332,6 +332,7 @@ bool ContactStages::redo(std::size_t max_blocks) noexcept {
 
 void ContactStages::restart() {
   change_all();
+  pressed_ = {};
   bounds_ = workpiece_.bounds();
   subset_ = 0;
 }
