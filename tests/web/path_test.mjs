@@ -2,14 +2,38 @@
 // The mouse removes the same volume as its path does without page, loop and coupling.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { drawn, drill, isReady, middle, openPage, removed, startBrowser, startProgram } from "./viewer.mjs";
 
+// The material yields to almost no force, so the coupling keeps the tool on the path of the hand.
+const kScene = `
+[workpiece]
+source = "block"
+size_mm = [20, 20, 20]
+voxel_mm = 0.2
+material = "clay"
+
+[material.clay]
+specific_cutting_energy_J_per_m3 = 1e5
+edge_pressure_Pa = 0
+viscosity_Pas_per_m = 0
+
+[tool]
+head = "sphere"
+radius_mm = 2
+handle = "ray"
+handle_length_mm = 100
+spindle_rpm = 1000
+`;
+const scene = join(mkdtempSync(join(tmpdir(), "hapticut-path-")), "scene.toml");
+
 let program, browser;
 before(async () => {
-  program = await startProgram("clay");
+  writeFileSync(scene, kScene);
+  program = await startProgram(scene);
   browser = await startBrowser();
 });
 after(async () => {
@@ -34,10 +58,8 @@ test("a scripted path of the mouse removes the volume that the simulation remove
   const names = ["t_s", "x_mm", "y_mm", "z_mm", ...[0, 1, 2].flatMap((r) => [0, 1, 2].map((c) => `r${r}${c}`))];
   const file = join(program.folder, "path.csv"), report = join(program.folder, "report.json");
   writeFileSync(file, [names.join(), ...rows].join("\n") + "\n");
-  execFileSync(process.env.HAPTICUT_PROGRAM, [
-    "drill", "--workpiece", "block", "--size-mm", "20,20,20", "--voxel-mm", "0.2", "--material", "clay", "--head", "sphere",
-    "--radius-mm", "2", "--handle", "ray", "--handle-length-mm", "100", "--spindle-rpm", "1000", "--path", "poses",
-    "--poses", file, "--point", "handle", "--json", report]);
+  execFileSync(process.env.HAPTICUT_PROGRAM,
+               ["drill", "--settings", scene, "--path", "poses", "--poses", file, "--point", "handle", "--json", report]);
   const text = JSON.parse(readFileSync(report, "utf8"));
   const by_path = text.removed_volume_mm3?.total ?? text.results?.removed_volume_mm3?.total;
   assert.ok(by_hand > 5, `${by_hand} mm^3`);
