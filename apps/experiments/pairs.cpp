@@ -119,12 +119,20 @@ std::string pairs_report() {
   std::ostringstream report;
   report
       << "## Every cutter in every material\n\n"
-         "Rates [mm^3/s] of usual tools, pushed along their axis with a constant force, behind the default coupling\n"
-         "and with the motor of a usual handpiece: a ball of 2 mm at 300000 rpm on a turbine (dental) or at 80000\n"
-         "rpm (mastoid), and a drill of 2 mm at 1500 rpm. Cortical bone is as dentin. \"edges\": the edges of the\n"
-         "drill carry the load. \"limit\" and \"stalls\": the motor is at its limit, and the spindle stalls. "
-         "\"crushed\":\n"
-         "the head is pressed in faster than it cuts.\n\n| cutter | load [N] |";
+         "Rates [mm^3/s] of usual tools, pushed along their axis with a constant force, behind the default coupling:\n"
+         "a ball of 2 mm at 300000 rpm on `air_turbine` (dental) or at 80000 rpm on `surgical_drill` (mastoid), and\n"
+         "a drill of 2 mm at 1500 rpm on `electric`. Cortical bone and `bone_d1` are as dentin, `bone_d2`, `bone_d3`\n"
+         "and `bone_d5` 3, 4 and 25 times as fast as `bone_d1`.\n\n"
+         "* \"edges\": the edges of the drill carry the load. Just above, the rate begins from 0.\n"
+         "* \"limit\", \"stalls\": the motor was at its limit at some moment, or the spindle stalled. Then the order "
+         "of\n"
+         "  the materials ends: in a softer one the ball sinks in deeper and stalls the turbine more.\n"
+         "* \"crushed\": the head is pressed in faster than it cuts.\n"
+         "* Rates of two materials are as 1/share while the head is equally deep. Mastoid burs at 5 N and more sink\n"
+         "  into soft bone beyond their equator, and cut more.\n"
+         "* **Do not compare carbide with diamond**: each is fitted to another laboratory. Above 1 N carbide is\n"
+         "  probably too fast, because no measurement supports its square of the load, and coarse diamonds are too\n"
+         "  slow by 1.8 in the row above.\n\n| cutter | load [N] |";
   for (const char* material : kShown) report << " " << material << " |";
   report << "\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& kind : names_of(Of<CutterKind>{})) {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "experiments/heat_rows.hpp"
 #include "experiments/measurements.hpp"
 #include "experiments/pairs.hpp"
 #include "experiments/report.hpp"
@@ -85,9 +86,8 @@ double widening_time(const PresetOf& of) {
 
 // --- the rows --------------------------------------------------------------------------------------------------------
 
-const char* const kClogged =
-    "the flutes of a deep hole clog: torque over thrust is 3 ... 5 times that of other sources";
-const char* const kHardBone = "four to eight times the thrust and torque of all other sources at like feeds";
+const char* const kClogged = "the flutes of a deep hole clog: torque over thrust is 6 ... 10 times that of the law";
+const char* const kHardBone = "2 ... 8 times the thrust and 6 ... 19 times the torque of Hillery and Alam";
 const char* const kNoBone = "a foam with a skin, not bone";
 
 void add_drill(std::vector<PublishedRow>& rows, const std::string& conditions, const Drill& drill, double feed,
@@ -110,21 +110,23 @@ void add_drills(std::vector<PublishedRow>& rows) {
   const std::string hillery = "Hillery and Shuaib 1999, recalled; range in Orelaja et al. 2020";
   add_drill(rows, "bovine tibia, 3.2 mm, 400 rpm, 50 mm/min", cortical(3.2, 400), 50 * kPerMinute, {48, 0}, {14.5, 0},
             hillery, true, true);
-  add_drill(rows, "the same, 2000 rpm", cortical(3.2, 2000), 50 * kPerMinute, {24, 0}, {10, 0}, hillery, true, true);
+  add_drill(rows, "bovine tibia, 3.2 mm, 2000 rpm, 50 mm/min", cortical(3.2, 2000), 50 * kPerMinute, {24, 0}, {10, 0},
+            hillery, true, true);
   const std::string alam = "Alam et al. 2011, conditions recalled; range in Orelaja et al. 2020";
   add_drill(rows, "bovine femur, 4 mm, 600 rpm, 50 mm/min", cortical(4, 600), 50 * kPerMinute, {85, 0}, {23, 0}, alam,
             false);
-  add_drill(rows, "the same, 3000 rpm, 10 mm/min", cortical(4, 3000), 10 * kPerMinute, {25, 0}, {10, 0}, alam, false);
+  add_drill(rows, "bovine femur, 4 mm, 3000 rpm, 10 mm/min", cortical(4, 3000), 10 * kPerMinute, {25, 0}, {10, 0}, alam,
+            false);
   const std::string orelaja = "Orelaja, Wang et al. 2020, J Healthc Eng 8817422, table 6";
   const double feed = 100 * kPerMinute;
   add_drill(rows, "bovine femur, 2.5 mm, 1000 rpm, 100 mm/min assumed", cortical(2.5, 1000), feed, {20.07, 0},
             {41.2, 0}, orelaja, true, false, "", kClogged);
-  add_drill(rows, "the same, 1500 rpm", cortical(2.5, 1500), feed, {12.34, 0}, {24.2, 0}, orelaja, false, false, "",
-            kClogged);
+  add_drill(rows, "bovine femur, 2.5 mm, 1500 rpm, 100 mm/min assumed", cortical(2.5, 1500), feed, {12.34, 0},
+            {24.2, 0}, orelaja, false, false, "", kClogged);
   add_drill(rows, "porcine femur, 2.5 mm, 1000 rpm, 100 mm/min assumed", cortical(2.5, 1000), feed, {11.25, 0}, {37, 0},
             orelaja, false, false, "", kClogged);
-  add_drill(rows, "the same, 1500 rpm", cortical(2.5, 1500), feed, {8.14, 0}, {21.6, 0}, orelaja, false, false, "",
-            kClogged);
+  add_drill(rows, "porcine femur, 2.5 mm, 1500 rpm, 100 mm/min assumed", cortical(2.5, 1500), feed, {8.14, 0},
+            {21.6, 0}, orelaja, false, false, "", kClogged);
   add_drill(rows, "artificial femur, 2.5 mm, 1000 rpm, 100 mm/min assumed", cortical(2.5, 1000), feed, {5.62, 0},
             {13.6, 0}, orelaja, false, false, kNoBone, kNoBone);
   const std::string macavelia = "MacAvelia et al. 2012, J Biomech Eng 134:121003";
@@ -140,8 +142,8 @@ void add_drills(std::vector<PublishedRow>& rows) {
   add_drill(rows, "human trochanter, cancellous, 2.5 mm, 1000 rpm, 100 mm/min assumed",
             {2.5 * mm, 1000 * rpm, "trabecular_bone"}, feed, {1.25, 0.25}, {0, 0},
             "Tsai et al. 2007; range in Orelaja et al. 2020", true);
-  add_drill(rows, "dog jaw, 2 mm, 1500 rpm, 30 mm/min assumed", cortical(2, 1500), 30 * kPerMinute, {4, 0.9}, {0, 0},
-            "an assessment of cutting force for dental implant drilling, HSS drill", true);
+  add_drill(rows, "dog jaw, new drill, 2 mm, 1500 rpm, 30 mm/min assumed", cortical(2, 1500), 30 * kPerMinute, {4, 0.9},
+            {0, 0}, "an assessment of cutting force for dental implant drilling, HSS drill", true);
   add_drill(rows, "by hand, six drills, 2 mm, 2000 rpm, 60 mm/min assumed", cortical(2, 2000), 60 * kPerMinute,
             {9.16, 0}, {0, 0}, "Hobkirk and Rusiniak 1977, 20 operators", true);
 }
@@ -156,10 +158,11 @@ std::vector<PublishedRow> make_rows() {
                         return Drill{1.5 * mm, speed * rpm, "bone_d2"}.feed(of, 2 * 9.80665);
                       };
                       return at(fast) / at(slow);
-                    }});
+                    },
+                    PublishedRow::kLawAlone});
   };
   ratio("pig rib, pilot drill, equal load, 100 and 200 rpm", 1.91, 0.9, 100, 200);
-  ratio("the same, 200 and 1200 rpm", 11, 3.8, 200, 1200);
+  ratio("pig rib, pilot drill, equal load, 200 and 1200 rpm", 11, 3.8, 200, 1200);
   rows.push_back({"rib, four drills of 2.2 ... 4 mm in turn, 2 kg, 800 rpm; 10 mm deep, bone D2 assumed", "time [s]",
                   10.1, 5.9, "Gedik et al. 2025, 10.1186/s12903-025-06860-z", false, "", widening_time});
 
@@ -175,19 +178,22 @@ std::vector<PublishedRow> make_rows() {
   };
   rows.push_back({"human enamel, side of a fine diamond of 1.2 mm, 0.64 N, 300000 rpm assumed", "rate [mm^3/s]",
                   DiamondBur::kRemoval / 1e-9, 0.004, fais, true, "", fine});
-  rows.push_back({"the same, bovine enamel", "rate [mm^3/s]", 0.066, 0.008, fais, false, "", fine});
+  rows.push_back({"bovine enamel, side of a fine diamond of 1.2 mm, 0.64 N, 300000 rpm assumed", "rate [mm^3/s]", 0.066,
+                  0.008, fais, false, "", fine});
   rows.push_back({"tooth in resin, side of a coarse diamond of 1.6 mm, 1 N, 350000 rpm assumed", "rate [mm^3/s]", 0.54,
                   0, "Benedettini, Melilli, Baldissara 2003, J Dent Res 82", true, "", [](const PresetOf& of) {
                     return side_rate(of, "dentin", coarse_diamond, 0.8 * mm, 1, 350000 * rpm, 1.14);
                   }});
   const std::string yang = "Yang, Li et al. 2023, Front Mech Eng 18(1), 10.1007/s11465-022-0717-z";
   const auto kappa = [](const PresetOf& of) { return of("cortical_bone", mastoid_diamond_bur).cutting_ratio; };
-  rows.push_back({"bone, diamond ball, dry", "tangential over normal force [1]", 0.335, 0, yang, false, "", kappa});
-  rows.push_back({"the same, drip of saline", "tangential over normal force [1]", 0.277, 0, yang, false, "", kappa});
+  rows.push_back({"bone, diamond ball, dry", "tangential over normal force [1]", 0.335, 0, yang, false, "", kappa,
+                  "cutting_ratio"});
+  rows.push_back({"bone, diamond ball, drip of saline", "tangential over normal force [1]", 0.277, 0, yang, false, "",
+                  kappa, "cutting_ratio"});
   rows.push_back({"leucite ceramic, coarse diamond, least and largest forces", "tangential over normal force [1]", 0.5,
                   0.1, "Song and Yin 2009", true, "",
-                  [](const PresetOf& of) { return of("enamel", coarse_diamond).cutting_ratio; }});
-  rows.push_back({"machinable ceramic, first cut, medium over coarse grit", "ratio of rates [1]", 1, 0,
+                  [](const PresetOf& of) { return of("enamel", coarse_diamond).cutting_ratio; }, "cutting_ratio"});
+  rows.push_back({"machinable ceramic, first cut, medium grit (fine_diamond) over coarse", "ratio of rates [1]", 1, 0,
                   "Siegel and von Fraunhofer 2000, JADA", true, "", [](const PresetOf& of) {
                     return of("dentin", coarse_diamond).specific_cutting_energy /
                            of("dentin", fine_diamond).specific_cutting_energy;
@@ -195,9 +201,13 @@ std::vector<PublishedRow> make_rows() {
   return rows;
 }
 
-bool counts(const PublishedRow& row) { return !row.fitted && row.beyond.empty(); }
-
 std::string number_or_endless(double value) { return std::isfinite(value) ? digits(value) : "never"; }
+
+std::string use_of(const PublishedRow& row) {
+  if (row.fitted) return "by a fit";
+  if (row.number == PublishedRow::kLawAlone) return "no; law alone";
+  return row.beyond.empty() ? "no" : "no; beyond: " + row.beyond;
+}
 
 void add_table(std::ostream& report) {
   report << "| conditions | quantity | measured | predicted | new ... worn | low ... high | factor | used | source |\n"
@@ -208,11 +218,7 @@ void add_table(std::ostream& report) {
     if (row.scatter > 0) report << " +- " << digits(row.scatter);
     report << " | " << digits(p.typical) << " | " << number_or_endless(p.fresh) << " ... " << number_or_endless(p.worn)
            << " | " << number_or_endless(p.low) << " ... " << number_or_endless(p.high) << " | "
-           << digits(factor_of(row), 3) << " | "
-           << (row.fitted           ? "by a fit"
-               : row.beyond.empty() ? "no"
-                                    : "no; beyond: " + row.beyond)
-           << " | " << row.source << " |\n";
+           << digits(factor_of(row), 3) << " | " << use_of(row) << " | " << row.source << " |\n";
   }
 }
 
@@ -227,7 +233,8 @@ Prediction prediction_of(const PublishedRow& row) {
   const auto with = [&](Sharpness sharpness, Estimate estimate) {
     return row.predict([&](const char* preset, CutterKind cutter) {
       const Material material = find_preset(preset, cutter, sharpness);
-      return estimate == Estimate::typical ? material : material.with(estimate);
+      if (estimate == Estimate::typical || row.number == PublishedRow::kLawAlone) return material;
+      return row.number.empty() ? material.with(estimate) : material.with(estimate, row.number);
     });
   };
   using enum Sharpness;
@@ -240,11 +247,15 @@ double factor_of(const PublishedRow& row) {
   return std::max(ratio, 1 / ratio);
 }
 
-PublishedSummary summary_of_published() {
+namespace {
+
+using Chosen = std::function<bool(const PublishedRow&)>;
+
+PublishedSummary summary_of(const Chosen& chosen) {
   PublishedSummary summary;
   std::vector<double> factors;
   for (const PublishedRow& row : published_rows()) {
-    if (!counts(row)) continue;
+    if (!chosen(row)) continue;
     const Prediction p = prediction_of(row);
     factors.push_back(factor_of(row));
     summary.within_two += int(factors.back() <= 2);
@@ -258,24 +269,53 @@ PublishedSummary summary_of_published() {
   return summary;
 }
 
+void add_summary(std::ostream& report) {
+  const auto is = [](const char* quantity) {
+    return [=](const PublishedRow& row) { return row.counts() && row.quantity.starts_with(quantity); };
+  };
+  const auto other = [&](const PublishedRow& row) { return row.counts() && !is("thrust")(row) && !is("torque")(row); };
+  const struct {
+    const char* name;
+    Chosen chosen;
+  } groups[] = {{"**all that count**", [](const PublishedRow& row) { return row.counts(); }},
+                {"thrust of drills", is("thrust")},
+                {"torque of drills", is("torque")},
+                {"times, rates and ratios of forces", other},
+                {"not used, with those beyond", [](const PublishedRow& row) { return !row.fitted; }},
+                {"used by a fit", [](const PublishedRow& row) { return row.fitted; }}};
+  report << "| rows | number | median factor | within 2 | new ... worn | low ... high |\n|---|---|---|---|---|---|\n";
+  for (const auto& [name, chosen] : groups) {
+    const PublishedSummary s = summary_of(chosen);
+    report << "| " << name << " | " << s.rows << " | " << digits(s.median) << " | " << s.within_two << " | "
+           << s.bracketed << " | " << s.allowed << " |\n";
+  }
+}
+
+}  // namespace
+
+PublishedSummary summary_of_published() {
+  return summary_of([](const PublishedRow& row) { return row.counts(); });
+}
+
 std::string measurements_report() {
-  const PublishedSummary s = summary_of_published();
   std::ostringstream report;
   report << "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Published measurements\n\n"
             "Outside a preset's own rows expect no better than a factor of 2. `hapticut validate --measurements FILE`\n"
             "writes this page, and a test compares it with the presets.\n\n"
             "## Predictions\n\n"
-         << "Of " << s.rows << " rows that no fit used and that some constants could meet, the median factor is "
-         << digits(s.median) << ",\n"
-         << s.within_two << " are within 2, " << s.bracketed << " lie between a new and a worn cutter, and "
-         << s.allowed
-         << " between the ends of all ranges.\nRows marked \"beyond\" are not counted: no constants meet "
-            "them together with the others.\n\n"
+            "The factor is predicted over measured, or its inverse. A row counts if no fit used it, constants of the\n"
+            "presets enter, and it is not \"beyond\": of another material, of a hole whose chips clog, or of a source\n"
+            "that contradicts others at like conditions. \"New ... worn\" and \"low ... high\" are how many\n"
+            "measurements lie, with their scatter, between a new and a worn cutter, and between the ends of all\n"
+            "ranges. These ends are far apart, a factor of 30 ... 100 for drills.\n\n";
+  add_summary(report);
+  report << "\nA fit meets its rows together and not each: the trochanter is softer than typical trabecular bone, and\n"
+            "the new drill of the dog jaw is compared with a used one.\n\n"
             "\"Measured\" has its scatter where the source gives it. \"Low ... high\" are the least and largest\n"
-            "resistance of `Material::with`. \"Assumed\" and \"recalled\" conditions are ours, because the source was\n"
-            "not at hand in full.\n\n";
+            "resistance of `Material::with`, or the range of the one number that enters. \"Assumed\" and \"recalled\"\n"
+            "conditions are ours, because the source was not at hand in full.\n\n";
   add_table(report);
-  report << "\n" << pairs_report();
+  report << "\n" << pairs_report() << "\n" << heat_report();
   return report.str();
 }
 

@@ -26,6 +26,12 @@ struct PublishedRow {
   bool fitted;         ///< a fit of the constants used it
   std::string beyond;  ///< why no constants can meet it; empty: some can
   std::function<double(const PresetOf&)> predict;
+  /// The one number of the presets that enters; empty: those that resist a cut; kLawAlone: none
+  std::string number = {};
+
+  static constexpr const char* kLawAlone = "none";
+  /// Whether it can tell how well the presets predict.
+  [[nodiscard]] bool counts() const { return !fitted && beyond.empty() && number != kLawAlone; }
 };
 
 /// What the presets give for a row, in its unit.
@@ -48,13 +54,13 @@ struct Prediction {
 /// [1] Predicted over measured or its inverse, whichever is at least 1.
 [[nodiscard]] double factor_of(const PublishedRow& row);
 
-/// The rows that neither a fit used nor are beyond any constants.
+/// The rows that count.
 struct PublishedSummary {
   int rows = 0;
   double median = 0;   ///< [1] of their factors
   int within_two = 0;  ///< rows within a factor of 2
-  int bracketed = 0;   ///< rows between a new and a worn cutter
-  int allowed = 0;     ///< rows between the ends of all ranges
+  int bracketed = 0;   ///< rows that, with their scatter, lie between a new and a worn cutter
+  int allowed = 0;     ///< rows that, with their scatter, lie between the ends of all ranges
 };
 [[nodiscard]] PublishedSummary summary_of_published();
 

@@ -112,6 +112,11 @@ void bind_steady_cut(py::module_& m) {
               py::arg("layer"));
   number_form(m, "wall_left_by_a_pass", &forms::wall_left_by_a_pass, py::arg("cut"), py::arg("k_v"), py::arg("rho"),
               py::arg("curvature"));
+  number_form(m, "grain_variation", &forms::grain_variation, py::arg("grain"), py::arg("grain_length"),
+              py::arg("area"));
+  number_form(m, "cutting_area_of_a_slot", &forms::cutting_area_of_a_slot, py::arg("R"), py::arg("H"));
+  number_form(m, "tooth_passing_variation", &forms::tooth_passing_variation, py::arg("once_per_turn"),
+              py::arg("per_tooth"));
 }
 
 void bind_other_laws(py::module_& m) {

@@ -9,11 +9,13 @@ namespace hapticut::python {
 void bind_effects(py::module_& m) {
   bind_described<Gravity>(m, "Gravity");
   bind_described<Vibration>(m, "Vibration");
+  bind_described<ToothPassing>(m, "ToothPassing");
   bind_described<DeltaFilter>(m, "DeltaFilter");
   bind_described<AxisMask>(m, "AxisMask");
   bind_described<OutputLimits>(m, "OutputLimits");
   bind_described<Effects>(m, "Effects");
   m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate(Gravity)"));
+  m.def("validate", py::overload_cast<const ToothPassing&>(&validate), py::arg("teeth"), doc("validate(ToothPassing)"));
   m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate(DeltaFilter)"));
   m.def("validate", py::overload_cast<const OutputLimits&>(&validate), py::arg("limits"),
         doc("validate(OutputLimits)"));
@@ -27,6 +29,11 @@ void bind_effects(py::module_& m) {
   phase_class.def(py::init<>())
       .def("advance", &VibrationPhase::advance, py::arg("vibration"), py::arg("touching"), py::arg("power"),
            py::arg("dt"), doc("VibrationPhase::advance"));
+  py::class_<CutterAngle> angle_class(m, "CutterAngle", doc("CutterAngle"));
+  pickled_by_bytes(angle_class);
+  angle_class.def(py::init<>())
+      .def("advance", &CutterAngle::advance, py::arg("teeth"), py::arg("turn"), py::arg("lips"),
+           doc("CutterAngle::advance"));
   m.def("gravity_wrench", &gravity_wrench, py::arg("gravity"), py::arg("R_WH"), doc("gravity_wrench"));
   m.def("masked", &masked, py::arg("mask"), py::arg("wrench"), doc("masked"));
   m.def("filtered", &filtered, py::arg("filter"), py::arg("previous"), py::arg("calculated"), doc("filtered"));
@@ -37,7 +44,8 @@ void bind_effects(py::module_& m) {
 
   bind_struct<EffectsInput>(m, "EffectsInput", field("X_WH", &EffectsInput::X_WH), field("X_WT", &EffectsInput::X_WT),
                             field("touching", &EffectsInput::touching), field("power", &EffectsInput::power),
-                            field("dt", &EffectsInput::dt), field("lever", &EffectsInput::lever));
+                            field("dt", &EffectsInput::dt), field("lever", &EffectsInput::lever),
+                            field("turn", &EffectsInput::turn), field("lips", &EffectsInput::lips));
   py::class_<Output>(m, "Output", doc("Output"))
       .def(py::init<>())
       .def("give", &Output::give, py::arg("effects"), py::arg("at"), py::arg("wrench"), py::return_value_policy::copy,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// Results of the model in closed form: C1 ... C43 of docs/model.md, one function each, in its order. `hapticut
+/// Results of the model in closed form: C1 ... C45 of docs/model.md, one function each, in its order. `hapticut
 /// validate` and the tests compare the library with them, and the tests in tests/unit/closed_forms compare them with
 /// integrals of the model's equations.
 ///
@@ -14,3 +14,4 @@
 #include "hapticut/closed_forms/other_laws.hpp"
 #include "hapticut/closed_forms/standing_head.hpp"
 #include "hapticut/closed_forms/steady_cut.hpp"
+#include "hapticut/closed_forms/texture.hpp"

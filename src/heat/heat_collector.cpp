@@ -7,6 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/simulation.hpp"
+#include "hapticut/workpiece/preset_constants.hpp"
 
 namespace hapticut {
 namespace {
@@ -18,7 +19,18 @@ constexpr int kHalvings = 20;  // down to a millionth of the head
 double heat_of_rubbing(const EnergyLedger& energy) { return energy.rubbing + energy.damping + energy.sliding; }
 double heat_of_cutting(const EnergyLedger& energy) { return energy.losses() - heat_of_rubbing(energy); }
 
+std::vector<double> shares_of_cutters() {
+  std::vector<double> shares;
+  for (const auto& kind : names_of(Of<CutterKind>{})) shares.push_back(heat_share_of(kind.value));
+  return shares;
+}
+
 }  // namespace
+
+double heat_share_of(CutterKind cutter) {
+  const PresetConstant* share = find_constant(name_or_null(cutter), "heat_share");
+  return share->typical;
+}
 
 struct HeatCollector::Queue {
   explicit Queue(std::size_t capacity) : pulses(capacity) {}
@@ -26,7 +38,10 @@ struct HeatCollector::Queue {
 };
 
 HeatCollector::HeatCollector(Simulation& simulation, const HeatCollectorOptions& options)
-    : simulation_(simulation), before_(simulation.last_result().energy), feed_(simulation, options.blocks) {
+    : simulation_(simulation),
+      shares_(shares_of_cutters()),
+      before_(simulation.last_result().energy),
+      feed_(simulation, options.blocks) {
   require_fields_within(options, "HeatCollectorOptions::");
   queue_ = std::make_unique<Queue>(options.pulses);
   simulation.observers().add(*this);
@@ -45,6 +60,7 @@ void HeatCollector::on_step(const ObservedStep& step) noexcept {
   before_ = now;
   pending_.dt += step.input.dt;
   pending_.cut += cut;
+  pending_.share = shares_[std::size_t(step.simulation.tool().cutter().kind)];
   if (step.result.removed_volume > 0) {
     pending_.rubbed_in_cut += rubbed;
   } else if (rubbed > 0) {

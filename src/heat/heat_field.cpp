@@ -19,8 +19,9 @@ constexpr int kMaxDistance = 3;    // [cells] distance in which heat looks for m
 }  // namespace
 
 HeatField::Cells::Cells(std::size_t count) {
-  for (std::vector<double>* numbers : {&heat, &capacity, &conductivity, &filled, &wetted, &cooling, &rise, &peak,
-                                       &above, &dose, &removed, &conductance[0], &conductance[1], &conductance[2]})
+  for (std::vector<double>* numbers :
+       {&heat, &capacity, &conductivity, &filled, &wetted, &cooling, &rise, &peak, &above, &dose, &removed, &held,
+        &conductance[0], &conductance[1], &conductance[2]})
     numbers->resize(count);
 }
 
@@ -132,7 +133,7 @@ void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes)
       capacity > 0 ? heat * std::min(1.0, lost_capacity * cell_volume_ / cells_.capacity[cell]) : heat;
   if (lost_capacity > 0) {
     heat -= leaves;
-    balance_.chips += leaves;
+    cells_.held[cell] += leaves;
     if (cells_.removed[cell] == 0) removed_.push_back(cell);
     cells_.removed[cell] += removed * cell_volume_;
   }
@@ -207,7 +208,7 @@ double HeatField::drain(HeatCollector& collector) {
   for (ChangedBlock block; collector.receive(block);) update(block.origin, block.material.data(), block.fill.data());
   for (HeatPulse pulse; collector.receive(pulse);) {
     time += pulse.dt;
-    cut += config_.cutting_share * pulse.cut + config_.rubbing_share * pulse.rubbed_in_cut;
+    cut += config_.cutting_share.value_or(pulse.share) * (pulse.cut + pulse.rubbed_in_cut);
     if (pulse.rubbed > 0) add_heat(pulse.p_WQ, config_.rubbing_share * pulse.rubbed, pulse.radius);
   }
   add_cutting_heat(std::max(cut, 0.0));
@@ -328,9 +329,15 @@ void HeatField::add_cutting_heat(double heat) {
   double removed = 0;
   for (const std::size_t cell : removed_) removed += cells_.removed[cell];
   if (!(removed > 0)) return;
-  if (waiting_ > 0)
-    for (const std::size_t cell : removed_) spread(cell, waiting_ * (cells_.removed[cell] / removed));
-  for (const std::size_t cell : removed_) cells_.removed[cell] = 0;
+  for (const std::size_t cell : removed_) {
+    if (waiting_ > 0) {
+      spread(cell, waiting_ * (cells_.removed[cell] / removed) + cells_.held[cell]);
+      balance_.brought_in -= cells_.held[cell];  // it had been brought in before
+    } else {
+      balance_.chips += cells_.held[cell];
+    }
+    cells_.removed[cell] = cells_.held[cell] = 0;
+  }
   removed_.clear();
   waiting_ = 0;
 }

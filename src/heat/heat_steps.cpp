@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/interruption.hpp"
 #include "hapticut/heat/heat_field.hpp"
@@ -36,6 +37,8 @@ double HeatField::max_rate() const {
 void HeatField::advance(double dt) {
   require_within(dt, Range::not_negative(), "HeatField::advance: dt [s]");
   refresh_changed();
+  if (!(waiting_ > 0))
+    for (const std::size_t cell : removed_) balance_.chips += std::exchange(cells_.held[cell], 0);  // no cut claimed it
   if (rate_ == 0) rate_ = max_rate();
   const auto sub_steps = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
   for (std::uint64_t n = 0; n < sub_steps; ++n) {
@@ -112,6 +115,7 @@ HeatBalance HeatField::balance() const {
   HeatBalance balance = balance_;
   balance.stored = 0;
   for (const double heat : cells_.heat) balance.stored += heat;
+  for (const std::size_t cell : removed_) balance.stored += cells_.held[cell];  // until the heat of the cut comes
   return balance;
 }
 

@@ -7,6 +7,7 @@
 #define HAPTICUT_KERNELS_MATERIALS_INL_HPP
 #endif
 
+#include "hapticut/force/grain.hpp"
 #include "kernels/columns-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,8 +34,11 @@ class ColumnMaterials {
       for (std::size_t name = 0; name < kConstants; ++name)
         for (int n = 0; n < (one == kEmpty ? c_.count : C::kCapacity); n += int(kWidth))
           c_.put(C::Name(C::kStiffness + name), n, each(n, [&](MaterialId id) { return constants_[id][name]; }));
-    in_columns_ = c_.smooth || job_.motion.resists() ? kEmpty : one;  // those are changed below and in `Stages::resist`
+    const Grain* grain = job_.motion.grain;
+    const bool changes = c_.smooth || grain != nullptr || job_.motion.resists();  // below and in `Stages::resist`
+    in_columns_ = changes ? kEmpty : one;
     if (c_.smooth) set_smooth();
+    if (grain != nullptr) vary(*grain, tasks);
   }
 
   /// The materials that occur.
@@ -87,6 +91,18 @@ class ColumnMaterials {
       c_.put(C::kRatio, n, there.cutting_ratio), c_.put(C::kThreshold, n, there.threshold);
       c_.put(C::kCrushing, n, there.crushing_depth);
     }
+  }
+
+  /// The cutting energy of each voxel, by its place.
+  HWY_NOINLINE void vary(const Grain& grain, std::span<BlockTask> tasks) {
+    for (int n = 0; n < c_.count; ++n) {
+      const auto at = unsigned(c_.index[n]);
+      const BlockView& block = tasks[at / kBlockVoxels].block;
+      const MaterialId id = count_ == 1 ? listed_.front() : MaterialId(c_.of[C::kMaterial][n]);
+      c_.of[C::kEnergy][n] *= grain.at(id, voxel_at(block.origin, int(at % kBlockVoxels)));
+    }
+    for (int n = 0; n < c_.count; n += int(kWidth))
+      c_.put(C::kPerEnergy, n, c_.material(n).with_energy(c_.get(C::kEnergy, n)).per_energy);
   }
 
   Columns& c_;

@@ -70,6 +70,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
   const auto bound = springs.grown(0.0F);
 
   out.sub_voxel = false;
+  out.origin = block.origin;
   out.rows = out.samples = 0;
   out.uniform = true;
   out.one_material = block.uniform_material;

@@ -15,6 +15,7 @@ constexpr Keys kVibration{"effects",
                            {"amplitude", ""},
                            {"amplitude_per_watt", ""},
                            {"max_amplitude", "max", ", or vibration_N if larger"}}};
+constexpr Keys kTeeth{"effects", "texture"};
 constexpr Keys kFilter{"effects", "filter", {}, "thesis_filter: "};
 constexpr Keys kLimits{"effects", "", {{"ramp_time", "ramp"}}};
 
@@ -65,6 +66,12 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
   return vibration;
 }
 
+std::optional<ToothPassing> make_teeth(const EffectsSettings& s, bool texture) {
+  if (texture) return s.teeth.make(kTeeth, "the passing teeth");
+  s.teeth.refuse(kTeeth, "a force without texture", "set " + "simulation.texture"_name);
+  return std::nullopt;
+}
+
 std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   if (!s.thesis_filter) {
     s.filter.refuse(kFilter, "an output without " + "effects.thesis_filter"_name,
@@ -82,6 +89,7 @@ std::vector<Setting> settings_of(EffectsSettings& s) {
   std::vector<Setting> settings;
   s.gravity.add_settings(kGravity, settings);
   s.vibration.add_settings(kVibration, settings);
+  s.teeth.add_settings(kTeeth, settings);
   settings.push_back(boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
                              "turns on the force filter of the thesis, Table 6.1 [false]"));
   s.filter.add_settings(kFilter, settings);
@@ -93,10 +101,11 @@ std::vector<Setting> settings_of(EffectsSettings& s) {
   return settings;
 }
 
-Effects make_effects(const EffectsSettings& s, double update_rate) {
+Effects make_effects(const EffectsSettings& s, double update_rate, bool texture) {
   Effects effects;
   effects.gravity = make_gravity(s);
   effects.vibration = make_vibration(s, update_rate);
+  effects.teeth = make_teeth(s, texture);
   effects.delta_filter = make_filter(s);
   effects.enabled = {switches(s.force_axes), switches(s.torque_axes)};
   effects.limits = s.limits.make(kLimits, "the output");

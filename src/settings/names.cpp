@@ -18,6 +18,7 @@ constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
     {"RawLayout::skip", "workpiece.raw_skip_bytes"},
     {"RawLayout::type", "workpiece.raw_type"},
     {"Shank::neck_diameter", "tool.shank_neck_mm"},
+    {"SimulationConfig::grain", "simulation.texture"},
     {"SimulationConfig::law", "force.law"},
     {"SimulationConfig::quadrature", "simulation.quadrature"},
     {"SimulationConfig::reference_stiffness", "simulation.reference_stiffness_N_per_m4"},

@@ -35,6 +35,12 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
               "the whole model of the thesis: law, handle torque and filter; vibration at 1112 Hz and above; "
               "other settings override it [false]"),
+      boolean(
+          "simulation.texture", "--texture", s.texture,
+          "a hand feels the grain of the materials and the turns of the cutter [true for loop and view with the law "
+          "foundation, else false]"),
+      integer("simulation.grain_seed", "--grain_seed", s.config.grain_seed, 0, 4294967295.0,
+              "another seed gives another grain with the same statistics [1]"),
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
              range_of(&SimulationConfig::reference_stiffness),
              "foundation stiffness, N/m^4, of a material with relative stiffness 1; 0: chosen from the radius of the "
@@ -71,7 +77,8 @@ SimulationConfig make_config(const SimulationSettings& given) {
   config.quadrature = settings.quadrature.value_or(config.quadrature);
   config.update_rate = settings.rate_Hz;
   apply(settings.force, config);
-  config.effects = make_effects(settings.effects, config.update_rate);
+  config.grain = settings.texture.value_or(settings.texture_by_default && config.law->is_foundation());
+  config.effects = make_effects(settings.effects, config.update_rate, config.grain);
   return config;
 }
 

@@ -15,6 +15,8 @@ namespace hapticut::settings {
 struct SimulationSettings {
   double rate_Hz = 1000;
   bool thesis_mode = false;
+  std::optional<bool> texture;
+  bool texture_by_default = false;  ///< true where a hand feels the force, unless the law is that of the thesis
   std::optional<RemovalLaw> removal;
   std::optional<Quadrature> quadrature;
   SimulationConfig config;

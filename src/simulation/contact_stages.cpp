@@ -30,6 +30,7 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       head_(head),
       law_(config.law),
       quadrature_(config.quadrature),
+      grain_seed_(config.grain ? std::optional(std::uint32_t(config.grain_seed)) : std::nullopt),
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
@@ -48,6 +49,10 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
     throw Error(
         "SimulationConfig::voxel_budget"_name + " = " + std::to_string(voxel_budget_) +
         " was given with a law other than FoundationLaw, but only FoundationLaw has a level of detail. Leave it at 0.");
+  if (!law_->is_foundation() && config.grain)
+    throw Error("SimulationConfig::grain"_name +
+                " = true was given with a law other than FoundationLaw, but only FoundationLaw has a grain. Leave it "
+                "false.");
   Buffers buffers(head, workpiece.voxel_size(), config);
   exchange_buffers(buffers);
 }

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "hapticut/contact/removal.hpp"
+#include "hapticut/force/grain.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/limit_surface.hpp"
 #include "hapticut/force/resultant.hpp"
@@ -152,9 +154,13 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void exchange_buffers(Buffers& buffers) noexcept;
 
   /// Sets the constants of the materials.
-  void set_materials(const ContactMaterials& materials) noexcept { materials_.set(materials, law_->is_foundation()); }
+  void set_materials(const ContactMaterials& materials) noexcept {
+    materials_.set(materials, law_->is_foundation());
+    if (grain_seed_) grain_.set(materials, workpiece_.frame(), *grain_seed_);
+  }
   void set_friction(MaterialId id, const DryFriction& friction) noexcept { materials_.set_friction(id, friction); }
   [[nodiscard]] const StepMaterials& materials() const noexcept { return materials_; }
+  [[nodiscard]] const Grain* grain() const noexcept { return grain_.any() ? &grain_ : nullptr; }  ///< null: none
 
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
@@ -220,6 +226,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::shared_ptr<const ForceLaw> law_;
   Quadrature quadrature_;
   StepMaterials materials_;
+  std::optional<std::uint32_t> grain_seed_;  // none: no grain
+  Grain grain_;
   double voxel_volume_;  // [m^3]
   std::size_t max_voxels_ = 0, max_blocks_ = 0;
   double thin_up_to_ = 0;     // [m] height along the spindle's axis, in T

@@ -57,6 +57,7 @@ void Simulation::State::set_spin(HeadPlacement& head) const noexcept {
   head.motion.min_width = spindle.is_off() && !spindle.is_held() ? Section::kMinStandingWidth : Section::kMinWidth;
   head.motion.tooth_rate =
       contact_stages.materials().any_chips() ? float(tooth_rate(tool.cutter(), double(head.motion.spin))) : 0;
+  head.motion.grain = contact_stages.grain();
   head.motion.floors = contact_stages.materials().any_floor();
   head.motion.fastest_chips = float(thickest_chip * tooth_rate(tool.cutter(), double(head.motion.spin)));
 }

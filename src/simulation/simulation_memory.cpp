@@ -148,7 +148,8 @@ void SimulationMemory::visit(Archive& archive, Simulation::State& s) {
   LimitSurface& anchor = s.springs.anchor;
   archive(anchor.position_, anchor.rotation_, anchor.stored_, anchor.stiffness_, anchor.anchored_, anchor.sliding_);
   Output& output = s.hand.output;
-  archive(output.vibration_.phase_, output.unlimited_force_, output.full_, output.given_, output.running_);
+  archive(output.vibration_.phase_, output.cutter_.angle_, output.unlimited_force_, output.full_, output.given_,
+          output.running_);
   archive(s.hand.released, s.hand.was_released, s.hand.path, s.hand.coupled);
   RunningTotals& totals = s.totals;
   archive(s.input, s.free_blocks, totals.steps, totals.exchanges, totals.replacements, totals.altered);

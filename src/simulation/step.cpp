@@ -290,7 +290,9 @@ void Simulation::State::give_output(HandCoupling* coupling) noexcept {
                              result.spindle.speed != 0 && result.contact.voxels > 0,
                              result.spindle.torque * result.spindle.speed,
                              from.dt,
-                             lever_at_handle(config.handle_torque, tool.handle(), config.handle_torque_scale)};
+                             lever_at_handle(config.handle_torque, tool.handle(), config.handle_torque_scale),
+                             result.spindle.speed * from.dt,
+                             lips_of(tool.cutter())};
     (void)hand.output.give(effects, at, from.wrench);
     if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kMaxVibration)
       result.status |= StepStatus::vibration_left_out;

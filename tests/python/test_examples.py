@@ -29,6 +29,8 @@ EXPECTED = {
     "10_moving_picture": (r"4 frames, max force [\d.]+ N, removed 1\d\.\d mm\^3", ["drilling.webp"], ["4", "0.4"]),
     "12_which_constant_matters": (r"drill of 2 mm .*: \w+ matters most, [\d.]+ \.\.\. [\d.]+ N\ncarbide bur .* matters most",
                                   ["which_constant_matters.png"], []),
+    "13_texture": (r"enamel: [\d.]+ N, varies by \d %\ndentin: .*\ncortical_bone: .*\ntrabecular_bone: [\d.]+ N, varies by",
+                   ["texture.png"], []),
     "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
 }
 

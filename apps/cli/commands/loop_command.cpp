@@ -145,6 +145,7 @@ void run_loop(LoopSettings s) {
   Workpiece workpiece =
       with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind, s.tool.sharpness); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
+  s.simulation.texture_by_default = true;
   SimulationConfig config = make_config(s.simulation);
   if (coupled)
     config.contact_time = ContactTime::end;

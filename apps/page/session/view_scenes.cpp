@@ -109,6 +109,7 @@ ViewScene make_view_scene(const std::string& name) {
       s.workpiece.source, [&] { return make_workpiece(s.workpiece, CutterKind::carbide_bur, s.tool.sharpness); });
   const Box box = summarize(name, workpiece).box;
   complete_tool(s.tool, box);
+  s.simulation.texture_by_default = true;
   SimulationConfig config = make_config(s.simulation);
   config.contact_time = ContactTime::end;
   config.reserved_blocks = std::max<std::size_t>(config.reserved_blocks, 16384);

@@ -63,6 +63,11 @@ from ._hapticut import (
     decaying_volume_under_a_flat_head as decaying_volume_under_a_flat_head,
     wall_left_by_a_pass as wall_left_by_a_pass,
 
+    # Texture
+    grain_variation as grain_variation,
+    cutting_area_of_a_slot as cutting_area_of_a_slot,
+    tooth_passing_variation as tooth_passing_variation,
+
     # Other laws
     flat_punch_force as flat_punch_force,
     ball_punch_force as ball_punch_force,

@@ -6,10 +6,12 @@ from ._hapticut import (
     EffectsInput as EffectsInput,
     Output as Output,
 
-    # Gravity, vibration, delta filter, axis mask
+    # Gravity, vibration, teeth, delta filter, axis mask
     AxisMask as AxisMask,
+    CutterAngle as CutterAngle,
     DeltaFilter as DeltaFilter,
     Gravity as Gravity,
+    ToothPassing as ToothPassing,
     Vibration as Vibration,
     VibrationPhase as VibrationPhase,
     filtered as filtered,

@@ -29,9 +29,10 @@ struct ContactBlock {
   template <class Value>
   struct alignas(64) Array : std::array<Value, kBlockVoxels> {};
 
-  int rows = 0;         ///< rows with at least one sample; entry n of an array is lane n % 8 of row n / 8
-  int samples = 0;      ///< lanes inside the head
-  bool uniform = true;  ///< all samples are of `one_material`
+  VoxelIndex origin = {0, 0, 0};  ///< index of the block's first voxel
+  int rows = 0;                   ///< rows with at least one sample; entry n of an array is lane n % 8 of row n / 8
+  int samples = 0;                ///< lanes inside the head
+  bool uniform = true;            ///< all samples are of `one_material`
   MaterialId one_material = kEmpty;
   bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is the centre's distance below the surface
                            ///< with the smallest w, and may be negative
@@ -56,6 +57,10 @@ struct ContactBlock {
 
   /// Number of entries of the arrays in use.
   [[nodiscard]] int lanes() const { return rows * kLanes; }
+  /// Index in the grid of the voxel of entry n.
+  [[nodiscard]] VoxelIndex voxel_of(int n) const {
+    return voxel_at(origin, row[std::size_t(n / kLanes)] * kLanes + n % kLanes);
+  }
   [[nodiscard]] MaterialId material_of(int n) const { return uniform ? one_material : material[std::size_t(n)]; }
   /// [1] Change of w at entry n per distance along its normal.
   [[nodiscard]] float scale_of(int n) const { return smooth[std::size_t(n)] > 0 ? float(kSmoothScale) : 1.0F; }
@@ -136,6 +141,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
   const Eigen::Matrix3f axes = steps / size;
 
   out.sub_voxel = sub_voxel;
+  out.origin = block.origin;
   out.rows = out.samples = 0;
   out.uniform = true;
   out.one_material = block.uniform_material;

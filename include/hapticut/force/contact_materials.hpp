@@ -62,7 +62,9 @@ inline void require_contact_stiffness(const MaterialTable& table, double referen
                                                         ? float(std::sqrt(2 * m.compressive_strength / stiffness))
                                                         : ContactMaterial::kNeverCrushed,
                                   .sliding_ratio = float(m.dynamic_friction),
-                                  .land = float(kLayersOfLand * std::sqrt(2 * kPressureOfLand / stiffness))};
+                                  .land = float(kLayersOfLand * std::sqrt(2 * kPressureOfLand / stiffness)),
+                                  .grain = float(m.grain),
+                                  .grain_length = float(m.grain_length)};
   }
   return constants;
 }

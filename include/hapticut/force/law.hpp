@@ -13,6 +13,8 @@
 /// `ForceLaw::evaluate`: input and output of a force law. Each law has a file in `force/laws/`.
 namespace hapticut {
 
+class Grain;  // grain.hpp
+
 /// Whether the spinning head removes material, and by which energy balance.
 enum class RemovalLaw {
   none,             ///< nothing is cut: probing, or pure force rendering
@@ -44,6 +46,8 @@ struct ContactMaterial {
   float tangential_stiffness = 0;          ///< [N/m] k_t
   float sliding_ratio = 0;                 ///< [1] kappa of smooth surfaces: mu_d
   float land = 0;                          ///< [m] distance from a cutting edge within which smooth surfaces cut
+  float grain = 0;                         ///< [1] variation of the cutting energy from place to place
+  float grain_length = 0;                  ///< [m] edge of the cells of the grain
   static constexpr float kNeverCrushed = 1e3F;
 
   /// [m^2] MeridianSpring::smooth up to which a surface cuts: that of the land, at least two voxels.
@@ -76,6 +80,7 @@ struct HeadMotion {
   float fastest_chips = 0;  ///< [m/s] speed into a surface up to which lips take their chips without crowding; 0: any
   bool floors = false;      ///< some material has an edge pressure or a viscosity
   bool crushes = false;     ///< material deeper than its crushing_depth is removed, whether the head turns or not
+  const Grain* grain = nullptr;  ///< the grain of the materials; null: they have none
   /// [1] Of VoxelSection: kMinStandingWidth while the spindle is off.
   float min_width = VoxelSection<float>::kMinWidth;
 

@@ -60,6 +60,13 @@ struct SurfaceMaterial {
             Real(m.crushing_depth * per_edge)};
   }
 
+  /// @param u  [J/m^3]
+  [[nodiscard]] HAPTICUT_FORMULA SurfaceMaterial with_energy(Real u) const {
+    SurfaceMaterial other = *this;
+    other.energy = u, other.per_energy = reciprocal(u);
+    return other;
+  }
+
   /// The constants at a surface that may be smooth, for depths that are distances.
   /// @param smooth          [m^2] MeridianSpring::smooth
   /// @param square_of_land  [m^2] ContactMaterial::square_of_land
@@ -162,15 +169,14 @@ struct CutResistance {
   /// @return `material` with the energy and the threshold of its cut
   HAPTICUT_FORMULA static SurfaceMaterial<Real> of(const HeadMotion& m, const SurfaceMotion<Real>& surface,
                                                    Real damping, const SurfaceMaterial<Real>& material) {
-    SurfaceMaterial<Real> there = material;
-    there.threshold = material.threshold * inverse_root(max(damping, Real(kLeastDamping)));
-    there.energy = material.energy + material.cutting_ratio * surface.slip * material.viscosity;
+    Real energy = material.energy + material.cutting_ratio * surface.slip * material.viscosity;
     if (m.fastest_chips > 0) {
       const Real ratio = min(Real(kMostCrowded), max(Real(1), surface.rate * Real(1 / m.fastest_chips)));
       const Real second = ratio * ratio, fourth = second * second;
-      there.energy = there.energy * (fourth * fourth);
+      energy = energy * (fourth * fourth);
     }
-    there.per_energy = reciprocal(there.energy);
+    SurfaceMaterial<Real> there = material.with_energy(energy);
+    there.threshold = material.threshold * inverse_root(max(damping, Real(kLeastDamping)));
     return there;
   }
 };

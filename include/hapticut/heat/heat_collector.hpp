@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/loop/change_feed.hpp"
 #include "hapticut/simulation/energy.hpp"
 #include "hapticut/simulation/observer.hpp"
+#include "hapticut/tool/cutter.hpp"
 
 namespace hapticut {
 
@@ -18,6 +20,7 @@ struct HeatPulse {
   double cut = 0;
   /// [J] heat of rubbing and damping, in steps that cut; it also arises where material was removed
   double rubbed_in_cut = 0;
+  double share = 0;   ///< [1] part of `cut` and `rubbed_in_cut` that heats the wall, by the cutter of the last step
   double rubbed = 0;  ///< [J] heat of rubbing, damping and dry friction, in steps that cut nothing
   /// [m] where the head rubs without cutting: the point of its surface opposite to the force, in the last step
   Vec3 p_WQ = Vec3::Zero();
@@ -31,6 +34,8 @@ constexpr auto fields_of(Of<HeatPulse>) {
             "heat of cutting, and of springs of cut material; it arises where material was removed"),
       field("rubbed_in_cut", &HeatPulse::rubbed_in_cut, "J",
             "heat of rubbing and damping, in steps that cut; it also arises where material was removed"),
+      field("share", &HeatPulse::share, "1",
+            "part of `cut` and `rubbed_in_cut` that heats the wall, by the cutter of the last step"),
       field("rubbed", &HeatPulse::rubbed, "J", "heat of rubbing, damping and dry friction, in steps that cut nothing"),
       field("p_WQ", &HeatPulse::p_WQ, "m",
             "where the head rubs without cutting: the point of its surface opposite to the force, in the last step"),
@@ -40,7 +45,7 @@ constexpr auto fields_of(Of<HeatPulse>) {
 
 /// How heat is collected.
 struct HeatCollectorOptions {
-  /// [1] steps in the queue, 72 bytes each; beyond that several become one, and nothing is lost
+  /// [1] steps in the queue, 80 bytes each; beyond that several become one, and nothing is lost
   std::size_t pulses = 4096;
   ChangeFeedOptions blocks;  ///< queue of changed blocks
 };
@@ -49,7 +54,7 @@ constexpr auto fields_of(Of<HeatCollectorOptions>) {
   using O = HeatCollectorOptions;
   return std::tuple{
       field("pulses", &O::pulses, "1", Range::between(1, 1e6),
-            "steps in the queue, 72 bytes each; beyond that several become one, and nothing is lost"),
+            "steps in the queue, 80 bytes each; beyond that several become one, and nothing is lost"),
       field("blocks", &O::blocks, "queue of changed blocks"),
   };
 }
@@ -81,10 +86,15 @@ class HeatCollector final : public StepObserver {
 
   Simulation& simulation_;
   std::unique_ptr<Queue> queue_;
-  EnergyLedger before_;  // ledger of the last step
-  HeatPulse pending_;    // heat of steps that did not fit the queue, and of the present step
-  ChangeFeed feed_;      // a second observer
+  const std::vector<double> shares_;  // [1] by CutterKind
+  EnergyLedger before_;               // ledger of the last step
+  HeatPulse pending_;                 // heat of steps that did not fit the queue, and of the present step
+  ChangeFeed feed_;                   // a second observer
 };
+
+/// [1] Part of the work of a cut that heats the wall; the rest leaves with chips and tool. preset_constants has its
+/// range and source.
+[[nodiscard]] double heat_share_of(CutterKind cutter);
 
 /// The point at which a head touches material, from its force: the point of its surface opposite to the force, as seen
 /// from where the line of the force passes the axis.

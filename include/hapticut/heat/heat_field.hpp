@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,12 +34,11 @@ constexpr auto fields_of(Of<ThermalProperties>) {
 struct HeatConfig {
   int voxels_per_cell = 4;  ///< [1] voxels along an edge of a cell: 1, 2, 4 or 8
 
-  /// [1] part of the energy of cutting that stays in the workpiece.
-  /// Assumed, not measured: metal cutting leaves one or two tenths in the workpiece, grinding more than half, and for
-  /// burs in bone there is no agreed number. Every rise of temperature is proportional to it. The rest leaves with
-  /// chips and tool.
-  double cutting_share = 0.2;
-  /// [1] part of the energy of rubbing, damping and dry friction that stays in the workpiece
+  /// [1] part of the work of a cut that heats the wall; none: that of the cutter, `heat_share_of`.
+  /// Every rise of temperature is proportional to it. The rest leaves with chips and tool.
+  std::optional<double> cutting_share = {};
+  /// [1] part of the energy of rubbing, damping and dry friction, in steps that cut nothing, that stays in the
+  /// workpiece
   double rubbing_share = 0.2;
 
   ThermalProperties properties;  ///< properties of materials without an entry in `by_material`
@@ -61,9 +61,10 @@ constexpr auto fields_of(Of<HeatConfig>) {
       field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8),
             "voxels along an edge of a cell: 1, 2, 4 or 8"),
       field("cutting_share", &C::cutting_share, "1", Range::between(0, 1),
-            "part of the energy of cutting that stays in the workpiece"),
+            "part of the work of a cut that heats the wall; none: that of the cutter, `heat_share_of`"),
       field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
-            "part of the energy of rubbing, damping and dry friction that stays in the workpiece"),
+            "part of the energy of rubbing, damping and dry friction, in steps that cut nothing, that stays in the "
+            "workpiece"),
       field("properties", &C::properties, "properties of materials without an entry in `by_material`"),
       field("by_material", &C::by_material,
             "properties of the materials in the order of their ids, from 1; may be shorter"),
@@ -134,8 +135,9 @@ constexpr auto fields_of(Of<HeatBalance>) {
 ///     d(rho c V T)/dt = sum over faces of G (T_neighbour - T) + sources - U (T - T_water)
 ///
 /// explicit in time, in as many equal sub-steps as keep every cell between its neighbours. Partly filled material
-/// stores and conducts in proportion to its fill. To the air, heat leaves only by irrigation. Removed material takes
-/// its heat along. Not thread-safe: one thread calls it, ten to thirty times a second.
+/// stores and conducts in proportion to its fill. To the air, heat leaves only by irrigation. A cut counts the heat of
+/// its chips once, in the share that does not stay: what the cut material held goes to the material around. Material
+/// that is removed otherwise takes its heat along. Not thread-safe: one thread calls it, ten to thirty times a second.
 class HeatField {
  public:
   /// The whole workpiece begins at body temperature.
@@ -153,8 +155,8 @@ class HeatField {
   void add_heat(const Vec3& p_WQ, double heat, double radius = 0);
 
   /// Adds heat where material was removed since the last call, in proportion to its volume and specific cutting energy,
-  /// to the material that is left in those cells and beside them. If no material was removed yet, the heat waits until
-  /// some is.
+  /// to the material that is left in those cells and beside them, with the heat that the removed material held. If no
+  /// material was removed yet, the heat waits until some is.
   /// @throws Error when the heat [J] is not finite or negative
   void add_cutting_heat(double heat);
 
@@ -196,7 +198,7 @@ class HeatField {
     std::vector<double> wetted;                                // [m^2] area of the surface
     std::vector<double> cooling;                               // [W/K] conductance to the water
     std::vector<double> rise, peak, above, dose;               // [K], [K], [s], [min]
-    std::vector<double> removed;                               // [J] cutting energy of removed material
+    std::vector<double> removed, held;  // [J] cutting energy of removed material, and heat that it held
   };
 
   [[nodiscard]] std::size_t number_of(const std::array<int, 3>& cell) const;

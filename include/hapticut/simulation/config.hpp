@@ -71,6 +71,11 @@ struct SimulationConfig {
   /// Dry friction of the standing head, the same everywhere; empty: each material's own
   std::optional<DryFriction> friction;
 
+  /// The cutting energy differs from place to place by each Material::grain.
+  /// Only with FoundationLaw. Off by default, because without it results are smooth, and closed forms hold.
+  bool grain = false;
+  std::size_t grain_seed = 1;  ///< [1] another seed gives another grain, with the same statistics
+
   /// A ball pushed beyond its radius keeps pushing back.
   /// See force/deep_contact.hpp. Only with a law that `tethers_deep_ball`, which is the default law. The forces of
   /// other laws stay as their formulas give them.
@@ -143,6 +148,9 @@ constexpr auto fields_of(Of<SimulationConfig>) {
       field("law", &C::law, "the force law, never null"),
       field("friction", &C::friction,
             "dry friction of the standing head, the same everywhere; empty: each material's own"),
+      field("grain", &C::grain, "the cutting energy differs from place to place by each Material::grain"),
+      field("grain_seed", &C::grain_seed, "1", Range::between(0, 4294967295),
+            "another seed gives another grain, with the same statistics"),
       field("deep_contact", &C::deep_contact, "a ball pushed beyond its radius keeps pushing back"),
       field("handle_torque", &C::handle_torque, "how force and torque at the head are felt at the handle"),
       field("handle_torque_scale", &C::handle_torque_scale, "1", Range::between(-1e6, 1e6),

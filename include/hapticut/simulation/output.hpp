@@ -11,6 +11,7 @@
 #include "hapticut/force/effects/delta_filter.hpp"
 #include "hapticut/force/effects/gravity.hpp"
 #include "hapticut/force/effects/output_limits.hpp"
+#include "hapticut/force/effects/tooth_passing.hpp"
 #include "hapticut/force/effects/vibration.hpp"
 
 /// Effects that are added to the force of the model, and limits of the output to the hand. They do not enter the energy
@@ -21,6 +22,7 @@ namespace hapticut {
 struct Effects {
   std::optional<Gravity> gravity;           ///< weight of the tool
   std::optional<Vibration> vibration;       ///< vibration along the spindle while it cuts
+  std::optional<ToothPassing> teeth;        ///< change of the force while the cutter turns
   std::optional<DeltaFilter> delta_filter;  ///< the force filter of the thesis
   AxisMask enabled;                         ///< components of the output that are on
   OutputLimits limits;                      ///< size and growth of the output
@@ -30,6 +32,7 @@ constexpr auto fields_of(Of<Effects>) {
   return std::tuple{
       field("gravity", &Effects::gravity, "weight of the tool"),
       field("vibration", &Effects::vibration, "vibration along the spindle while it cuts"),
+      field("teeth", &Effects::teeth, "change of the force while the cutter turns"),
       field("delta_filter", &Effects::delta_filter, "the force filter of the thesis"),
       field("enabled", &Effects::enabled, "components of the output that are on"),
       field("limits", &Effects::limits, "size and growth of the output"),
@@ -48,10 +51,12 @@ struct EffectsInput {
   double power = 0;       ///< [W] power of the spindle
   double dt = 0;          ///< [s]
   double lever = 1;       ///< [1] see `lever_at_handle`
+  double turn = 0;        ///< [rad] angle that the spindle turns in the step
+  int lips = 1;           ///< [1] lips of the cutter
 };
 
-/// Applies the effects from step to step, in this order: gravity, vibration, delta filter, mask, saturation, growth
-/// limit, start-up ramp.
+/// Applies the effects from step to step, in this order: gravity, vibration, teeth, delta filter, mask, saturation,
+/// growth limit, start-up ramp.
 class Output {
  public:
   /// Computes the output to the hand until the next call.
@@ -78,6 +83,7 @@ class Output {
  private:
   friend struct SimulationMemory;
   [[nodiscard]] Wrench with_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
+    const Wrench model = wrench;
     const Vec3 arm = at.lever * (at.X_WT.translation - at.X_WH.translation);
     if (effects.gravity) {
       const Wrench weight = gravity_wrench(*effects.gravity, at.X_WH.rotation);
@@ -89,6 +95,11 @@ class Output {
       const Vec3 force = shake * at.X_WT.rotation.col(2);
       wrench.force += force;
       wrench.torque += arm.cross(force);
+    }
+    if (effects.teeth && at.touching) {
+      const double factor = cutter_.advance(*effects.teeth, at.turn, at.lips);
+      wrench.force += factor * model.force;
+      wrench.torque += factor * model.torque;
     }
     if (effects.delta_filter) {
       const Vec3 force = filtered(*effects.delta_filter, unlimited_force_, wrench.force);
@@ -113,6 +124,7 @@ class Output {
   }
 
   VibrationPhase vibration_;
+  CutterAngle cutter_;
   Vec3 unlimited_force_ = Vec3::Zero();  // [N] with effects, before the mask
   Wrench full_;                          // within the limits, before the ramp
   Wrench given_;

@@ -38,6 +38,8 @@ struct Material {
   double edge_length = 0;                ///< [m] h_e: ploughing of a lip costs u h_e per length and removes nothing
   double size_length = 0;                ///< [m] h_s: chips of thickness h cost u sqrt(h_s/h) more energy
   double viscosity = 0;                  ///< [Pa s/m] eta: cutting at a speed v takes the pressure eta v more
+  double grain = 0;                      ///< [1] variation of the cutting energy from place to place, over its mean
+  double grain_length = 0;               ///< [m] size of the places within which the cutting energy is even
   /// [Pa] sigma: pressure that crushes the material under any head; 0: it is never crushed
   double compressive_strength = 0;
   double static_friction = 0.3;   ///< [1] dry friction with the spindle at rest, not below dynamic_friction
@@ -91,6 +93,10 @@ constexpr auto fields_of(Of<Material>) {
             "h_s: chips of thickness h cost u sqrt(h_s/h) more energy"),
       field("viscosity", &M::viscosity, "Pa s/m", Range::between(0, 1e12),
             "eta: cutting at a speed v takes the pressure eta v more"),
+      field("grain", &M::grain, "1", Range::between(0, 1),
+            "variation of the cutting energy from place to place, over its mean"),
+      field("grain_length", &M::grain_length, "m", Range::between(0, 0.1),
+            "size of the places within which the cutting energy is even"),
       field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
             "sigma: pressure that crushes the material under any head; 0: it is never crushed"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),

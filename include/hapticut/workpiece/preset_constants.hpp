@@ -31,8 +31,10 @@ constexpr auto names_of(Of<Estimate>) {
 
 /// A number of the presets. `fields_of` below has the meaning of each field.
 struct PresetConstant {
-  std::string_view of;      ///< a material or a kind of cutter; "solid": every material that has no row of its own
-  std::string_view number;  ///< a number of Material, or "share": cutting energy over that of dentin
+  std::string_view of;  ///< a material or a kind of cutter; "solid": every material that has no row of its own
+  /// a number of Material; "share": cutting energy over that of dentin; "heat_share": part of the work of a cut that
+  /// heats the wall
+  std::string_view number;
   double low = 0;           ///< lower end of the range, in `unit`
   double typical = 0;       ///< what presets use, in `unit`
   double high = 0;          ///< upper end of the range, in `unit`
@@ -50,7 +52,10 @@ constexpr auto fields_of(Of<PresetConstant>) {
   using C = PresetConstant;
   return std::tuple{
       field("of", &C::of, "a material or a kind of cutter; \"solid\": every material that has no row of its own"),
-      field("number", &C::number, "a number of Material, or \"share\": cutting energy over that of dentin"),
+      field(
+          "number", &C::number,
+          "a number of Material; \"share\": cutting energy over that of dentin; \"heat_share\": part of the work of a "
+          "cut that heats the wall"),
       field("low", &C::low, "lower end of the range, in `unit`"),
       field("typical", &C::typical, "what presets use, in `unit`"),
       field("high", &C::high, "upper end of the range, in `unit`"),

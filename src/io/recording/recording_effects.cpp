@@ -48,11 +48,12 @@ template <class AnyEffects, class Visit>
 void visit_effects(AnyEffects& effects, const Visit& visit) {
   visit_group("gravity_", effects.gravity, visit);
   visit_group("vibration_", effects.vibration, visit);
+  visit_group("teeth_", effects.teeth, visit);
   visit_group("delta_filter_", effects.delta_filter, visit);
   visit_group("", effects.enabled, visit);
   visit_group("", effects.limits, visit);
 }
-static_assert(kFieldsOf<Effects> == 5, "a new effect needs a line above");
+static_assert(kFieldsOf<Effects> == 6, "a new effect needs a line above");
 
 }  // namespace
 

@@ -46,8 +46,8 @@ constexpr std::size_t count_numbers() {
 }  // namespace detail
 
 inline constexpr std::size_t kEffectNumbers =
-    3 + detail::count_numbers<Gravity>() + detail::count_numbers<Vibration>() + detail::count_numbers<DeltaFilter>() +
-    detail::count_numbers<AxisMask>() + detail::count_numbers<OutputLimits>();
+    4 + detail::count_numbers<Gravity>() + detail::count_numbers<Vibration>() + detail::count_numbers<ToothPassing>() +
+    detail::count_numbers<DeltaFilter>() + detail::count_numbers<AxisMask>() + detail::count_numbers<OutputLimits>();
 using EffectNumbers = std::array<double, kEffectNumbers>;
 [[nodiscard]] EffectNumbers pack(const Effects& effects) noexcept;
 

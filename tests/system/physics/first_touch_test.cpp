@@ -158,5 +158,17 @@ TEST(FirstTouch, ThroughACouplingIsThatOfAllSubTicks) {
   EXPECT_GE(ticks, 1);
 }
 
+TEST(NormalForces, AreThoseOfTheLayersThatAreCutAndEndWithTheWorkpiece) {
+  Simulation simulation(layers(3), drill());
+  int n = 0;
+  for (; fed(n).translation.z() - kRadius > -0.5 * mm; ++n) (void)simulation.step(fed(n), kDown, kTick);
+  const ByMaterial<double> forces = simulation.normal_forces();
+  EXPECT_GT(forces[kFirst], 0.1 * forces[kSecond]);
+  EXPECT_GT(forces[kSecond], 0.1 * forces[kFirst]);
+  EXPECT_EQ(forces[kThird], 0);
+  simulation.reset(layers(1));
+  EXPECT_EQ(simulation.normal_forces(), ByMaterial<double>{});
+}
+
 }  // namespace
 }  // namespace hapticut::first_touch_test

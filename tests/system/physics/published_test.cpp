@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "experiments/heat_rows.hpp"
 #include "experiments/published.hpp"
 #include "experiments/setup/cutting.hpp"
 #include "hapticut/tool/catalogue.hpp"
@@ -63,6 +64,10 @@ TEST(PublishedMeasurements, HaveASourceAndAConditionEach) {
     EXPECT_GT(experiments::prediction_of(row).typical, 0) << row.conditions;
     EXPECT_FALSE(row.fitted && !row.beyond.empty()) << row.conditions << ": a fit cannot use it";
   }
+}
+
+TEST(PublishedTemperatures, ArePredictedWithinAFactorOfTwo) {
+  for (const experiments::HeatRow& row : experiments::heat_rows()) EXPECT_LE(row.factor(), 2) << row.conditions;
 }
 
 /// The closed forms of the page are those of the simulation: a drill with a point, fed through bone.

@@ -4,6 +4,7 @@
 
 #include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "hapticut/tool/catalogue.hpp"
 
 namespace hapticut::uncut_wall_test {

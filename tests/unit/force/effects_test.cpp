@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "support/generators.hpp"
 #include "support/refusal.hpp"
@@ -117,6 +118,66 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
   EXPECT_EQ(peak(0), 0);
   EXPECT_NEAR(peak(2), 0.2, kSampledPeak);
   EXPECT_NEAR(peak(100), vibration.max_amplitude, kSampledPeak);
+}
+
+// --- passing teeth ---------------------------------------------------------------------------------------------------
+
+struct Turning {
+  double mean = 0, variation = 0;
+};
+
+/// Of what `turns` turns add to a force of 1, in steps of the loop.
+Turning turn(const ToothPassing& teeth, double speed, int lips, double turns = 100) {
+  CutterAngle angle;
+  Turning t;
+  const int steps = int(std::lround(turns * 2 * kPi / (speed * kTick)));
+  for (int n = 0; n < steps; ++n) {
+    const double factor = angle.advance(teeth, speed * kTick, lips);
+    t.mean += factor / steps, t.variation += factor * factor / steps;
+  }
+  t.variation = std::sqrt(t.variation);
+  return t;
+}
+
+// Proves: passing teeth.
+TEST(ToothPassing, C45ChangesTheForceByItsAmplitudesAroundAMeanOfZero) {
+  const ToothPassing teeth{0.05, 0.02};
+  for (const double rpm : {300.0, 1500.0, 9000.0}) {
+    const Turning t = turn(teeth, rpm * units::rpm, 2);
+    EXPECT_NEAR(t.mean, 0, 1e-4) << rpm;
+    EXPECT_NEAR(t.variation / closed_forms::tooth_passing_variation(0.05, 0.02), 1, 1e-3) << rpm;
+  }
+}
+
+// Proves: passing teeth.
+TEST(ToothPassing, LeavesOutWhatIsFasterThan045OfTheRateAndNeverAliasesIt) {
+  const ToothPassing teeth;
+  const auto variation = [&](double turns_per_step, int lips) {
+    return turn(teeth, turns_per_step * 2 * kPi / kTick, lips).variation;
+  };
+  const double once = teeth.once_per_turn / std::sqrt(2);
+  EXPECT_NEAR(variation(0.23, 2), once, 1e-3 * once) << "the teeth are faster";
+  EXPECT_GT(variation(0.22, 2), 1.05 * once);
+  EXPECT_EQ(variation(0.45, 2), 0);
+  EXPECT_EQ(variation(1.0001, 2), 0) << "would beat slowly";
+  EXPECT_EQ(variation(-7.3, 6), 0);
+  EXPECT_NEAR(variation(0.1, 1), once, 1e-3 * once) << "grains have no teeth";
+}
+
+// Proves: passing teeth.
+TEST(ToothPassing, ScalesForceAndTorqueOfTheModelButNotTheWeight) {
+  Effects effects;
+  effects.gravity = Gravity{0.1, Vec3(0, 0, -0.05), Vec3(0, 0, -9.81)};
+  effects.teeth = ToothPassing{0.5, 0};
+  EffectsInput at;
+  at.touching = true, at.dt = kTick, at.turn = kPi / 2, at.lips = 2;
+  const Wrench model = {Vec3(1, 2, 3), Vec3(0.1, 0, 0)};
+  Output output;
+  const Wrench given = output.give(effects, at, model);
+  EXPECT_LT((given.force - 1.5 * model.force - Vec3(0, 0, -0.981)).norm(), 1e-12);
+  EXPECT_LT((given.torque - 1.5 * model.torque).norm(), 1e-12);
+  at.touching = false;
+  EXPECT_LT((output.give(effects, at, model).force - model.force - Vec3(0, 0, -0.981)).norm(), 1e-12);
 }
 
 // --- the thesis's filter (Table 6.1) ---------------------------------------------------------------------------------

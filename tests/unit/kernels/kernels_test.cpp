@@ -2,6 +2,7 @@
 // Every instruction set of this machine against the scalar reference, on random blocks, heads, poses and motions.
 #include <gtest/gtest.h>
 
+#include "hapticut/force/grain.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "kernels/kernels.hpp"
 #include "random_blocks.hpp"
@@ -154,6 +155,9 @@ TEST_P(KernelTarget, EvaluatesABlockAsTheScalarStagesDoOneByOne) {
       motion.crushes = trial % 17 < 9, motion.min_width = trial % 7 < 3 ? VoxelSection<float>::kMinStandingWidth : 0.3F;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
+      Grain places;
+      places.set(materials, {kVoxel, {}}, std::uint32_t(trial));
+      if (trial % 29 < 14) motion.grain = &places;
       const kernels::ContactJob job = {
           head, grid, motion, materials, damped, unsigned(motion.level_of_detail), unsigned(trial)};
       const Reference expected(job, block.view);

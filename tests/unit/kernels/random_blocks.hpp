@@ -75,7 +75,9 @@ inline ContactMaterials three_materials(float damping) {
                   .crushing_depth = 2e-4F,
                   .static_friction = 0.2F,
                   .dynamic_friction = 0.2F,
-                  .tangential_stiffness = 500.0F};  // chips matter only with a tooth rate
+                  .tangential_stiffness = 500.0F,
+                  .grain = 0.4F,
+                  .grain_length = 3e-4F};  // chips matter only with a tooth rate
   materials[3] = {.stiffness = 2e14F,
                   .damping = 0.0F,
                   .cutting_ratio = 0.9F,

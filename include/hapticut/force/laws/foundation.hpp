@@ -6,6 +6,7 @@
 #include "hapticut/contact/cut_voxel.hpp"
 #include "hapticut/force/chip.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
+#include "hapticut/force/grain.hpp"
 #include "hapticut/force/law.hpp"
 
 namespace hapticut {
@@ -45,7 +46,7 @@ namespace formulas {
 /// velocity that the device measures.
 ///
 /// u is what a cut costs: of a viscous material u + kappa s eta, and more where chips crowd the flutes of a drill
-/// (`formulas::CutResistance`).
+/// (`formulas::CutResistance`). Grain makes it differ from place to place (`Grain`).
 ///
 /// Before that, material that would be pressed harder than it can bear is removed, below the crushing depth w_c =
 /// sqrt(2 sigma/(k_v max(1, g_d))), at which a column's pressure k_v g_d w^2/2 is sigma. A head that turns cuts while
@@ -86,6 +87,7 @@ class FoundationLaw final : public ForceLaw {
       const auto surface = formulas::SurfaceMotion<float>::of(m, axis, r, normal);
       Material material = material_at(m, materials, b, n);
       const auto damping = Damping::of(m, material.damping, r, normal);
+      if (m.grain != nullptr) material = material.with_energy(material.energy * grain_at(*m.grain, b, n));
       if (m.resists()) material = formulas::CutResistance<float>::of(m, surface, damping.factor, material);
       const float kappa = m.spin != 0 ? material.cutting_ratio : 0.0F;
       const float work = surface.work(kappa, material.stiffness, damping.factor, time);
@@ -171,6 +173,10 @@ class FoundationLaw final : public ForceLaw {
   }
 
  private:
+  [[nodiscard]] static float grain_at(const Grain& grain, const ContactBlock& b, int n) {
+    return grain.at(b.material_of(n), b.voxel_of(n));
+  }
+
   using Triple = formulas::Triple<float>;
   using Material = formulas::SurfaceMaterial<float>;
   using Part = formulas::FilledPart<float>;
