@@ -53,16 +53,23 @@ struct Keys {
   }
 };
 
-/// The fields of S that a user has given.
+/// Whether a field of this type is a setting: a number, three numbers, or a number that may be left out.
+template <class T>
+inline constexpr bool kIsSetting = kIsNumber<T> || std::is_same_v<T, Vec3> || std::is_same_v<T, std::optional<double>>;
+
+/// The fields of S that a user has given. Fields of other types than those of settings are left out.
 template <Described S>
 class Given {
+  template <class T>
+  using Kept = std::conditional_t<std::is_same_v<T, std::optional<double>>, T, std::optional<T>>;
+
  public:
   template <class T>
-  [[nodiscard]] std::optional<T>& operator[](T S::*member) {
+  [[nodiscard]] Kept<T>& operator[](T S::*member) {
     return find(*this, member);
   }
   template <class T>
-  [[nodiscard]] const std::optional<T>& operator[](T S::*member) const {
+  [[nodiscard]] const Kept<T>& operator[](T S::*member) const {
     return find(*this, member);
   }
 
@@ -75,7 +82,10 @@ class Given {
       std::string standard(keys.word_of(field.name).standard);
       if (standard.empty() || standard.starts_with(',')) standard.insert(0, standard_of(field, unit.factor));
       std::string meaning = std::string(keys.before) + field.text + (standard.empty() ? "" : " [" + standard + "]");
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(*given)>, Vec3>)
+      using Number = std::remove_cvref_t<decltype(*given)>;
+      if constexpr (std::is_same_v<Number, int>)
+        settings.push_back(integer(keys.key_of(field), "--" + name, given, field.range.low, field.range.high, meaning));
+      else if constexpr (std::is_same_v<Number, Vec3>)
         settings.push_back(vector(keys.key_of(field), "--" + name, given, field.range, meaning, unit.factor));
       else
         settings.push_back(number(keys.key_of(field), "--" + name, given, field.range, meaning, unit.factor));
@@ -110,20 +120,25 @@ class Given {
   struct OptionalOf;
   template <class... T>
   struct OptionalOf<std::tuple<Field<S, T>...>> {
-    using Values = std::tuple<std::optional<T>...>;
+    using Values = std::tuple<Kept<T>...>;
   };
 
-  /// Calls `visit(field, given)` for each field.
+  /// Calls `visit(field, given)` for each field that is a setting.
   template <class Self, class Visit>
   static void for_each(Self& self, Visit&& visit) {
+    const auto visit_one = [&]<class T>(const Field<S, T>& field, auto& given) {
+      if constexpr (kIsSetting<T>) visit(field, given);
+    };
     std::apply(
-        [&](const auto&... fields) { std::apply([&](auto&... given) { (visit(fields, given), ...); }, self.values_); },
+        [&](const auto&... fields) {
+          std::apply([&](auto&... given) { (visit_one(fields, given), ...); }, self.values_);
+        },
         fields_of(Of<S>{}));
   }
 
   template <class Self, class T>
   static auto& find(Self& self, T S::*member) {
-    std::conditional_t<std::is_const_v<Self>, const std::optional<T>, std::optional<T>>* found = nullptr;
+    std::conditional_t<std::is_const_v<Self>, const Kept<T>, Kept<T>>* found = nullptr;
     for_each(self, [&](const auto& field, auto& given) {
       if constexpr (std::is_same_v<decltype(field.member), T S::*>)
         if (field.member == member) found = &given;
@@ -143,7 +158,9 @@ class Given {
     if (!has_default(field)) return "";
     const auto text_of = [](double number) { return std::isinf(number) ? "no limit" : format_number(number); };
     const T standard = S{}.*field.member;
-    if constexpr (std::is_same_v<T, Vec3>)
+    if constexpr (std::is_same_v<T, std::optional<double>>)
+      return standard ? text_of(*standard / factor) : "";
+    else if constexpr (std::is_same_v<T, Vec3>)
       return joined(Vec3(standard / factor), ",", text_of);
     else
       return text_of(double(standard) / factor);

@@ -53,10 +53,14 @@ Setting MaterialChanges::setting() {
   return setting;
 }
 
+const std::string& MaterialChanges::base_of(const std::string& name) const {
+  const auto change = changes_.find(name);
+  return change == changes_.end() || change->second.based_on.empty() ? name : change->second.based_on;
+}
+
 Material MaterialChanges::find(const std::string& name) const {
   const auto change = changes_.find(name);
-  const std::string base =
-      change != changes_.end() && !change->second.based_on.empty() ? change->second.based_on : name;
+  const std::string& base = base_of(name);
   require_preset(base);
   Material material = find_preset(base, cutter, sharpness.value_or(Sharpness::used));
   material.name = name;

@@ -32,6 +32,9 @@ class MaterialChanges {
   /// @throws Error when there is no such material, or a number is out of range
   [[nodiscard]] Material find(const std::string& name) const;
 
+  /// The preset that a material is based on; its own name if it is based on none.
+  [[nodiscard]] const std::string& base_of(const std::string& name) const;
+
   /// The material with the changes set for its name.
   [[nodiscard]] Material changed(Material material) const;
 

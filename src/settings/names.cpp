@@ -13,6 +13,7 @@ namespace {
 
 /// The numbers of heads follow from the shapes.
 constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
+    {"HeatConfig::voxels_per_cell", "heat.voxels_per_cell"},
     {"MeshImport::voxel_size", "workpiece.voxel_mm"},
     {"RawLayout::dims", "workpiece.raw_dims"},
     {"RawLayout::skip", "workpiece.raw_skip_bytes"},

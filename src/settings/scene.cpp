@@ -16,7 +16,8 @@ const std::set<std::string> kProgramTables = {"output", "loop"};
 }  // namespace
 
 std::vector<Setting> settings_of(SceneSettings& s) {
-  return together({settings_of(s.workpiece), settings_of(s.tool), settings_of(s.path), settings_of(s.simulation)});
+  return together({settings_of(s.workpiece), settings_of(s.tool), settings_of(s.path), settings_of(s.simulation),
+                   settings_of(s.heat)});
 }
 
 Scene make_scene(const SceneSettings& s, bool with_motion) {
@@ -28,7 +29,14 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
   std::vector<std::string> warnings;
   source.warn = [&](const std::string& warning) { warnings.push_back(warning); };
   Workpiece workpiece = make_workpiece(std::move(source), tool.cutter().kind, s.tool.sharpness);
-  return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion), std::move(warnings)};
+  std::optional<HeatConfig> heat = make_heat(s.heat, workpiece.materials(), s.workpiece.materials);
+  return {std::move(workpiece),
+          std::move(tool),
+          std::move(config),
+          std::move(motion),
+          std::move(warnings),
+          std::move(heat),
+          s.simulation.remove_loose_pieces};
 }
 
 Scene from_toml(std::string_view text, const std::filesystem::path& folder) {

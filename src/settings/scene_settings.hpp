@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hapticut/settings/scene.hpp"
+#include "settings/heat_settings.hpp"
 #include "settings/path_settings.hpp"
 #include "settings/simulation_settings.hpp"
 #include "settings/tool_settings.hpp"
@@ -17,6 +18,7 @@ struct SceneSettings {
   ToolSettings tool;
   PathSettings path;
   SimulationSettings simulation;
+  HeatSettings heat;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(SceneSettings& scene);

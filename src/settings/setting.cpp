@@ -99,6 +99,11 @@ Setting integer(std::string key, std::string flag, std::optional<double>& target
   return whole_number<double>(std::move(key), std::move(flag), target, low, high, std::move(meaning));
 }
 
+Setting integer(std::string key, std::string flag, std::optional<int>& target, double low, double high,
+                std::string meaning) {
+  return whole_number<int>(std::move(key), std::move(flag), target, low, high, std::move(meaning));
+}
+
 Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count, Range range,
                 std::string meaning) {
   const std::string each = range.limits();

@@ -111,6 +111,8 @@ struct ShownUnit {
                               std::string meaning);
 [[nodiscard]] Setting integer(std::string key, std::string flag, std::optional<double>& target, double low, double high,
                               std::string meaning);
+[[nodiscard]] Setting integer(std::string key, std::string flag, std::optional<int>& target, double low, double high,
+                              std::string meaning);
 
 /// Exactly `count` numbers.
 [[nodiscard]] Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count,

@@ -57,6 +57,8 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
               "memory blocks kept free for cutting; refilled between steps [2048]"),
       boolean("simulation.list_removed_voxels", "--list_removed_voxels", s.config.list_removed_voxels,
               "list the voxels that each step removes, for recordings and the report of drill [true]"),
+      boolean("simulation.remove_loose_pieces", "--remove_loose_pieces", s.remove_loose_pieces,
+              "removes pieces that the tool has cut loose from their body [false]"),
       integer("simulation.voxel_budget", "--voxel_budget", s.config.voxel_budget, 0, 1e9,
               "maximum number of voxels evaluated per sub-step, at least 4096; if the head touches more, every n-th "
               "strip of 16 voxels is evaluated and weighted by n; 0: no limit [0]"),

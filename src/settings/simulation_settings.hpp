@@ -19,6 +19,7 @@ struct SimulationSettings {
   bool texture_by_default = false;  ///< true where a hand feels the force, unless the law is that of the thesis
   std::optional<RemovalLaw> removal;
   std::optional<Quadrature> quadrature;
+  bool remove_loose_pieces = false;  ///< for the program that makes the steps: see Scene::remove_loose_pieces
   SimulationConfig config;
   ForceSettings force;
   EffectsSettings effects;

@@ -9,33 +9,20 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/heat/thermal_properties.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {
 
 class HeatCollector;
 
-/// How a material stores and conducts heat. The defaults are those of cortical bone; docs/beside-the-step.md lists
-/// those of enamel, dentin and pulp, with their sources.
-struct ThermalProperties {
-  double conductivity = 0.55;    ///< [W/(m K)] k
-  double heat_capacity = 2.5e6;  ///< [J/(m^3 K)] rho c, of a volume
-};
-
-constexpr auto fields_of(Of<ThermalProperties>) {
-  using P = ThermalProperties;
-  return std::tuple{
-      field("conductivity", &P::conductivity, "W/(m K)", Range::positive(), "k"),
-      field("heat_capacity", &P::heat_capacity, "J/(m^3 K)", Range::positive(), "rho c, of a volume"),
-  };
-}
-
 /// How heat spreads in a workpiece.
 struct HeatConfig {
   int voxels_per_cell = 4;  ///< [1] voxels along an edge of a cell: 1, 2, 4 or 8
 
-  /// [1] part of the work of a cut that heats the wall; none: that of the cutter, `heat_share_of`.
-  /// Every rise of temperature is proportional to it. The rest leaves with chips and tool.
+  /// [1] part of the work of a cut that heats the wall; none: that of the cutter.
+  /// `heat_share_of` has those of cutters. Every rise of temperature is proportional to it. The rest leaves with chips
+  /// and tool.
   std::optional<double> cutting_share = {};
   /// [1] part of the energy of rubbing, damping and dry friction, in steps that cut nothing, that stays in the
   /// workpiece
@@ -61,7 +48,7 @@ constexpr auto fields_of(Of<HeatConfig>) {
       field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8),
             "voxels along an edge of a cell: 1, 2, 4 or 8"),
       field("cutting_share", &C::cutting_share, "1", Range::between(0, 1),
-            "part of the work of a cut that heats the wall; none: that of the cutter, `heat_share_of`"),
+            "part of the work of a cut that heats the wall; none: that of the cutter"),
       field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
             "part of the energy of rubbing, damping and dry friction, in steps that cut nothing, that stays in the "
             "workpiece"),

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/heat/heat_field.hpp"
 #include "hapticut/settings/motion.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/tool/tool.hpp"
@@ -28,6 +29,8 @@ struct Scene {
   SimulationConfig config;                 ///< [simulation], [force], [effects]; update_rate is simulation.rate_Hz
   std::optional<Motion> motion;            ///< [path]: X_WT of the head over time; nullopt when the text has no [path]
   std::vector<std::string> warnings = {};  ///< remarks about the files that a user must know, e.g. padded samples
+  std::optional<HeatConfig> heat = {};     ///< [heat], for a HeatField; nullopt: heat.on is false
+  bool remove_loose_pieces = false;        ///< whether an IslandModel or IslandFinder shall remove loose pieces
 };
 
 /// Builds the scene that a TOML text describes. The tables [output] and [loop] belong to the program and are ignored.

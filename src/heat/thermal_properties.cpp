@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/heat/thermal_properties.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace hapticut {
+namespace {
+
+constexpr std::array kKnown = {
+    KnownThermalProperties{"cortical_bone",
+                           {0.55, 2.5e6},
+                           "k: Davidson and James, Med Eng Phys 22 (2000) 741 (bovine, 0.53 ... 0.58); rho c: 2000 "
+                           "kg/m^3 times 1260 J/(kg K)"},
+    KnownThermalProperties{"trabecular_bone",
+                           {0.29, 3.1e6},
+                           "Clattenburg, Cohen, Conner and Cook, J Biomed Mater Res 9 (1975) 169 (bovine, with its "
+                           "marrow)"},
+    KnownThermalProperties{
+        "dentin", {0.58, 3.1e6}, "Brown, Dewey and Jacobs, J Dent Res 49 (1970) 752: k, and diffusivity 1.9e-7 m^2/s"},
+    KnownThermalProperties{"enamel", {0.93, 2e6}, "likewise; diffusivity 4.7e-7 m^2/s"},
+    KnownThermalProperties{"pulp", {0.6, 4.2e6}, "as water"},
+};
+
+}  // namespace
+
+std::span<const KnownThermalProperties> known_thermal_properties() { return kKnown; }
+
+ThermalProperties thermal_properties_of(std::string_view material) noexcept {
+  const auto found = std::ranges::find(kKnown, material, &KnownThermalProperties::material);
+  return found == kKnown.end() ? ThermalProperties{} : found->properties;
+}
+
+}  // namespace hapticut
