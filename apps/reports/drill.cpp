@@ -67,7 +67,7 @@ std::size_t DrillResult::count(StepStatus bit) const {
   return status_counts[std::size_t(std::countr_zero(std::uint32_t(bit)))];
 }
 
-DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows) {
+DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows, BesideSteps& beside) {
   const double dt = 1 / rate;
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
   if (count > kMaxSteps)
@@ -102,6 +102,7 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
       simulation.reserve_blocks(simulation.config().reserved_blocks);
       result.blocks_refilled = true;
     }
+    beside.after_step(dt);
     progress.advance_to(i + 1);
   }
 

@@ -9,6 +9,7 @@
 
 #include "hapticut/settings/motion.hpp"
 #include "hapticut/simulation/simulation.hpp"
+#include "reports/beside_steps.hpp"
 
 namespace hapticut::apps {
 
@@ -56,7 +57,9 @@ struct DrillResult {
 /// Moves the head of the simulation's tool along `motion`, with one step every 1/rate seconds.
 /// @param rate       [Hz]
 /// @param keep_rows  true: keeps every step for the per-step file
+/// @param beside     computes beside the steps; told of each
 /// @throws Error when the motion needs more than ten million steps
-[[nodiscard]] DrillResult drill(Simulation& simulation, const settings::Motion& motion, double rate, bool keep_rows);
+[[nodiscard]] DrillResult drill(Simulation& simulation, const settings::Motion& motion, double rate, bool keep_rows,
+                                BesideSteps& beside);
 
 }  // namespace hapticut::apps

@@ -79,6 +79,8 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
     warn((r.recording_failure.empty() ? "the disk was too slow: " : "the recording failed early: ") +
          std::to_string(r.steps_lost) + " steps are missing in the recording." +
          (r.recording_failure.empty() ? "" : " The reason: " + r.recording_failure));
+  for (std::string& warning : warnings_of(r.beside, r.simulation.workpiece().materials()))
+    warnings.push_back(std::move(warning));
   return warnings;
 }
 
@@ -94,7 +96,7 @@ Json to_json(const LoopReport& r) {
   for (const SafetyLogEntry& entry : r.run.log)
     log.push_back({{"time_s", entry.time}, {"event", std::string(name_of(entry.event))}, {"value", entry.value}});
   const DeviceCapabilities& device = r.device.capabilities();
-  return {
+  Json json = {
       {"device",
        {{"name", r.device.name()},
         {"model", device.model},
@@ -132,6 +134,8 @@ Json to_json(const LoopReport& r) {
       {"build", build_json()},
       {"warnings", warnings_of(r)},
   };
+  add_to(json, r.beside, r.simulation.workpiece().materials());
+  return json;
 }
 
 std::string to_table(const LoopReport& r) {
@@ -156,6 +160,7 @@ std::string to_table(const LoopReport& r) {
   const EnergyLedger& energy = r.simulation.last_result().energy;
   table.add("energy", "unexplained fraction of the work " + rounded(std::abs(energy.closure()), 2) + ", entered " +
                           rounded(energy.entered, 2) + " J");
+  add_to(table, r.beside, r.simulation.workpiece().materials());
   table.add("force", "maximum: " + rounded(r.seen.last.max_commanded) + " N commanded, " +
                          rounded(r.seen.last.max_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hapticut/loop/simulation_model.hpp"
+#include "reports/beside_report.hpp"
 #include "reports/json_file.hpp"
 #include "reports/report.hpp"
 
@@ -25,6 +26,7 @@ struct LoopReport {
   RunReport run;
   std::uint64_t steps_lost;            ///< steps that the recorder lost
   std::string recording_failure = {};  ///< why the recording ended before the run, as a sentence; empty: it did not
+  BesideReport beside = {};
 };
 
 /// Warnings about the forces, as sentences.

@@ -10,8 +10,6 @@
 namespace hapticut::apps {
 namespace {
 
-constexpr int kFewMaterials = 16;  // up to this number, uncut materials are listed too
-
 Json by_material(const MaterialTable& materials, const ByMaterial<double>& volumes) {
   Json json = Json::object();
   for (int id = 1; id <= materials.size(); ++id) {
@@ -137,7 +135,7 @@ Json to_json(const WorkpieceSummary& s, const MaterialTable& materials) {
 
 Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
   const MaterialTable& materials = simulation.workpiece().materials();
-  return {
+  Json json = {
       {"steps", r.steps},
       {"rate_Hz", report.rate},
       {"steps_in_contact", r.steps_in_contact},
@@ -159,6 +157,8 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
       {"status", status_json(r)},
       {"warnings", report.warnings},
   };
+  add_to(json, report.beside, materials);
+  return json;
 }
 
 std::string to_table(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
@@ -186,6 +186,7 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
                           " J" + crushed + ", unexplained fraction of the work " +
                           rounded(std::abs(r.energy.closure()), 2) + ", entered " + rounded(r.energy.entered, 2) +
                           " J");
+  add_to(table, report.beside, materials);
   table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +
                              rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
                              std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");

@@ -6,6 +6,7 @@
 
 #include "hapticut/core/sentence.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "reports/beside_report.hpp"
 #include "reports/drill.hpp"
 #include "reports/json_file.hpp"
 
@@ -22,6 +23,9 @@ struct WorkpieceSummary {
   std::size_t memory_bytes = 0;
   std::vector<MaterialAmount> amounts;  ///< amounts by material
 };
+
+/// Up to this number of materials, a report also lists those that are not concerned.
+inline constexpr int kFewMaterials = 16;
 
 [[nodiscard]] WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece);
 
@@ -61,6 +65,7 @@ struct DrillReport {
   WorkpieceSummary workpiece;
   double rate;  ///< [Hz]
   std::vector<std::string> warnings;
+  BesideReport beside = {};
 };
 
 [[nodiscard]] Json to_json(const DrillReport& report, const DrillResult& result, const Simulation& simulation);

@@ -87,8 +87,18 @@ void bind_heat(py::module_& m) {
   bind_described<ThermalProperties>(m, "ThermalProperties");
   bind_described<HeatConfig>(m, "HeatConfig");
   bind_described_result<StructureHeat>(m, "StructureHeat");
+  bind_described_result<WarmestPlace>(m, "WarmestPlace");
   bind_described_result<HeatBalance>(m, "HeatBalance")
       .def("imbalance", &HeatBalance::imbalance, doc("HeatBalance::imbalance"));
+  bind_described_result<KnownThermalProperties>(m, "KnownThermalProperties");
+  m.def(
+      "known_thermal_properties",
+      [] {
+        const auto known = known_thermal_properties();
+        return std::vector(known.begin(), known.end());
+      },
+      doc("known_thermal_properties"));
+  m.def("thermal_properties_of", &thermal_properties_of, py::arg("material"), doc("thermal_properties_of"));
   m.def("cem43", &cem43, py::arg("temperature"), py::arg("time"), doc("cem43"));
   using F = HeatField;
   using Interruptible = py::call_guard<SignalChecks>;
@@ -117,6 +127,7 @@ void bind_heat(py::module_& m) {
       .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of its configuration.")
       .def("structures", &F::structures, doc("HeatField::structures"))
       .def("balance", &F::balance, doc("HeatBalance"))
+      .def("warmest", &F::warmest, doc("HeatField::warmest"))
       .def("temperature_at", &F::temperature_at, py::arg("p_WQ"), doc("HeatField::temperature_at"))
       .def_property_readonly("dims", &F::dims, "Number of cells along each axis.")
       .def_property_readonly("cell_size", &F::cell_size, "[m] edge of a cell.")

@@ -71,6 +71,11 @@ std::size_t HeatField::number_of(const std::array<int, 3>& cell) const {
   return number;
 }
 
+std::array<int, 3> HeatField::cell_of(std::size_t number) const {
+  return {int(number / stride_[0]) - 1, int(number / stride_[1] % std::size_t(dims_[1] + 2)) - 1,
+          int(number % stride_[1]) - 1};
+}
+
 Vec3 HeatField::center(const std::array<int, 3>& cell) const {
   Vec3 voxel;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -300,8 +305,7 @@ void HeatField::spread(std::size_t cell, double heat) {
   const double own = cells_.filled[cell] * heat;
   double rest = heat - own;
   cells_.heat[cell] += own;
-  const VoxelIndex at = {int(cell / stride_[0]) - 1, int(cell / stride_[1] % std::size_t(dims_[1] + 2)) - 1,
-                         int(cell % stride_[1]) - 1};
+  const VoxelIndex at = cell_of(cell);
   for (int far = 1; far <= kMaxDistance && rest > 0; ++far) {
     const IndexBox box = overlap({{at[0] - far, at[1] - far, at[2] - far}, {at[0] + far, at[1] + far, at[2] + far}},
                                  {{0, 0, 0}, {dims_[0] - 1, dims_[1] - 1, dims_[2] - 1}});

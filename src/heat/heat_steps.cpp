@@ -80,6 +80,7 @@ void HeatField::count_dose(double dt) {
     const double now = cells_.heat[cell] / cells_.capacity[cell], middle = 0.5 * (cells_.rise[cell] + now);
     cells_.rise[cell] = now;
     cells_.peak[cell] = std::max({cells_.peak[cell], middle, now});
+    if (cells_.peak[cell] > warmest_rise_) warmest_ = cell, warmest_rise_ = cells_.peak[cell];
     if (middle > threshold) cells_.above[cell] += dt;
     cells_.dose[cell] += cem43(config_.body_temperature + middle, dt);
     const float* volumes = volumes_.data() + cell * materials_;
@@ -109,6 +110,11 @@ std::vector<StructureHeat> HeatField::structures() const {
     all[m].peak = body + peaks_[m];
   }
   return all;
+}
+
+std::optional<WarmestPlace> HeatField::warmest() const {
+  if (!(warmest_rise_ > 0)) return std::nullopt;
+  return WarmestPlace{config_.body_temperature + warmest_rise_, center(cell_of(warmest_))};
 }
 
 HeatBalance HeatField::balance() const {

@@ -6,8 +6,7 @@
 namespace hapticut::settings {
 namespace {
 
-constexpr Keys kHeat{
-    "heat", "", {{"voxels_per_cell", "voxels_per_cell"}, {"cutting_share", "cutting_share", "that of the cutter"}}};
+constexpr Keys kHeat{"heat", "", {{"cutting_share", "cutting_share", "that of the cutter"}}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/commands/command.hpp"
+#include "reports/beside_steps.hpp"
 #include "reports/outputs.hpp"
 #include "reports/progress.hpp"
 #include "reports/recording_source.hpp"
@@ -37,6 +38,7 @@ void require_every_step(const DrillResult& result) {
 }
 
 void run_drill(const DrillSettings& s) {
+  require_replayable(s.output.record, s.scene.simulation.remove_loose_pieces);
   Delivery delivery = delivery_of(s.output);
   const std::string& source = s.scene.workpiece.source;
   settings::Scene scene = with_bar(source, [&] { return make_scene(s.scene); });
@@ -44,8 +46,12 @@ void run_drill(const DrillSettings& s) {
   Simulation simulation(std::move(scene.workpiece), scene.tool, scene.config);
 
   const auto recorder = start_recording(delivery, s.output.record, simulation, Pace::own, nullptr);
-  const DrillResult result = drill(simulation, *scene.motion, report.rate, delivery.wants(s.output.steps_csv));
+  BesideSteps beside(simulation, scene.heat, scene.remove_loose_pieces);
+  const DrillResult result = drill(simulation, *scene.motion, report.rate, delivery.wants(s.output.steps_csv), beside);
   recorder->close();
+  report.beside = beside.finish();
+  for (std::string& warning : warnings_of(report.beside, simulation.workpiece().materials()))
+    report.warnings.push_back(std::move(warning));
   for (std::string& warning : warnings_of(result, simulation)) report.warnings.push_back(std::move(warning));
   const std::string empty = warning_of_empty_outputs(s.output, simulation.workpiece());
   if (!empty.empty()) report.warnings.push_back(empty);

@@ -12,12 +12,14 @@
 #include "hapticut/loop/coupling_gains.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "page/session/hand_map.hpp"
+#include "reports/beside_steps.hpp"
 #include "reports/delivery.hpp"
 #include "reports/json_file.hpp"
 #include "reports/loop_report.hpp"
 #include "reports/progress.hpp"
 #include "reports/recording_source.hpp"
 #include "reports/report.hpp"
+#include "settings/heat_settings.hpp"
 #include "settings/simulation_settings.hpp"
 #include "settings/tool_settings.hpp"
 #include "settings/workpiece_settings.hpp"
@@ -44,6 +46,7 @@ struct LoopSettings {
   WorkpieceSettings workpiece;
   ToolSettings tool;
   SimulationSettings simulation;
+  HeatSettings heat;
 };
 
 constexpr std::string_view kReplay = "replay:";
@@ -79,7 +82,8 @@ std::vector<Setting> settings_of(LoopSettings& s) {
     const std::string played = played_file(s.device);
     return played.empty() ? std::vector<std::filesystem::path>{} : std::vector<std::filesystem::path>{played};
   };
-  return together({std::move(all), settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)});
+  return together(
+      {std::move(all), settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation), settings_of(s.heat)});
 }
 
 /// Default scene: a block of bone and a ball.
@@ -134,6 +138,7 @@ void require_whole(const LoopSettings& s, const LoopReport& report) {
 
 void run_loop(LoopSettings s) {
   if (s.device.empty()) throw UsageError("the device is missing. Use: hapticut loop mock:spiral --seconds 60.");
+  require_replayable(s.record, s.simulation.remove_loose_pieces);
   Delivery delivery({s.json}, {s.record});
   complete(s);
   use_all_devices();
@@ -145,7 +150,7 @@ void run_loop(LoopSettings s) {
   Workpiece workpiece =
       with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind, s.tool.sharpness); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
-  s.simulation.texture_by_default = true;
+  const std::optional<HeatConfig> heat = make_heat(s.heat, workpiece.materials(), s.workpiece.materials);
   SimulationConfig config = make_config(s.simulation);
   if (coupled)
     config.contact_time = ContactTime::end;
@@ -168,12 +173,14 @@ void run_loop(LoopSettings s) {
   options.region = model.region();
 
   LoopReport report{summary, *device, simulation, coupled, {}, {}, 0};
+  BesideLoop beside(model, heat, s.simulation.remove_loose_pieces, s.simulated_time);
   {
-    RealtimeLoop loop(*device, model, options);
+    RealtimeLoop loop(*device, beside.model(), options);
     loop.start();
     report.seen = watch(loop, *device);
     report.run = loop.wait();
   }
+  report.beside = beside.finish();
   report.steps_lost = recorder->close();
   report.recording_failure = recorder->failure();
   write_json(delivery, s.json, to_json(report));

@@ -6,8 +6,14 @@ from ._hapticut import (
     HeatConfig as HeatConfig,
     HeatField as HeatField,
     StructureHeat as StructureHeat,
-    ThermalProperties as ThermalProperties,
+    WarmestPlace as WarmestPlace,
     cem43 as cem43,
+
+    # Properties of known materials
+    KnownThermalProperties as KnownThermalProperties,
+    ThermalProperties as ThermalProperties,
+    known_thermal_properties as known_thermal_properties,
+    thermal_properties_of as thermal_properties_of,
 
     # Heat from the steps
     HeatCollector as HeatCollector,

@@ -87,6 +87,20 @@ constexpr auto fields_of(Of<StructureHeat>) {
   };
 }
 
+/// The warmest place so far.
+struct WarmestPlace {
+  double temperature = 0;    ///< [deg C] maximum so far, of a cell
+  Vec3 p_WQ = Vec3::Zero();  ///< [m] centre of the cell; its material may be removed by now
+};
+
+constexpr auto fields_of(Of<WarmestPlace>) {
+  using W = WarmestPlace;
+  return std::tuple{
+      field("temperature", &W::temperature, "deg C", "maximum so far, of a cell"),
+      field("p_WQ", &W::p_WQ, "m", "centre of the cell; its material may be removed by now"),
+  };
+}
+
 /// Balance of the heat, in [J] since the beginning. It closes to rounding: heat that was brought in is stored or has
 /// left.
 struct HeatBalance {
@@ -164,6 +178,8 @@ class HeatField {
   [[nodiscard]] const HeatConfig& config() const { return config_; }
   [[nodiscard]] std::vector<StructureHeat> structures() const;  ///< one entry per material of the workpiece
   [[nodiscard]] HeatBalance balance() const;
+  /// Nullopt: nothing was warmer than at the beginning.
+  [[nodiscard]] std::optional<WarmestPlace> warmest() const;
 
   /// [deg C] Interpolated between the centres of the cells around; NaN where none of them contains material.
   [[nodiscard]] double temperature_at(const Vec3& p_WQ) const;
@@ -205,6 +221,7 @@ class HeatField {
   };
   [[nodiscard]] Vec3 in_cells(const Vec3& p_WQ) const;
   [[nodiscard]] Around cells_around(const Vec3& p_WQ) const;
+  [[nodiscard]] std::array<int, 3> cell_of(std::size_t number) const;
 
   HeatConfig config_;
   GridFrame frame_;
@@ -220,6 +237,8 @@ class HeatField {
   std::vector<std::size_t> changed_;  // cells whose content has changed
   std::vector<std::size_t> removed_;  // cells that lost material since the last `add_cutting_heat`
   std::vector<double> peaks_;         // [K] by id from 1, including removed material
+  std::size_t warmest_ = 0;           // cell of the highest temperature so far
+  double warmest_rise_ = 0;           // [K] in that cell, then
   double waiting_ = 0;                // [J] heat of cutting, whose place is not known yet
   double rate_ = 0;                   // [1/s] maximum of the cells; 0: not known
   HeatBalance balance_;
