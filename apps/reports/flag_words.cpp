@@ -41,6 +41,7 @@ constexpr Word kWords[] = {
     {"WorkspaceMapOptions::scale", "--scale"},
     {"coupling_gains", ""},
     {"loop.origin_mm", "--origin_mm"},
+    {"output.record", "--record"},
     {"read_color_slices", ""},
     {"read_recording", "hapticut replay"},
     {"units::rpm", ""},

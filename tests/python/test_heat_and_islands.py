@@ -25,6 +25,8 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
     assert min(bone.time_above, bone.cem43, bone.volume_above) >= 0
     temperatures = field.temperatures()
     assert temperatures.shape == tuple(field.dims) == field.peaks().shape == field.doses().shape
+    place = field.warmest()
+    assert place.temperature >= bone.peak and np.linalg.norm(place.p_WQ[:2]) < 1.5 * mm
     warmest = tuple(int(i) for i in np.unravel_index(np.nanargmax(temperatures), temperatures.shape))
     assert field.temperature(warmest) == temperatures[warmest] <= field.peak(warmest)
     assert np.linalg.norm(field.center(warmest)[:2]) < 1.5 * mm
@@ -46,6 +48,13 @@ def test_heat_is_given_taken_by_water_and_counted(block):
     assert h.heat.cem43(44, 60) == 2
     with pytest.raises(h.Error, match="voxels_per_cell"):
         h.heat.HeatField(block, h.heat.HeatConfig(voxels_per_cell=3))
+
+
+def test_thermal_properties_belong_to_the_name_of_a_material():
+    known = {row.material: row for row in h.heat.known_thermal_properties()}
+    assert h.heat.thermal_properties_of("dentin").conductivity == known["dentin"].properties.conductivity == 0.58
+    assert h.heat.thermal_properties_of("wood").heat_capacity == known["cortical_bone"].properties.heat_capacity
+    assert known["pulp"].source == "as water"
 
 
 def test_pulses_and_blocks_can_be_taken_one_by_one(simulation, plunge):
