@@ -34,7 +34,7 @@ KEY_AND_FLAG = re.compile(r'"([a-z]+)\.\w+",\s*"--\w+"')
 # message names a member, it stands without the struct. The structs of drivers/*/include are such, and not in Python.
 IN_CODE_ONLY = {
     "ClosedLoop", "ClosedLoopConfig", "CouplingGains", "DeltaFilter", "Device", "DryFriction", "GridFrame",
-    "GridImport", "GuardOptions", "HeatConfig", "HeatField", "IslandOptions", "Material", "Profile", "Shank", "Spindle",
+    "GridImport", "GuardOptions", "HeatField", "IslandOptions", "Material", "Profile", "Shank", "Spindle",
     "StabilitySearch", "Vibration", "Volume", "Workpiece", "WorkspaceMapOptions"}
 NOT_IN_PYTHON = {"GridImport", "units"}
 
