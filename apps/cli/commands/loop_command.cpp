@@ -151,6 +151,7 @@ void run_loop(LoopSettings s) {
       with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind, s.tool.sharpness); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   const std::optional<HeatConfig> heat = make_heat(s.heat, workpiece.materials(), s.workpiece.materials);
+  s.simulation.texture_by_default = true;
   SimulationConfig config = make_config(s.simulation);
   if (coupled)
     config.contact_time = ContactTime::end;
