@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "hapticut/core/units.hpp"
@@ -20,8 +21,16 @@ constexpr double kLongInterval = 0.5;  // [s] ten times the usual one
 constexpr std::string_view kPulp = "pulp";
 constexpr std::array<std::string_view, 4> kWithoutLife = {"enamel", "caries", "amalgam", "clay"};
 
-Sentence advice() {
+constexpr double kManyMinutes = 1e6;  // CEM43 doubles with each degree, so it grows beyond all meaning
+
+Sentence advice(const HeatConfig& config) {
+  if (config.irrigation > 0) return "Press less, make pauses, or let more water reach the place.";
   return "Press less, make pauses, or set " + "heat.irrigation_W_per_m2K"_name + " to the water of a spray, e.g. 3000.";
+}
+
+/// [min]
+std::string dose(double cem43) {
+  return cem43 > kManyMinutes ? "more than " + rounded(kManyMinutes) + " min" : rounded(cem43, 3) + " min";
 }
 
 std::string degrees(double temperature) { return rounded(temperature) + " deg C"; }
@@ -37,11 +46,12 @@ std::vector<StructureHeat> listed(const HeatReport& report) {
 Json to_json(const HeatReport& report, const MaterialTable& materials) {
   Json by_material = Json::object();
   for (const StructureHeat& heat : listed(report))
-    by_material[materials[heat.material].name] = {{"temperature_degC", heat.temperature},
-                                                  {"peak_degC", heat.peak},
-                                                  {"time_above_s", heat.time_above},
-                                                  {"cem43_min", heat.cem43},
-                                                  {"volume_above_mm3", heat.volume_above / units::mm3}};
+    by_material[materials[heat.material].name] = {
+        {"temperature_degC", heat.temperature},
+        {"peak_degC", heat.peak},
+        {"time_above_s", heat.time_above},
+        {"cem43_min", std::min(heat.cem43, std::numeric_limits<double>::max())},
+        {"volume_above_mm3", heat.volume_above / units::mm3}};
   Json warmest;
   if (report.warmest)
     warmest = {{"temperature_degC", report.warmest->temperature}, {"position_mm", in_mm(report.warmest->p_WQ)}};
@@ -65,7 +75,7 @@ void add_rows(Table& table, const HeatReport& report, const MaterialTable& mater
     table.add("  " + materials[heat.material].name,
               "now " + degrees(heat.temperature) + ", peak " + degrees(heat.peak) + ", above " +
                   degrees(report.config.threshold) + " for " + rounded(heat.time_above) + " s, CEM43 " +
-                  rounded(heat.cem43, 3) + " min, " + rounded(heat.volume_above / units::mm3) + " mm^3 were above");
+                  dose(heat.cem43) + ", " + rounded(heat.volume_above / units::mm3) + " mm^3 were above");
   table.add("heat", "brought in " + rounded(report.balance.brought_in) + " J, stored " +
                         rounded(report.balance.stored) + " J, with the chips " + rounded(report.balance.chips) +
                         " J, to the water " + rounded(report.balance.irrigation) + " J");
@@ -84,11 +94,11 @@ std::vector<std::string> warnings_of(const BesideReport& beside, const MaterialT
     const double rise = heat.peak - report.config.body_temperature;
     if (name == kPulp && rise > kMaxRiseOfPulp) {
       warn(name + " became " + rounded(rise, 3) + " K warmer, and after " + rounded(kMaxRiseOfPulp) +
-           " K some pulps die (Zach and Cohen 1965). " + advice());
+           " K some pulps die (Zach and Cohen 1965). " + advice(report.config));
     } else if (heat.cem43 > survived && std::ranges::find(kWithoutLife, name) == kWithoutLife.end()) {
       warn(name + " was above " + degrees(report.config.threshold) + " for " + rounded(heat.time_above, 3) +
-           " s and reached " + degrees(heat.peak) + ", which is a dose of " + rounded(heat.cem43, 3) +
-           " min CEM43, and bone survives " + rounded(survived) + " (one minute at " + degrees(kSurvived) + "). " +
+           " s and reached " + degrees(heat.peak) + ", which is a dose of " + dose(heat.cem43) +
+           " CEM43, and bone survives " + rounded(survived) + " (one minute at " + degrees(kSurvived) + "). " +
            advice());
     }
   }

@@ -96,8 +96,8 @@ TEST(HeatSettings, RefuseANumberWithoutTheSwitch) {
 TEST(HeatSettings, RefuseANumberOutOfItsRange) {
   EXPECT_EQ(test::refusal([] { (void)scene("[heat]\non = true\ncutting_share = 2\n"); }),
             "scene:22: heat.cutting_share: must be a number from 0 to 1, not 2.");
-  EXPECT_EQ(test::refusal([] { (void)scene("[heat]\non = true\nvoxels_per_cell = 2.5\n"); }),
-            "scene:22: heat.voxels_per_cell: must be a whole number from 1 to 8, not 2.5.");
+  EXPECT_EQ(test::refusal([] { (void)scene("[heat]\non = true\nvoxels_per_cell = 9\n"); }),
+            "scene:22: heat.voxels_per_cell: must be a whole number from 1 to 8, not 9.");
 }
 
 TEST(LoosePieces, LeaveAWorkpieceWhenTheSceneSaysSo) {
