@@ -99,7 +99,7 @@ std::vector<std::string> warnings_of(const BesideReport& beside, const MaterialT
       warn(name + " was above " + degrees(report.config.threshold) + " for " + rounded(heat.time_above, 3) +
            " s and reached " + degrees(heat.peak) + ", which is a dose of " + dose(heat.cem43) +
            " CEM43, and bone survives " + rounded(survived) + " (one minute at " + degrees(kSurvived) + "). " +
-           advice());
+           advice(report.config));
     }
   }
   if (report.longest_interval > kLongInterval)
