@@ -35,7 +35,7 @@ struct Newest {
 };
 
 /// Kinds of messages of which each connection receives only the newest, once.
-enum class NewestKind : std::uint8_t { tool, controls, snapshot, instruments, count };
+enum class NewestKind : std::uint8_t { tool, controls, snapshot, instruments, heat, count };
 inline constexpr std::size_t kNewestKinds = std::size_t(NewestKind::count);
 
 class Mailbox {

@@ -209,8 +209,9 @@ Message encode(std::span<const Control> controls) {
   for (const Control& control : controls) {
     message.add(control.id).add(std::uint8_t(control.kind)).add(std::uint8_t(0));
     message.add(control.value).add(control.min).add(control.max);
+    message.add(control.low).add(control.typical).add(control.high);
     message.add_text(control.panel).add_text(control.label).add_text(control.unit).add_text(control.choices);
-    message.add_text(control.idle);
+    message.add_text(control.idle).add_text(control.source);
   }
   return message.finish();
 }
@@ -222,7 +223,20 @@ Message encode(const Instruments& instruments) {
   for (const std::uint32_t ticks : instruments.latency) message.add(ticks);
   message.add(std::uint32_t(instruments.removed.size()));
   for (const double volume : instruments.removed) message.add(volume);
-  return message.finish();
+  message.add(std::uint32_t(instruments.forces.size()));
+  for (const double force : instruments.forces) message.add(force);
+  return message.add(std::uint32_t(instruments.under)).finish();
+}
+
+Message encode(const Heat& heat) {
+  Writer message(MessageKind::heat);
+  message.reserve(200 + 24 * heat.structures.size() + heat.cells.size());
+  message.add(heat.X_WC).add(heat.cell_size);
+  for (const std::uint32_t cells : heat.dims) message.add(cells);
+  message.add(heat.first).add(heat.step).add(heat.body).add(heat.threshold);
+  message.add(std::uint32_t(heat.structures.size()));
+  for (const Heat::Structure& one : heat.structures) message.add(one.now).add(one.peak).add(one.time_above);
+  return message.add_bytes(heat.cells.data(), heat.cells.size()).finish();
 }
 
 Message encode_notice(Severity severity, std::string_view text) {

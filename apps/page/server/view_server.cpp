@@ -374,6 +374,9 @@ void ViewServer::send(std::span<const Control> controls) {
 void ViewServer::send(const Instruments& instruments) {
   if (state_->server.mailbox.put(NewestKind::instruments, encode(instruments))) state_->wake();
 }
+void ViewServer::send(const Heat& heat) {
+  if (state_->server.mailbox.put(NewestKind::heat, encode(heat))) state_->wake();
+}
 void ViewServer::send_sound(std::span<const float> samples, std::uint32_t sample_rate) {
   if (samples.empty() || sample_rate == 0) return;
   const double seconds = double(samples.size()) / sample_rate;

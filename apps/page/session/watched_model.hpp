@@ -6,9 +6,11 @@
 #include <atomic>
 #include <vector>
 
+#include "hapticut/islands/island_watch.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/realtime/triple_buffer.hpp"
 #include "hapticut/view/protocol.hpp"
+#include "page/session/material_under.hpp"
 
 namespace hapticut::apps {
 
@@ -21,14 +23,16 @@ struct ModelSettings {
 };
 
 /// A model that records data of every tick for a page: the force on the hand (the model's force as limited by the
-/// guard), the contact torque, the lateness, and the removed volume by material. It also publishes its settings after
-/// every command. The loop writes the data and one other thread reads them, without waiting.
+/// guard), the contact torque, the lateness, and by material the removed volume and the force on the head. It also
+/// publishes its settings after every command. The loop writes the data and one other thread reads them, without
+/// waiting.
 class WatchedModel final : public LoopModel {
  public:
-  static constexpr std::size_t kTicks = 4096;    ///< capacity of the trace
-  static constexpr double kBucket = 25e-6;       ///< [s]
-  static constexpr std::size_t kBuckets = 60;    ///< buckets of lateness; the last one includes all later ticks
-  static constexpr std::size_t kMaterials = 16;  ///< number of materials with reported volumes
+  static constexpr std::size_t kTicks = 4096;          ///< capacity of the trace
+  static constexpr double kBucket = 25e-6;             ///< [s]
+  static constexpr std::size_t kBuckets = 60;          ///< buckets of lateness; the last one includes all later ticks
+  static constexpr std::size_t kMaterials = 16;        ///< number of materials with reported volumes
+  static constexpr std::uint64_t kTicksOfAFrame = 16;  ///< ticks between two looks at the material under the tip
 
   WatchedModel(SimulationModel& model, const Simulation& simulation, const Device& device, double period)
       : model_(model), simulation_(simulation), device_(device), period_(period), settings_(settings_now()) {}
@@ -56,6 +60,19 @@ class WatchedModel final : public LoopModel {
     instruments.removed.resize(std::min(materials, kMaterials));
     for (std::size_t n = 0; n < instruments.removed.size(); ++n)
       instruments.removed[n] = removed_[n].load(std::memory_order_relaxed);
+    instruments.under = MaterialId(under_.load(std::memory_order_relaxed));
+  }
+  /// [N] Mean normal force on the head in the ticks since the last call, by material id from 1.
+  [[nodiscard]] std::vector<double> drain_forces(std::size_t materials) {
+    std::vector<double> mean(std::min(materials, kMaterials));
+    const std::uint64_t ticks = ticks_.load(std::memory_order_acquire);
+    const double share = ticks > drained_ticks_ ? 1 / double(ticks - drained_ticks_) : 0;
+    for (std::size_t n = 0; n < mean.size(); ++n) {
+      const double sum = pressed_[n].load(std::memory_order_relaxed);
+      mean[n] = share * (sum - std::exchange(drained_pressed_[n], sum));
+    }
+    drained_ticks_ = ticks;
+    return mean;
   }
 
   /// The settings of the model after the last processed command.
@@ -71,8 +88,13 @@ class WatchedModel final : public LoopModel {
     note(snapshot.tool, fraction);
     const ByMaterial<double>& removed = simulation_.totals().removed_volume;
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
+    note_materials(snapshot);
+    if (islands_ != nullptr) islands_->tick();
     return wrench;
   }
+  /// Removes loose pieces between the ticks. Not during a run.
+  /// @param islands  null: they stay
+  void remove_with(IslandWatch* islands) noexcept { islands_ = islands; }
   /// Forgets the last tick, so a pause between runs is not lateness.
   void begin_run() noexcept { last_ = 0; }
 
@@ -108,6 +130,14 @@ class WatchedModel final : public LoopModel {
     last_ = now;
     ticks_.fetch_add(1, std::memory_order_relaxed);
   }
+  void note_materials(const LoopSnapshot& snapshot) noexcept {
+    const ByMaterial<double>& pressed = simulation_.normal_forces();
+    for (std::size_t n = 0; n < kMaterials; ++n)
+      pressed_[n].store(pressed_[n].load(std::memory_order_relaxed) + pressed[n + 1], std::memory_order_relaxed);
+    if (ticks_.load(std::memory_order_relaxed) % kTicksOfAFrame != 1) return;
+    under_.store(material_under(simulation_.workpiece(), simulation_.tool().head(), snapshot.X_WT),
+                 std::memory_order_relaxed);
+  }
   void note(const ToolSnapshot& tool, double fraction) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
     if (at - free_from_.load(std::memory_order_acquire) >= kTicks)
@@ -129,9 +159,12 @@ class WatchedModel final : public LoopModel {
   TripleBuffer<ModelSettings> settings_;
   std::array<view::TraceSample, kTicks> ring_{};
   std::atomic<std::uint64_t> written_{0}, free_from_{0}, missed_{0}, ticks_{0};
-  std::uint64_t drained_ = 0;
+  std::uint64_t drained_ = 0, drained_ticks_ = 0;
   std::array<std::atomic<std::uint32_t>, kBuckets> latency_{};
-  std::array<std::atomic<double>, kMaterials> removed_{};
+  std::array<std::atomic<double>, kMaterials> removed_{}, pressed_{};  // pressed_: [N] sum over the ticks
+  std::array<double, kMaterials> drained_pressed_{};
+  std::atomic<MaterialId> under_ = kEmpty;
+  IslandWatch* islands_ = nullptr;
 };
 
 }  // namespace hapticut::apps

@@ -42,13 +42,18 @@
 ///     5 tool         X_HT pose, handle u32 (0 ray, 1 L), its length, neck [m], bend [rad], z of the tip [m] 4 f64,
 ///                    number of edges u32, for each: rho, z of its end, radius (0: straight, < 0: hollow) 3 f64 [m],
 ///                    cutting u32
-///     6 controls     number u32, for each: id u16, kind u8 (Control::Kind), zero u8, value, min, max 3 f64, then
-///                    panel, label, unit, choices (separated by |), idle 5 text16
+///     6 controls     number u32, for each: id u16, kind u8 (Control::Kind), zero u8, value, min, max, low, typical,
+///                    high 6 f64, then panel, label, unit, choices (separated by |), idle, source 6 text16
 ///     7 trace        first tick u64, number u32, for each tick: force 3 f32 [N], torque 3 f32 [N m]
 ///     8 notice       severity u32 (Severity), length u32, text
 ///     9 instruments  X_WG pose of the head where the hand wants it, power f64 [W], ticks u64, missed ticks u64,
 ///                    width of a bucket f64 [s], number u32, ticks by lateness u32 each, number of materials u32,
-///                    removed volume of each f64 [m^3]
+///                    removed volume of each f64 [m^3], number of materials u32, force on each f64 [N], material under
+///                    the tip u32 (0: none)
+///     10 heat        X_WC pose of the cells (origin in the centre of the first one), width of a cell f64 [m], cells
+///                    along x, y, z 3 u32 (0: heat is off), temperature of byte 1, of a step between bytes, of the
+///                    body, of the threshold 4 f64 [deg C], number of materials u32, for each: maximum now, peak 2 f64
+///                    [deg C], time above the threshold f64 [s]; then a byte for each cell, x fastest (0: no material)
 ///
 /// From the page, at most kMaxCommand bytes:
 ///
@@ -65,7 +70,7 @@
 /// send commands, or exceeds the rate of commands; and with code 1009 after a message longer than kMaxCommand.
 namespace hapticut::view {
 
-inline constexpr std::uint8_t kProtocolVersion = 5;
+inline constexpr std::uint8_t kProtocolVersion = 6;
 inline constexpr std::size_t kMaxCommand = 128;  ///< [bytes] maximum length of a message from a page
 
 using Message = std::vector<std::uint8_t>;
@@ -82,6 +87,7 @@ enum class MessageKind : std::uint8_t {
   trace = 7,
   notice = 8,
   instruments = 9,
+  heat = 10,
 };
 
 /// Name and colour of a material.
@@ -115,8 +121,10 @@ struct Control {
   double min = 0, max = 1;   ///< accepted values
   std::string panel, label;  ///< panel that shows it, and its label
   std::string unit;
-  std::string choices = {};  ///< names, separated by |
-  std::string idle = {};     ///< why it does nothing at present; empty: it acts
+  std::string choices = {};               ///< names, separated by |
+  std::string idle = {};                  ///< why it does nothing at present; empty: it acts
+  double low = 0, typical = 0, high = 0;  ///< known range and usual value, if there is a source
+  std::string source = {};                ///< who measured them; empty: nothing is known
 };
 
 /// Force and torque of a tick, for the curves.
@@ -136,11 +144,30 @@ struct Instruments {
   double bucket = 0;                     ///< [s] width of the buckets of `latency`
   std::vector<std::uint32_t> latency{};  ///< number of ticks by lateness; the last bucket has all later ones
   std::vector<double> removed{};         ///< [m^3] by material id from 1
+  std::vector<double> forces{};  ///< [N] normal force on the head by material id from 1; 0 while it cuts nothing
+  MaterialId under = kEmpty;     ///< material at the tip, or the next one along the axis of the tool
+};
+
+/// Temperatures of the workpiece in cells, for its colours.
+struct Heat {
+  /// Effect on one material.
+  struct Structure {
+    double now = 0, peak = 0;  ///< [deg C] maximum now, and so far
+    double time_above = 0;     ///< [s] time above the threshold
+  };
+  Pose X_WC;                            ///< pose of the cells; the origin is in the centre of the first one
+  double cell_size = 0;                 ///< [m]
+  std::array<std::uint32_t, 3> dims{};  ///< cells along x, y, z; 0: there is no heat to show
+  double first = 0, step = 0;           ///< [deg C] temperature of byte 1, and between two bytes
+  double body = 37, threshold = 47;     ///< [deg C] temperature at the beginning, and that of the line
+  std::vector<Structure> structures{};  ///< by material id from 1
+  std::vector<std::uint8_t> cells{};    ///< temperatures, x fastest; 0: no material
 };
 
 [[nodiscard]] Message encode(const Tool& tool);
 [[nodiscard]] Message encode(std::span<const Control> controls);
 [[nodiscard]] Message encode(const Instruments& instruments);
+[[nodiscard]] Message encode(const Heat& heat);
 [[nodiscard]] Message encode_notice(Severity severity, std::string_view text);
 
 /// @param first  tick of the first sample

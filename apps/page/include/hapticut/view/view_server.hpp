@@ -76,9 +76,10 @@ class ViewServer {
 
   void send(const SurfacePage& page);       ///< a page without vertices removes the previous version
   void send(const LoopSnapshot& snapshot);  ///< replaces a snapshot that is not yet sent
-  void send(const Tool& tool);              ///< replaces, like the following two functions
+  void send(const Tool& tool);              ///< replaces, like the following three functions
   void send(std::span<const Control> controls);
   void send(const Instruments& instruments);
+  void send(const Heat& heat);
 
   /// Sends samples of sound. The server keeps sound, curves and notices of the last second for slow readers.
   void send_sound(std::span<const float> samples, std::uint32_t sample_rate);
