@@ -34,7 +34,7 @@ struct ViewSettings {
   std::string scene = "molar";
   std::string device, page;
   std::size_t port = 0;
-  bool no_browser = false;
+  bool no_browser = false, heat = false, remove_loose_pieces = false;
 };
 
 #ifdef HAPTICUT_HAS_VIEW
@@ -91,7 +91,12 @@ void run_view(const ViewSettings& s) {
   std::unique_ptr<Device> device;
   if (!s.device.empty()) device = open_device(s.device);
   const StopSignals signals;
-  Viewer viewer(s.scene, options, device.get());
+  Viewer viewer(s.scene, options, device.get(), [&s](const std::string& name) {
+    ViewScene scene = make_view_scene(name);
+    scene.shows_heat = scene.shows_heat || s.heat;
+    scene.removes_loose_pieces = scene.removes_loose_pieces || s.remove_loose_pieces;
+    return scene;
+  });
   announce(viewer.server().address(), s.no_browser);
   while (StopSignals::came() == 0) {
     const auto next = std::chrono::steady_clock::now() + kViewFrame;
@@ -122,7 +127,10 @@ Command view_command() {
             "device that moves the tool: openhaptics, ... [the pointer of the page]"),
        integer("view.port", "--port", settings->port, 0, 65535, "TCP port of the server; 0: any free port [0]"),
        path("view.page", "--page", settings->page, "folder of the built page [next to the program]"),
-       boolean("view.no_browser", "--no_browser", settings->no_browser, "does not open a browser")},
+       boolean("view.no_browser", "--no_browser", settings->no_browser, "does not open a browser"),
+       boolean("view.heat", "--heat", settings->heat, "shows the temperatures of every scene [as the scene says]"),
+       boolean("view.remove_loose_pieces", "--remove_loose_pieces", settings->remove_loose_pieces,
+               "removes pieces that the tool has cut loose, in every scene [as the scene says]")},
       [settings] { run_view(*settings); }};
 }
 

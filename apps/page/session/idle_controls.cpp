@@ -34,7 +34,7 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
     const MaterialTable now = materials();
     return why_idle(kMaterialNumbers[place % kIdsOfAMaterial].member, now[MaterialId(place / kIdsOfAMaterial + 1)]);
   }
-  if (id >= kGravity && id != kSound && id != kVolume && !haptics()) return "haptics is off";
+  if (id >= kGravity && id < kHeat && id != kSound && id != kVolume && !haptics()) return "haptics is off";
   const bool is_of_scene = at(kHead) == 0;
   switch (id) {
     case kRemoval:
@@ -57,6 +57,12 @@ std::string ViewControls::why_idle(std::uint16_t id) const {
       return unless(at(kGravity) != 0, "gravity is off");
     case kVolume:
       return unless(sound(), "the sound is off");
+    case kLoosePieces:
+      return unless(!recording(), "loose pieces stay in a recording");
+    case kWater:
+      return unless(beside().heat, "the heat is off");
+    case kIrrigation:
+      return beside().heat ? unless(at(kWater) != 0, "the water is off") : "the heat is off";
     case kDelta:
     case kEpsilon:
       return unless(at(kFilter) != 0, "the filter is off");

@@ -8,11 +8,13 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/replay.hpp"
 #include "hapticut/surface/surface_stream.hpp"
 #include "io/atomic_file.hpp"
+#include "page/session/material_under.hpp"
 #include "page/session/view_session.hpp"
 #include "reports/progress.hpp"
 
@@ -102,9 +104,12 @@ class ReplayWriter {
     trace_.push_back(sample(step));
     shown_.tool.removed_volume += step.removed_volume;
     removed_ = simulation.totals().removed_volume;
+    for (std::size_t id = 1; id <= std::size_t(materials_); ++id) pressed_[id] += simulation.normal_forces()[id];
     last_ = step;
     if (time + 1e-9 < next_) return;
     next_ = time + kPicture;
+    under_ =
+        material_under(simulation.workpiece(), recording_.tool().head(), step.input.X_WH * recording_.tool().X_HT());
     show();
   }
   /// Shows the changes since the last picture.
@@ -156,6 +161,9 @@ class ReplayWriter {
     instruments.power = std::max(0.0, shown_.tool.dissipated - before) / kPicture;
     instruments.ticks = step.number;
     instruments.removed.assign(removed_.begin() + 1, removed_.begin() + 1 + materials_);
+    for (std::size_t id = 1; id <= std::size_t(materials_); ++id)
+      instruments.forces.push_back(std::exchange(pressed_[id], 0.0) / double(trace_.size()));
+    instruments.under = under_;
     stream_.add(time, view::encode(instruments));
     stream_.add(time, view::encode_trace(first_, trace_));
     first_ += trace_.size();
@@ -168,6 +176,8 @@ class ReplayWriter {
   LoopSnapshot shown_;
   RecordedStep last_;
   ByMaterial<double> removed_{};  // [m^3] by material
+  ByMaterial<double> pressed_{};  // [N] sum of the normal forces since the last picture
+  MaterialId under_ = kEmpty;
   int materials_ = 0;
   std::vector<view::TraceSample> trace_;
   std::uint64_t first_ = 0;

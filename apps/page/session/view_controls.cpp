@@ -7,7 +7,9 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/heat/heat_field.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "page/session/known_range.hpp"
 #include "page/session/material_numbers.hpp"
 #include "page/session/watched_model.hpp"
 
@@ -21,15 +23,18 @@ std::string names_of_heads() {
 }
 
 constexpr double kMaxWatts = 1000;
+constexpr double kSpray = 3000;  // [W/(m^2 K)]
+constexpr Range kIrrigations = slider_range(&HeatConfig::irrigation, Range::between(0, 20000));
 constexpr const char* kAxisNames[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
 
 }  // namespace
 
 ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config,
-                           bool can_record)
+                           bool can_record, const BesideTheStep& beside)
     : materials_(materials), config_(config), tool_(tool) {
-  add_application(tool, can_record);
+  add_application(tool, can_record, beside.loose_pieces);
   add_tool(tool);
+  add_heat(beside);
   add_materials();
   add_additional(config.effects);
   tell_idle_ones();
@@ -46,13 +51,14 @@ void ViewControls::on_off(std::uint16_t id, const std::string& panel, const std:
   controls_.push_back({id, view::Control::Kind::on_off, value ? 1.0 : 0.0, 0, 1, panel, label, ""});
 }
 
-void ViewControls::add_application(const Tool& tool, bool can_record) {
+void ViewControls::add_application(const Tool& tool, bool can_record, bool removes_loose_pieces) {
   using Kind = view::Control::Kind;
   on_off(kHaptics, "application", "Haptics", true);
   on_off(kCutting, "application", "Cutting", true);
   on_off(kSpindle, "application", "Spindle", tool.spindle().speed != 0);
   controls_.push_back(
       {kRemoval, Kind::choice, 0, 0, 1, "application", "Removal", "", "constant_energy|elastic_release"});
+  on_off(kLoosePieces, "application", "Remove loose pieces", removes_loose_pieces);
   if (can_record) on_off(kRecord, "application", "Record", false);
   controls_.push_back({kReset, Kind::button, 1, 0, 1, "application", "Reset", ""});
   controls_.push_back({kRestart, Kind::button, 1, 0, 1, "application", "Restart", ""});
@@ -76,15 +82,29 @@ void ViewControls::add_tool(const Tool& tool) {
   number(kBend, "tool", "Bend", "°", bent != nullptr ? bent->bend / units::deg : 90, -180, 180);
 }
 
+void ViewControls::add_heat(const BesideTheStep& beside) {
+  on_off(kHeat, "heat", "Heat", beside.heat);
+  on_off(kWater, "heat", "Water", beside.irrigation > 0);
+  number(kIrrigation, "heat", "Irrigation", "W/(m² K)", beside.irrigation > 0 ? beside.irrigation : kSpray,
+         kIrrigations.low, kIrrigations.high);
+}
+
 void ViewControls::add_materials() {
   for (int n = 0; n < std::min(materials_.size(), kShownMaterials); ++n) {
     const Material& material = materials_[MaterialId(n + 1)];
     std::string name = material.name;
     std::replace(name.begin(), name.end(), '_', ' ');
     auto id = std::uint16_t(kMaterial + kIdsOfAMaterial * n);
-    for (const MaterialNumber& one : kMaterialNumbers)
-      number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor, one.range().low,
-             one.range().high);
+    for (const MaterialNumber& one : kMaterialNumbers) {
+      const KnownRange known = known_range(material, one);
+      const bool has = !known.source.empty();
+      number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor,
+             has ? std::min(one.range().low, known.low) : one.range().low,
+             has ? std::max(one.range().high, known.high) : one.range().high);
+      view::Control& control = controls_.back();
+      control.low = known.low, control.typical = known.typical, control.high = known.high;
+      control.source = known.source;
+    }
   }
 }
 
@@ -134,6 +154,7 @@ double ViewControls::at(std::uint16_t id) const {
 
 Change ViewControls::change_of(std::uint16_t id) {
   if (id >= kMaterial) return Change::materials;
+  if (id >= kHeat) return Change::heat;
   if (id >= kMask) return Change::effects;
   if (id >= kGravity) return id == kSound || id == kVolume ? Change::haptics : Change::effects;
   if (id == kSpeed || id == kSpindle) return Change::spindle;
@@ -150,6 +171,8 @@ Change ViewControls::change_of(std::uint16_t id) {
       return Change::reset;
     case kRestart:
       return Change::restart;
+    case kLoosePieces:
+      return Change::loose_pieces;
     default:
       return Change::none;
   }
@@ -187,6 +210,16 @@ void ViewControls::show(const MaterialTable& materials) {
   }
 }
 
+void ViewControls::show_recording(bool on) {
+  at(kRecord) = on ? 1 : 0;
+  tell_idle_ones();
+}
+
+void ViewControls::show_heat(bool on) {
+  at(kHeat) = on ? 1 : 0;
+  tell_idle_ones();
+}
+
 void ViewControls::set_spindle(double speed) {
   at(kSpindle) = speed != 0 ? 1 : 0;
   if (speed != 0) at(kSpeed) = std::min(std::abs(speed) / units::rpm, 500000.0);
@@ -222,6 +255,10 @@ AngularSpeed ViewControls::spindle_speed() const { return (at(kSpindle) != 0 ? a
 RemovalLaw ViewControls::removal() const {
   if (at(kCutting) == 0) return RemovalLaw::none;
   return at(kRemoval) == 0 ? RemovalLaw::constant_energy : RemovalLaw::elastic_release;
+}
+
+BesideTheStep ViewControls::beside() const {
+  return {at(kHeat) != 0, at(kWater) != 0 ? at(kIrrigation) : 0, at(kLoosePieces) != 0};
 }
 
 AxisMask ViewControls::mask() const {

@@ -17,7 +17,27 @@
 namespace hapticut::apps {
 
 /// Effect of a changed control on the loop.
-enum class Change : std::uint8_t { none, haptics, removal, spindle, tool, materials, effects, restart, reset, record };
+enum class Change : std::uint8_t {
+  none,
+  haptics,
+  removal,
+  spindle,
+  tool,
+  materials,
+  effects,
+  restart,
+  reset,
+  record,
+  heat,
+  loose_pieces
+};
+
+/// What a page switches beside the step.
+struct BesideTheStep {
+  bool heat = false;          ///< whether temperatures are computed
+  double irrigation = 0;      ///< [W/(m^2 K)] heat transfer to the water; 0: dry
+  bool loose_pieces = false;  ///< whether loose pieces are removed
+};
 
 struct ModelSettings;
 
@@ -25,7 +45,8 @@ struct ModelSettings;
 class ViewControls {
  public:
   /// @param config  completed, see `complete`
-  ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config, bool can_record);
+  ViewControls(const Tool& tool, const MaterialTable& materials, const SimulationConfig& config, bool can_record,
+               const BesideTheStep& beside = {});
 
   [[nodiscard]] std::span<const view::Control> all() const { return controls_; }
 
@@ -36,7 +57,8 @@ class ViewControls {
   /// Reverts the last `set`.
   void revert() { controls_ = before_; }
 
-  void show_recording(bool on) { at(kRecord) = on ? 1 : 0; }
+  void show_recording(bool on);
+  void show_heat(bool on);
 
   /// Sets the controls of spindle, removal and effects to the values of the model.
   void show(const ModelSettings& model);
@@ -45,6 +67,7 @@ class ViewControls {
   [[nodiscard]] bool sound() const { return at(kSound) != 0; }
   [[nodiscard]] double volume() const { return at(kVolume); }
   [[nodiscard]] bool recording() const { return at(kRecord) != 0; }
+  [[nodiscard]] BesideTheStep beside() const;
   [[nodiscard]] AngularSpeed spindle_speed() const;  ///< [rad/s] set speed
   [[nodiscard]] RemovalLaw removal() const;
   [[nodiscard]] AxisMask mask() const;
@@ -62,6 +85,7 @@ class ViewControls {
     kRecord,
     kReset,
     kRestart,
+    kLoosePieces,
     kHead = 20,
     kDiameter,
     kLength,
@@ -85,6 +109,9 @@ class ViewControls {
     kPerWatt,
     kMaxAmplitude,
     kMask = 60,
+    kHeat = 70,
+    kWater,
+    kIrrigation,
     kMaterial = 100,  // kIdsOfAMaterial ids per material
   };
 
@@ -102,10 +129,11 @@ class ViewControls {
       {kMaxAmplitude, "Largest", &Vibration::max_amplitude, Range::between(0, 5)},
   };
 
-  void add_application(const Tool& tool, bool can_record);
+  void add_application(const Tool& tool, bool can_record, bool removes_loose_pieces);
   void add_tool(const Tool& tool);
   void add_additional(const Effects& effects);
   void add_materials();
+  void add_heat(const BesideTheStep& beside);
   void number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
               double value, double min, double max);
   void on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value);

@@ -2,6 +2,7 @@
 #include "page/session/view_scenes.hpp"
 
 #include <filesystem>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -115,6 +116,9 @@ ViewScene make_view_scene(const std::string& name) {
   config.reserved_blocks = std::max<std::size_t>(config.reserved_blocks, 16384);
   ViewScene scene{name, std::move(workpiece), make_tool(s.tool), std::move(config), box};
   if (name == "skull") scene.axis = Vec3(-1, 0, 0);
+  scene.shows_heat = std::exchange(s.heat.on, true);  // its numbers also count when a page turns it on
+  scene.heat = *make_heat(s.heat, scene.workpiece.materials(), s.workpiece.materials);
+  scene.removes_loose_pieces = s.simulation.remove_loose_pieces;
   return scene;
 }
 

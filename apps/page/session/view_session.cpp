@@ -2,7 +2,6 @@
 #include "page/session/view_session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -16,12 +15,8 @@
 namespace hapticut::apps {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr double kReach = 0.06;                            // [m] range of the pointer around the workpiece
-constexpr auto kPagesTime = std::chrono::milliseconds(8);  // time for pages in one frame
-constexpr double kSampleRate = 48'000;                     // [Hz]
-constexpr std::size_t kUndoBlocks = 16'384;                // 2.7 kB per block
+constexpr double kReach = 0.06;              // [m] range of the pointer around the workpiece
+constexpr std::size_t kUndoBlocks = 16'384;  // 2.7 kB per block
 constexpr Color kNoColor = {176, 180, 186};
 
 Color color_of(const std::string& name) {
@@ -85,15 +80,18 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
       simulation_(std::move(scene_.workpiece), scene_.tool, scene_.config),
       controls_(scene_.tool, simulation_.workpiece().materials(), simulation_.config(),
 #ifdef HAPTICUT_HAS_IO
-                true),
+                true,
 #else
-                false),
+                false,
 #endif
+                {scene_.shows_heat, scene_.heat.irrigation, scene_.removes_loose_pieces}),
       tool_(scene_.tool),
       stream_(simulation_.workpiece()),
       sound_({.flutes = scene_.tool.cutter().lips}) {
   simulation_.history().reserve(kUndoBlocks);
   pointer_.put(start_pose(scene_));
+  renew_heat();
+  renew_islands();
   build_loop();
 }
 
@@ -134,7 +132,29 @@ void ViewSession::build_loop() {
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
   sent_ = 0;
   controls_outdated_ = true;
+  connect_islands();
 }
+
+/// Makes the heat that the controls ask for, of the present workpiece. It observes the steps, so not during a run.
+void ViewSession::renew_heat() {
+  heat_.reset();
+  const BesideTheStep beside = controls_.beside();
+  if (!beside.heat) return;
+  HeatConfig config = scene_.heat;
+  config.irrigation = beside.irrigation;
+  heat_ = std::make_unique<HeatWatch>(simulation_, config);
+}
+
+/// Begins or ends the search for loose pieces. Not during a run.
+void ViewSession::renew_islands() {
+  const bool on = controls_.beside().loose_pieces;
+  if (on == (islands_ != nullptr)) return;
+  islands_ = on ? std::make_unique<IslandWatch>(simulation_) : nullptr;
+  told_pieces_ = 0;
+}
+
+/// Lets the loop remove loose pieces, except in a recording, which would end there. Not during a run.
+void ViewSession::connect_islands() { watched_->remove_with(recorder_ == nullptr ? islands_.get() : nullptr); }
 
 void ViewSession::start() {
   if (!paused_) return;
@@ -239,6 +259,14 @@ void ViewSession::change(Change what) {
       return device().reset_fault();
     case Change::record:
       return record(controls_.recording());
+    case Change::heat:
+      return change_heat();
+    case Change::loose_pieces:
+      return beside_runs([this] {
+        watched_->remove_with(nullptr);
+        renew_islands();
+        connect_islands();
+      });
     case Change::haptics:
     case Change::none:
       return;
@@ -261,16 +289,31 @@ void ViewSession::change_tool() {
   server_.send(tool_);
 }
 
-/// A recorder can be added only while nothing runs.
-void ViewSession::record(bool on) {
+/// The water changes during a run, the heat itself between two.
+void ViewSession::change_heat() {
+  const BesideTheStep beside = controls_.beside();
+  if (beside.heat == (heat_ != nullptr)) {
+    if (heat_ != nullptr) heat_->set_irrigation(beside.irrigation);
+    return;
+  }
+  beside_runs([this] { renew_heat(); });
+  server_.send(view::Heat{});
+}
+
+/// Makes a change that needs that nothing runs.
+void ViewSession::beside_runs(const std::function<void()>& make) {
   pause();
   try {
-    on ? begin_recording() : end_recording();
+    make();
   } catch (const Error&) {
     start();
     throw;
   }
   start();
+}
+
+void ViewSession::record(bool on) {
+  beside_runs([this, on] { on ? begin_recording() : end_recording(); });
 }
 
 /// A replay begins with a first step. So the present workpiece becomes the initial one, and the sums restart.
@@ -280,107 +323,22 @@ void ViewSession::begin_recording() {
   simulation_.spindle().set_speed(controls_.spindle_speed());
   removed_at_mark_ = -1;
   dissipated_ = 0;
+  renew_heat();
   build_loop();
   removed_before_ = 0;
   recording_ = free_name();
   recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
+  connect_islands();
   server_.send_notice(view::Severity::info, "Recording to " + recording_ + ".");
 }
 
 void ViewSession::end_recording() {
   if (recorder_ == nullptr) return;
   const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
+  connect_islands();
   recorder->close();
   recorder->require_complete();
   server_.send_notice(view::Severity::info, recording_ + " is complete. To show it: hapticut view " + recording_ + ".");
-}
-
-void ViewSession::drain_blocks() {
-  ChangedBlock block;
-  while (loop_->receive(block)) stream_.update(block.origin, block.material.data(), block.fill.data());
-}
-
-void ViewSession::send_pages() {
-  const auto end = Clock::now() + kPagesTime;
-  SurfacePage page;
-  while (Clock::now() < end && stream_.next_page(page)) server_.send(page);
-}
-
-/// Shows the values of the model, after it has processed all commands.
-void ViewSession::send_controls() {
-  const ModelSettings& has = watched_->settings();
-  if (!controls_outdated_ || has.answered != sent_) return;
-  controls_outdated_ = false;
-  controls_.show(has);
-  server_.send(controls_.all());
-}
-
-LoopSnapshot ViewSession::latest() {
-  LoopSnapshot snapshot = loop_->latest();
-  snapshot.tool.removed_volume += removed_before_;
-  return snapshot;
-}
-
-void ViewSession::frame(double seconds) {
-  if (!paused_ && !loop_->is_running()) pause();
-  drain_blocks();
-  send_pages();
-  send_controls();
-  LoopSnapshot snapshot = latest();
-  begins_ =
-      begins_ && snapshot.tick == tick_before_;  // before the first tick, the snapshot belongs to the previous run
-  if (paused_ || begins_) {
-    snapshot.arming = ArmingState::off;
-    snapshot.tool.force = snapshot.tool.torque = Vec3::Zero();
-    snapshot.tool.spindle_speed = 0;
-    server_.send(snapshot);
-    return;
-  }
-  server_.send(snapshot);
-  const WatchedModel::Trace trace = watched_->drain_trace();
-  server_.send_trace(trace.first, trace.samples, simulation_.config().update_rate);
-  server_.send(instruments(snapshot, seconds));
-  send_sound(snapshot, seconds);
-  send_guard_notice();
-  if (device_ != nullptr) {  // a device has no press button: a cut begins at a touch
-    const bool touches = snapshot.tool.contact_voxels > 0;
-    if (touches && !touched_) begin_cut();
-    touched_ = touches;
-  }
-}
-
-view::Instruments ViewSession::instruments(const LoopSnapshot& snapshot, double seconds) {
-  view::Instruments shown;
-  const Pose X_WH = WorkspaceMap(map_).to_world(snapshot.device.X_BS);
-  shown.X_WG = X_WH * tool_.X_HT();
-  if (device_ == nullptr) shown.X_WG = snapshot.device.X_BS;
-  const double power = std::max(0.0, snapshot.tool.dissipated - std::exchange(dissipated_, snapshot.tool.dissipated));
-  power_ += 0.2 * (power / std::max(seconds, 1e-3) - power_);
-  shown.power = power_;
-  watched_->fill(shown, std::size_t(simulation_.workpiece().materials().size()));
-  return shown;
-}
-
-void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
-  due_samples_ = std::min(due_samples_ + seconds * kSampleRate, 0.1 * kSampleRate);
-  samples_.resize(std::size_t(due_samples_));
-  due_samples_ -= double(samples_.size());
-  sound_.render(samples_, kSampleRate, listener_.listen(snapshot));
-  if (!controls_.sound() || server_.connections() == 0) return;
-  for (float& sample : samples_) sample *= float(2 * controls_.volume());
-  server_.send_sound(samples_, std::uint32_t(kSampleRate));
-}
-
-/// Sends the guard's reason for holding back the force.
-void ViewSession::send_guard_notice() {
-  for (const SafetyLogEntry& entry : device().drain_log()) {
-    const bool is_state = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
-                          entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset ||
-                          entry.event == SafetyEvent::waiting_free;  // snapshots show it
-    const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
-                       entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up;
-    if (!is_state && !noise) server_.send_notice(view::Severity::warning, sentence_of(entry));
-  }
 }
 
 }  // namespace hapticut::apps

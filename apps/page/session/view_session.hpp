@@ -2,13 +2,16 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "hapticut/islands/island_watch.hpp"
 #include "hapticut/sound/loop_listener.hpp"
 #include "hapticut/surface/surface_stream.hpp"
 #include "hapticut/view/view_server.hpp"
+#include "page/session/heat_watch.hpp"
 #include "page/session/pointer_hand.hpp"
 #include "page/session/view_controls.hpp"
 #include "page/session/view_scenes.hpp"
@@ -64,9 +67,14 @@ class ViewSession {
 
  private:
   void build_loop();
+  void renew_heat();
+  void renew_islands();
+  void connect_islands();
+  void beside_runs(const std::function<void()>& make);
   void pause();
   void change(Change change);
   void change_tool();
+  void change_heat();
   void record(bool on);
   void begin_recording();
   void end_recording();
@@ -77,6 +85,8 @@ class ViewSession {
   void send_controls();
   void send_sound(const LoopSnapshot& snapshot, double seconds);
   void send_guard_notice();
+  void send_heat();
+  void send_loose_pieces();
   [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
 
   template <class Command>
@@ -106,6 +116,8 @@ class ViewSession {
   Tool tool_;
   WorkspaceMapOptions map_;
   SurfaceStream stream_;
+  std::unique_ptr<HeatWatch> heat_;       // null: off
+  std::unique_ptr<IslandWatch> islands_;  // null: loose pieces stay
   std::unique_ptr<SimulationModel> model_;
   std::unique_ptr<WatchedModel> watched_;
   std::unique_ptr<RealtimeLoop> loop_;
@@ -116,6 +128,8 @@ class ViewSession {
   std::vector<float> samples_;
   double due_samples_ = 0, dissipated_ = 0, power_ = 0;
   double removed_at_mark_ = -1, removed_before_ = 0;  // [m^3] at the last undo mark; by earlier loops
+  std::vector<double> forces_;                        // [N] shown mean by material id from 1
+  std::uint64_t told_pieces_ = 0;                     // removed pieces of which pages were told
   std::uint64_t sent_ = 0;                            // number of commands sent to this loop
   std::uint64_t tick_before_ = 0;                     // last tick of the previous run
   bool pressed_ = false, touched_ = false, restart_requested_ = false, paused_ = true, begins_ = false,
