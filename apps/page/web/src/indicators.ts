@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts and numbers of the page: the guard, the notices, the meters.
 import { quantile } from "./curves.ts";
+import { sharesOf, textOfCut } from "./cut.ts";
 import { type GuardState, type Tone, guardState } from "./guard.ts";
+import { swatch } from "./heat.ts";
 import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
@@ -13,6 +15,7 @@ type ById = <T extends HTMLElement>(id: string) => T;
 export class Indicators {
   private numbers = new Map<string, HTMLElement>();
   private removed: HTMLElement[] = [];
+  private materials: Hello["materials"] = [];
   private tone: Tone = "waits";
   private notices: { text: string; severity: number; time: number }[] = [];
   private sentences: Pick<Hello, "arming" | "status"> = { arming: [], status: [] };
@@ -57,13 +60,14 @@ export class Indicators {
 
   begin(hello: Hello) {
     this.sentences = hello;
+    this.materials = hello.materials;
+    this.cut(null);
     delete this.byId("role").dataset.tone;
     const body = this.byId("removed").querySelector("tbody")!;
     body.replaceChildren();
     this.removed = hello.materials.map(({ name, color }) => {
-      const swatch = element("span", { class: "swatch" }), value = element("td", {}, "0 mm³");
-      swatch.style.background = `rgb(${color.join()})`;
-      body.append(element("tr", {}, element("td", {}, swatch, name.replaceAll("_", " ")), value));
+      const value = element("td", {}, "0 mm³");
+      body.append(element("tr", {}, element("td", {}, swatch(color), name.replaceAll("_", " ")), value));
       return value;
     });
   }
@@ -84,12 +88,27 @@ export class Indicators {
     this.number("removed", `${(1e9 * snapshot.removed).toFixed(2)} mm³`);
     (this.byId("undo") as HTMLButtonElement).disabled = snapshot.undoMarks === 0;
     (this.byId("redo") as HTMLButtonElement).disabled = snapshot.redoMarks === 0;
+    this.cut(instruments);
     if (!instruments) return;
     this.removed.forEach((cell, n) => {
       cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`;
     });
     const p99 = quantile(instruments.latency, instruments.bucket, 0.99);
     this.byId("lateness").textContent = `99 % below ${Math.round(p99)} µs, ${instruments.missed} missed`;
+  }
+
+  /** The materials that are cut, with their shares of the force, else the one under the tip. */
+  private cut(instruments: Instruments | null) {
+    const { forces, under } = instruments ?? { forces: [], under: 0 };
+    const shares = sharesOf(this.materials, forces);
+    this.byId("cut-label").textContent = shares.length > 0 ? "cuts" : "under the tip";
+    this.byId("cut").textContent = textOfCut(this.materials, { forces, under });
+    this.byId("cut-shares").replaceChildren(...shares.map(({ color, part }) => {
+      const bar = element("i");
+      bar.style.background = `rgb(${color.join()})`;
+      bar.style.flexGrow = String(part);
+      return bar;
+    }));
   }
 
   private number(name: string, text: string) {

@@ -4,13 +4,14 @@ import * as three from "three";
 import { Eye } from "./camera.ts";
 import { Curves, drawLatency } from "./curves.ts";
 import { Hand } from "./hand.ts";
+import { HeatTable } from "./heat.ts";
 import { Indicators } from "./indicators.ts";
 import { connect, type Link } from "./link.ts";
 import { ownPanels, viewButtons } from "./own_panels.ts";
 import { element, Panels } from "./panels.ts";
 import { Picture } from "./picture.ts";
 import { Pointer } from "./pointer.ts";
-import { commands, type Instruments, type Message, type Pose, type Snapshot } from "./protocol.ts";
+import { commands, type Heat, type Instruments, type Message, type Pose, type Snapshot } from "./protocol.ts";
 import { showPlayer } from "./player.ts";
 import { Workpiece } from "./scene.ts";
 import { Speaker } from "./sound.ts";
@@ -28,9 +29,11 @@ class Page {
   readonly speaker = new Speaker();
   readonly curves = new Curves(byId("force-curve"), byId("torque-curve"));
   readonly indicators = new Indicators(byId);
+  readonly heatTable = new HeatTable(byId);
   readonly path: { time: number; X_WH: Pose; pressed: boolean }[] = []; // poses that were sent, newest last
   snapshot: Snapshot | null = null;
   instruments: Instruments | null = null;
+  heat: Heat | null = null; // null: off
   frames = 0;
   frameTime = 0; // ms between drawn pictures, running mean
   writer = false;
@@ -90,6 +93,8 @@ class Page {
         if (!document.body.classList.contains("replay"))
           this.indicators.role(message.writer ? "in control" : "watching");
         this.indicators.begin(message);
+        this.heatTable.begin(message);
+        this.heat = null;
         this.pointer.begin();
         this.began = performance.now();
         this.framed = this.placed = false;
@@ -121,6 +126,11 @@ class Page {
       case "notice": this.indicators.notice(message.text, message.severity); return;
       case "sound": this.speaker.play(message.samples); return;
       case "instruments": this.instruments = message; break;
+      case "heat":
+        this.heat = message.cells.length > 0 ? message : null;
+        this.workpiece.warm(message);
+        this.heatTable.show(message);
+        break;
     }
     this.changed = true;
   }

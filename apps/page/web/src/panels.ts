@@ -23,7 +23,21 @@ export function parse(text: string, min: number, max: number): number | null {
   return text.trim() === "" || !Number.isFinite(value) || value < min || value > max ? null : value;
 }
 
+/** The known range of a control, and its usual value; empty if nothing is known. */
+export function knownText({ low, typical, high, unit, source }: Control): string {
+  if (source === "") return "";
+  const range = low === high ? "no range" : `${short(low)} ... ${short(high)}`;
+  return `typical ${short(typical)}${unit && ` ${unit}`}, ${range}`;
+}
+const short = (value: number) => shown(+value.toPrecision(3));
+
 const isWide = (control: Control) => control.max / Math.max(control.min, 1e-12) > 2000 || !Number.isFinite(control.max);
+
+/** The known range as a small text, with its source behind it. */
+function known(control: Control): HTMLElement[] {
+  const text = knownText(control);
+  return text ? [element("small", { class: "known", title: `Source: ${control.source}` }, text)] : [];
+}
 
 export class Panels {
   private controls = new Map<number, Control>();
@@ -41,7 +55,7 @@ export class Panels {
   }
 
   show(all: Control[]) {
-    const order = all.map((one) => [one.id, one.panel, one.label, one.control, one.choices.join("|")].join("/")).join();
+    const order = all.map((one) => [one.id, one.panel, one.label, one.control, one.choices.join("|"), knownText(one), one.source].join("/")).join();
     this.controls = new Map(all.map((one) => [one.id, one]));
     if (order !== this.order) this.build(all);
     this.order = order;
@@ -66,7 +80,7 @@ export class Panels {
       const details = element("details", { class: "server", "data-panel": panel }, element("summary", {}, name), box);
       if (panel === "application" || panel === "tool") details.open = true;
       for (const control of all.filter((one) => one.panel === panel))
-        box.append(this.row(control), element("small", { class: "idle", id: `idle-${control.id}` }));
+        box.append(this.row(control), ...known(control), element("small", { class: "idle", id: `idle-${control.id}` }));
       this.parent.insertBefore(details, before);
     }
   }

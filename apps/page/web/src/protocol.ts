@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between server and page: the comment of include/hapticut/view/protocol.hpp describes their bytes.
 
-export const kVersion = 5;
+export const kVersion = 6;
 
 export type Vec3 = [number, number, number];
 
@@ -99,6 +99,10 @@ export interface Control {
   value: number;
   min: number;
   max: number;
+  low: number; // known range and usual value, if there is a source
+  typical: number;
+  high: number;
+  source: string; // who measured them; empty: nothing is known
 }
 
 export interface Controls {
@@ -127,10 +131,25 @@ export interface Instruments {
   bucket: number; // s
   latency: Uint32Array;
   removed: number[]; // m^3, by material id from 1
+  forces: number[]; // N, normal force on the head by material id from 1; 0 while it cuts nothing
+  under: number; // id of the material under the tip; 0: none
+}
+
+export interface Heat {
+  kind: "heat";
+  X_WC: Pose; // of the cells; the origin is in the centre of the first one
+  cellSize: number; // m
+  dims: Vec3; // cells along x, y, z; 0: heat is off
+  first: number; // deg C of byte 1
+  step: number; // K between two bytes
+  body: number; // deg C
+  threshold: number; // deg C, of the line
+  structures: { now: number; peak: number; timeAbove: number }[]; // deg C, deg C, s by material id from 1
+  cells: Uint8Array; // temperatures, x fastest; 0: no material
 }
 
 export type Message =
-  | Hello | SurfacePage | Snapshot | Sound | Tool | Controls | Trace | Notice | Instruments;
+  | Hello | SurfacePage | Snapshot | Sound | Tool | Controls | Trace | Notice | Instruments | Heat;
 
 class Reader {
   private at = 0;
@@ -212,9 +231,10 @@ function readMessage(kind: number, r: Reader): Message | null {
       const controls = Array.from({ length: r.u32() }, (): Control => {
         const id = r.u16(), control = kControls[r.u8()] ?? "number";
         r.u8();
-        const value = r.f64(), min = r.f64(), max = r.f64();
-        const [panel, label, unit, choices, idle] = [0, 0, 0, 0, 0].map(() => r.text(r.u16()));
-        return { id, control, panel, label, unit, choices: choices ? choices.split("|") : [], idle, value, min, max };
+        const value = r.f64(), min = r.f64(), max = r.f64(), low = r.f64(), typical = r.f64(), high = r.f64();
+        const [panel, label, unit, choices, idle, source] = Array.from({ length: 6 }, () => r.text(r.u16()));
+        return { id, control, panel, label, unit, choices: choices ? choices.split("|") : [], idle, value, min, max,
+                 low, typical, high, source };
       });
       return { kind: "controls", controls };
     }
@@ -230,7 +250,15 @@ function readMessage(kind: number, r: Reader): Message | null {
       const X_WG = r.pose(), power = r.f64(), ticks = r.u64(), missed = r.u64(), bucket = r.f64();
       const latency = Uint32Array.from({ length: r.u32() }, () => r.u32());
       const removed = Array.from({ length: r.u32() }, () => r.f64());
-      return { kind: "instruments", X_WG, power, ticks, missed, bucket, latency, removed };
+      const forces = Array.from({ length: r.u32() }, () => r.f64());
+      return { kind: "instruments", X_WG, power, ticks, missed, bucket, latency, removed, forces, under: r.u32() };
+    }
+    case 10: {
+      const X_WC = r.pose(), cellSize = r.f64(), dims: Vec3 = [r.u32(), r.u32(), r.u32()];
+      const first = r.f64(), step = r.f64(), body = r.f64(), threshold = r.f64();
+      const structures = Array.from({ length: r.u32() }, () => ({ now: r.f64(), peak: r.f64(), timeAbove: r.f64() }));
+      const cells = r.read(dims[0] * dims[1] * dims[2]);
+      return { kind: "heat", X_WC, cellSize, dims, first, step, body, threshold, structures, cells };
     }
     default:
       return null;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface of the workpiece: one draw call per page, twelve bytes per vertex. Units of the scene are mm.
 import * as three from "three";
-import type { Hello, Pose, SurfacePage, Vec3 } from "./protocol.ts";
+import { HeatColors, heatShader } from "./heat.ts";
+import type { Heat, Hello, Pose, SurfacePage, Vec3 } from "./protocol.ts";
 
 const kEdge = 32; // voxels per page
 const kSteps = 512; // steps of a vertex position per voxel
@@ -30,12 +31,18 @@ uniform vec4 section;
 uniform vec3 keyLight;
 in vec3 vColor, vNormal, vPlace, vEye;
 out vec4 color;
+${heatShader}
 void main() {
+  vec3 own = vColor;
+  if (showsHeat) {
+    float temperature = temperatureAt(vPlace);
+    own = heated(own, temperature, fwidth(temperature));
+  }
   if (dot(section.xyz, vPlace) > section.w) discard;
   vec3 toEye = normalize(cameraPosition - vPlace);
   if (!gl_FrontFacing) {
     float stripe = smoothstep(0.35, 0.5, abs(fract((vPlace.x + vPlace.y + vPlace.z) * 1.2) - 0.5));
-    color = vec4(vColor * mix(0.22, 0.3, stripe), 1.0);
+    color = vec4(own * mix(0.22, 0.3, stripe), 1.0);
     return;
   }
   vec3 n = normalize(vNormal);
@@ -44,7 +51,7 @@ void main() {
   float sky = 0.5 + 0.5 * n.z;
   vec3 halfway = normalize(keyLight + toEye);
   float gloss = 0.10 * pow(max(dot(n, halfway), 0.0), 40.0);
-  color = vec4(vColor * (0.16 + 0.14 * sky + 0.52 * key + 0.26 * head * head) + gloss, 1.0);
+  color = vec4(own * (0.16 + 0.14 * sky + 0.52 * key + 0.26 * head * head) + gloss, 1.0);
 }`;
 
 export const toMatrix = (X: Pose): three.Matrix4 => {
@@ -63,17 +70,20 @@ export class Workpiece {
   private pages = new Map<string, three.Mesh>();
   private X_WV = new three.Matrix4();
   private voxel = 1; // mm
+  private heat = new HeatColors();
   private material = new three.ShaderMaterial({
     glslVersion: three.GLSL3, vertexShader, fragmentShader, side: three.DoubleSide,
     uniforms: {
       colors: { value: Array.from({ length: 16 }, () => new three.Vector3(0.8, 0.8, 0.8)) },
       section: { value: new three.Vector4(0, 0, 0, 1) },
       keyLight: { value: new three.Vector3(0.3, 0.5, 0.8).normalize() },
+      ...this.heat.uniforms,
     },
   });
 
   begin(hello: Hello) {
     this.clear();
+    this.heat.uniforms.showsHeat.value = false;
     const h = (this.voxel = hello.voxelSize * 1e3);
     this.X_WV = toMatrix(hello.X_WV).multiply(new three.Matrix4().makeScale(h, h, h));
     const colors = this.material.uniforms.colors.value as three.Vector3[];
@@ -110,6 +120,9 @@ export class Workpiece {
     this.uploaded += page.vertices.byteLength + page.indices.byteLength;
     this.bounds.union(mesh.geometry.boundingBox!.clone().applyMatrix4(mesh.matrixWorld));
   }
+
+  /** Colours the surface by temperature, or not if there are no cells. */
+  warm(heat: Heat) { this.heat.use(heat, toMatrix(heat.X_WC)); }
 
   get draws() { return this.pages.size; }
 
