@@ -16,6 +16,8 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "hapticut/workpiece/preset_constants.hpp"
 #include "page/session/watched_model.hpp"
 #include "support/refusal.hpp"
 #include "support/scripted_loop.hpp"
@@ -132,9 +134,15 @@ const std::map<std::string, Turned>& turned() {
 
 /// Controls that do not affect the model.
 const std::map<std::string, Change> kBeside = {
-    {"application/Record", Change::record},   {"application/Reset", Change::reset},
-    {"application/Restart", Change::restart}, {"additional/Sound of the drill", Change::haptics},
+    {"application/Record", Change::record},
+    {"application/Reset", Change::reset},
+    {"application/Restart", Change::restart},
+    {"additional/Sound of the drill", Change::haptics},
     {"additional/Volume", Change::haptics},
+    {"application/Remove loose pieces", Change::loose_pieces},
+    {"heat/Heat", Change::heat},
+    {"heat/Water", Change::heat},
+    {"heat/Irrigation", Change::heat},
 };
 
 TEST(ViewControls, EachIsOneOfThoseThatAreTestedHere) {
@@ -252,6 +260,56 @@ TEST(ViewControls, RefuseAStaticFrictionBelowTheDynamicOne) {
   test::expect_refused([&] { return panel.set("material/plain static friction", 0.4); },
                        "the static friction must be at least the dynamic friction, 0.5; lower the dynamic friction");
   EXPECT_EQ(panel.set("material/plain static friction", 0.6), Change::materials);
+}
+
+TEST(ViewControls, TellTheKnownRangeWithinTheirOwn) {
+  const Tool tool(SphereHead{1 * mm}, RayHandle{100 * mm}, Spindle{3000 * units::rad_per_s});
+  Material mine = presets::dentin();
+  mine.name = "mine";
+  const ViewControls controls(
+      tool, MaterialTable({presets::enamel(), presets::dentin(CutterKind::coarse_diamond), mine}), {}, false);
+  std::map<std::string, view::Control> at;
+  for (const view::Control& one : controls.all()) at[one.label] = one;
+  for (const auto& [label, one] : at)
+    EXPECT_TRUE(one.source.empty() || (one.min <= one.low && one.high <= one.max)) << label;
+  const PresetConstant &energy = *find_constant("carbide_bur", "specific_cutting_energy"),
+                       &share = *find_constant("enamel", "share");
+  const view::Control& enamel = at["enamel cutting energy"];
+  EXPECT_NEAR(enamel.low, 1e-9 * energy.low * share.low, 1e-12);
+  EXPECT_NEAR(enamel.typical, enamel.value, 1e-12);
+  EXPECT_NEAR(enamel.high, 1e-9 * energy.high * share.high, 1e-12);
+  test::expect_part(enamel.source, std::string(energy.source));
+  test::expect_part(enamel.source, std::string(share.source));
+  EXPECT_NEAR(at["dentin cutting energy"].high, 1e-9 * find_constant("coarse_diamond", "specific_cutting_energy")->high,
+              1e-9);
+  EXPECT_EQ(at["enamel static friction"].low, find_constant("solid", "static_friction")->low);
+  EXPECT_EQ(at["mine cutting energy"].source, "") << "no preset";
+  EXPECT_EQ(at["Diameter"].source, "");
+}
+
+TEST(ViewControls, TellWhatIsBesideTheStep) {
+  const Tool tool(SphereHead{1 * mm}, RayHandle{100 * mm}, Spindle{3000 * units::rad_per_s});
+  ViewControls controls(tool, MaterialTable({test::plain_material()}), {}, true, {true, 0, true});
+  const auto turn = [&](const std::string& label, double value) {
+    for (const view::Control& one : controls.all())
+      if (one.label == label) (void)controls.set({one.id, value});
+  };
+  const auto idle = [&](const std::string& label) {
+    return std::ranges::find(controls.all(), label, &view::Control::label)->idle;
+  };
+  EXPECT_TRUE(controls.beside().heat);
+  EXPECT_TRUE(controls.beside().loose_pieces);
+  EXPECT_EQ(controls.beside().irrigation, 0);
+  EXPECT_EQ(idle("Irrigation"), "the water is off");
+  turn("Water", 1);
+  EXPECT_EQ(controls.beside().irrigation, 3000) << "a spray";
+  EXPECT_EQ(idle("Irrigation"), "");
+  controls.show_heat(false);
+  EXPECT_FALSE(controls.beside().heat);
+  EXPECT_EQ(idle("Water"), "the heat is off");
+  EXPECT_EQ(idle("Remove loose pieces"), "");
+  controls.show_recording(true);
+  EXPECT_EQ(idle("Remove loose pieces"), "loose pieces stay in a recording");
 }
 
 // Proves: what acts when.

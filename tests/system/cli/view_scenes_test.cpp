@@ -68,6 +68,22 @@ TEST(ViewScenes, OfASettingsFileHaveWhatItSays) {
   expect_ready_to_drill(scene);
 }
 
+TEST(ViewScenes, HaveHeatAndLoosePiecesAsTheSettingsFileSays) {
+  const ViewScene molar = make_view_scene("molar");
+  EXPECT_FALSE(molar.shows_heat);
+  EXPECT_FALSE(molar.removes_loose_pieces);
+  EXPECT_EQ(molar.heat.by_material.at(0), thermal_properties_of(molar.workpiece.materials()[MaterialId(1)].name));
+  const test::TemporaryFolder folder;
+  const std::string block =
+      "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"dentin\"\nvoxel_mm = 0.3\n";
+  test::write_bytes(folder / "a.toml",
+                    block + "[simulation]\nremove_loose_pieces = true\n[heat]\non = true\nirrigation = 2000\n");
+  const ViewScene wet = make_view_scene((folder / "a.toml").string());
+  EXPECT_TRUE(wet.shows_heat);
+  EXPECT_TRUE(wet.removes_loose_pieces);
+  EXPECT_EQ(wet.heat.irrigation, 2000);
+}
+
 TEST(ViewScenes, OfAWorkpieceHaveABallThatSuitsIt) {
   const test::TemporaryFolder folder;
   const std::string path = (folder / "a.vdb").string();

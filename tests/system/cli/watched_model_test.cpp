@@ -79,6 +79,19 @@ TEST(WatchedModel, ReportsTicksTheirLatenessAndTheRemovedVolume) {
   EXPECT_EQ(shown.removed[0], cut.scripted.simulation.totals().removed_volume[1]);
 }
 
+TEST(WatchedModel, TellsTheMeanForceOnEachMaterialAndTheOneUnderTheTip) {
+  Cut cut;
+  cut.run(600);
+  const std::vector<double> mean = cut.watched.drain_forces(1);
+  ASSERT_EQ(mean.size(), 1U);
+  EXPECT_GT(mean[0], 0);
+  EXPECT_LT(mean[0], cut.scripted.simulation.normal_forces()[1]) << "it grew during the run";
+  EXPECT_EQ(cut.watched.drain_forces(1)[0], 0) << "no tick since the last call";
+  view::Instruments shown;
+  cut.watched.fill(shown, 1);
+  EXPECT_EQ(shown.under, 1);
+}
+
 TEST(WatchedModel, ReportsTheSettingsAfterCommands) {
   Cut cut;
   EXPECT_EQ(cut.watched.settings().spindle_speed, 3000);

@@ -33,7 +33,7 @@ TEST(PanelMessages, AToolIsItsHandleAndItsOutline) {
 
 TEST(PanelMessages, ControlsDescribeThemselves) {
   const std::vector<Control> controls = {
-      {7, Control::Kind::choice, 1, 0, 2, "tool", "Head", "mm", "ball|cone|flat", "off"}};
+      {7, Control::Kind::choice, 1, 0, 2, "tool", "Head", "mm", "ball|cone|flat", "off", 0.5, 1.5, 1.75, "who"}};
   const Message message = encode(controls);
   EXPECT_EQ(message[0], 6);
   EXPECT_EQ(number_at<std::uint32_t>(message, 4), 1U);
@@ -42,9 +42,12 @@ TEST(PanelMessages, ControlsDescribeThemselves) {
   EXPECT_EQ(message[11], 0);
   EXPECT_EQ(number_at<double>(message, 12), 1);
   EXPECT_EQ(number_at<double>(message, 28), 2);
-  EXPECT_EQ(number_at<std::uint16_t>(message, 36), 4);
-  EXPECT_EQ(std::string(message.begin() + 38, message.begin() + 42), "tool");
-  EXPECT_EQ(message.size(), 36 + (2 + 4) + (2 + 4) + (2 + 2) + (2 + 14) + (2 + 3U));
+  EXPECT_EQ(number_at<double>(message, 36), 0.5);
+  EXPECT_EQ(number_at<double>(message, 52), 1.75);
+  EXPECT_EQ(number_at<std::uint16_t>(message, 60), 4);
+  EXPECT_EQ(std::string(message.begin() + 62, message.begin() + 66), "tool");
+  EXPECT_EQ(std::string(message.end() - 3, message.end()), "who");
+  EXPECT_EQ(message.size(), 60 + (2 + 4) + (2 + 4) + (2 + 2) + (2 + 14) + (2 + 3) + (2 + 3U));
 }
 
 TEST(PanelMessages, ATraceIsSixNumbersATick) {
@@ -76,8 +79,10 @@ TEST(PanelMessages, InstrumentsHaveLatencyAndVolumes) {
   given.bucket = 25e-6;
   given.latency = {998, 2};
   given.removed = {1e-9, 0, 3e-9};
+  given.forces = {0.5, 0, 2};
+  given.under = 3;
   const Message message = encode(given);
-  ASSERT_EQ(message.size(), 132 + 4 + 8 + 4 + 24U);
+  ASSERT_EQ(message.size(), 132 + 4 + 8 + 4 + 24 + 4 + 24 + 4U);
   EXPECT_EQ(message[0], 9);
   EXPECT_EQ(number_at<double>(message, 4 + 72), 0.1);
   EXPECT_EQ(number_at<double>(message, 100), 4);
@@ -88,6 +93,33 @@ TEST(PanelMessages, InstrumentsHaveLatencyAndVolumes) {
   EXPECT_EQ(number_at<std::uint32_t>(message, 136), 998U);
   EXPECT_EQ(number_at<std::uint32_t>(message, 144), 3U);
   EXPECT_EQ(number_at<double>(message, 148 + 16), 3e-9);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 172), 3U);
+  EXPECT_EQ(number_at<double>(message, 176 + 16), 2);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 200), 3U) << "under the tip";
+}
+
+TEST(PanelMessages, HeatHasAByteForEachCell) {
+  Heat given;
+  given.X_WC = Pose::from_translation(Vec3(0.1, 0.2, 0.3));
+  given.cell_size = 4e-4;
+  given.dims = {2, 1, 1};
+  given.first = 10.25;
+  given.step = 0.5;
+  given.structures = {{50, 80, 3}};
+  given.cells = {0, 74};
+  const Message message = encode(given);
+  ASSERT_EQ(message.size(), 4 + 96 + 8 + 12 + 32 + 4 + 24 + 2U);
+  EXPECT_EQ(message[0], 10);
+  EXPECT_EQ(number_at<double>(message, 4 + 72), 0.1);
+  EXPECT_EQ(number_at<double>(message, 100), 4e-4);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 108), 2U);
+  EXPECT_EQ(number_at<double>(message, 120), 10.25);
+  EXPECT_EQ(number_at<double>(message, 144), 47) << "the threshold";
+  EXPECT_EQ(number_at<std::uint32_t>(message, 152), 1U);
+  EXPECT_EQ(number_at<double>(message, 156), 50);
+  EXPECT_EQ(number_at<double>(message, 172), 3) << "s above the threshold";
+  EXPECT_EQ(message[181], 74);
+  EXPECT_EQ(encode(Heat{}).size(), 156U) << "off";
 }
 
 }  // namespace
