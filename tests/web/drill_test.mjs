@@ -55,6 +55,45 @@ test("the mouse drills the tooth, the curve shows the force, and undo and redo r
   await until(page, (then) => hapticut.workpiece.triangles === then, before);
 });
 
+/** Presses and moves to and fro until a condition in the page is true. */
+async function drillUntil({ x, y }, condition, argument) {
+  await drawn(page);
+  await page.mouse.move(x, y);
+  await atRest(page);
+  await page.mouse.down();
+  for (let n = 0; !await page.evaluate(condition, argument) && n < 2000; ++n) {
+    await page.mouse.move(x + 12 * Math.sin(0.1 * n), y + 6 * Math.cos(0.1 * n));
+    await page.waitForTimeout(40);
+  }
+  await page.mouse.up();
+  await until(page, condition, argument);
+}
+
+test("a cut names its materials, warms the tooth, and water cools it; without heat the page shows none", async () => {
+  const { x, y } = await middle(page);
+  const set = (label, value) => page.evaluate(([name, to]) => hapticut.panels.set(name, to), [label, value]);
+  const hottest = () => page.evaluate(() => Math.max(...hapticut.heat.structures.map(({ now }) => now)));
+  assert.equal(await page.locator("#heat").isVisible(), false);
+  await set("Heat", 1);
+  await until(page, () => hapticut.heat !== null && hapticut.snapshot.arming === 4);
+  assert.ok(await hottest() <= 37.1, "the whole tooth has the temperature of the body");
+  assert.equal(await page.locator("#legend").isVisible(), true);
+  await drillUntil({ x: x - 20, y: y - 10 }, () => / %/.test(document.getElementById("cut").textContent));
+  await drillUntil({ x: x - 20, y: y - 10 }, () => Math.max(...hapticut.heat.structures.map(({ now }) => now)) > 39);
+  await until(page, () => /peak (39|[4-9]\d|\d{3})/.test(document.getElementById("hottest").textContent));
+  const dry = await hottest();
+  await set("Irrigation", 10_000);
+  await set("Water", 1);
+  await until(page, (then) => Math.max(...hapticut.heat.structures.map(({ now }) => now)) < Math.min(then, 38), dry);
+  assert.ok(await page.evaluate(() => hapticut.heat.cells.some((byte) => byte > 0 && hapticut.heat.first + 0.5 * byte < 34)));
+  const watcher = await openPage(browser, program.url);
+  await until(watcher, () => hapticut.heat !== null && /peak/.test(document.getElementById("hottest").textContent));
+  assert.deepEqual(watcher.mistakes, []);
+  await watcher.close();
+  await set("Heat", 0);
+  await until(page, () => hapticut.heat === null && document.getElementById("heat").hidden);
+});
+
 test("a control that does nothing says why beside it", async () => {
   const beside = () => page.evaluate(() => [...hapticut.panels.controls.values()].map(({ id, label, idle }) =>
     ({ label, idle, text: document.getElementById(`idle-${id}`).textContent })));
@@ -102,6 +141,12 @@ test("a value that is out of range is marked and not sent", async () => {
   assert.equal(await valueOf("Diameter"), before);
   await field.fill(String(before));
   await field.press("Enter");
+});
+
+test("a number of a material tells its range and its source", async () => {
+  const known = page.locator('details[data-panel="material"] small.known');
+  assert.match(await known.filter({ hasText: "J/mm³" }).first().textContent(), /^typical [\d.]+ J\/mm³, [\d.]+ \.\.\. [\d.]+$/);
+  assert.match(await known.first().getAttribute("title"), /^Source: .{10}/);
 });
 
 test("the emergency stop removes the force, and a reset restores it", async () => {
