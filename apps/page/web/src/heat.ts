@@ -19,8 +19,8 @@ const kCold = 15, kHot = 45; // K of the scale below the body, and above the thr
 export function scaleOf({ body, threshold }: Pick<Heat, "body" | "threshold">): Stop[] {
   const warm = body + kNeutral, between = threshold - warm;
   return [
-    { at: body - kCold, color: [20, 60, 200], cover: 0.95 },
-    { at: body - 0.5 * kCold, color: [70, 140, 240], cover: 0.8 },
+    { at: body - kCold, color: [20, 75, 215], cover: 0.85 },
+    { at: body - 0.5 * kCold, color: [80, 155, 245], cover: 0.7 },
     { at: body - kNeutral, color: [150, 190, 240], cover: 0 },
     { at: warm, color: [255, 236, 130], cover: 0 },
     { at: warm + 0.4 * between, color: [255, 225, 70], cover: 0.85 },
@@ -133,10 +133,10 @@ export class HeatTable {
     this.showLegend(heat);
     const max = (which: "now" | "peak") => Math.max(...heat.structures.map((one) => one[which]));
     this.byId("hottest").textContent = `max ${max("now").toFixed(1)}, peak ${max("peak").toFixed(1)} °C`;
-    const head = element("tr", {}, ...["", "now", "peak", `above ${heat.threshold}`].map((text) => element("th", {}, text)));
+    const head = element("tr", {}, ...["°C", "now", "peak", `over ${heat.threshold}`].map((text) => element("th", {}, text)));
     this.byId("temperatures").replaceChildren(head, ...heat.structures.map(({ now, peak, timeAbove }, n) => {
       const { name, color } = this.materials[n] ?? { name: `${n + 1}`, color: [0, 0, 0] };
-      const cells = [`${now.toFixed(1)} °C`, `${peak.toFixed(1)} °C`, `${timeAbove.toFixed(1)} s`];
+      const cells = [now.toFixed(1), peak.toFixed(1), `${timeAbove.toFixed(1)} s`];
       const row = element("tr", {}, element("td", {}, swatch(color), name.replaceAll("_", " ")),
                           ...cells.map((text) => element("td", {}, text)));
       row.classList.toggle("above", peak > heat.threshold);
