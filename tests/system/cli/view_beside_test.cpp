@@ -118,19 +118,21 @@ TEST(ViewHeat, HasAByteForEachCell) {
   EXPECT_NEAR(line - std::floor(line), 0.5, 1e-9) << "between two bytes";
 }
 
-/// A bar that a ball cuts through at a height of 4 mm.
+/// A thin bar that a ball cuts through at a height of 4 mm.
 apps::ViewScene bar_scene() {
   apps::ViewScene scene = small_scene("bar");
-  scene.box = {Vec3(-0.4, -0.4, 0) * mm, Vec3(0.4, 0.4, 6) * mm};
+  scene.box = {Vec3(-0.2, -0.2, 0) * mm, Vec3(0.2, 0.2, 6) * mm};
   scene.workpiece = build_block(scene.box, 0.1 * mm, test::plain_material());
   scene.tool = Tool(SphereHead{0.6 * mm}, RayHandle{20 * mm}, Spindle{3000 * units::rad_per_s});
   return scene;
 }
-constexpr VoxelIndex kTop = {4, 4, 55};
+constexpr VoxelIndex kTop = {1, 1, 55};
 
+/// In small steps, so that the ball does not slip off.
 void cut_through(Desk& desk) {
-  desk.lead(Vec3(-2, 0, 3.4) * mm, false);
-  desk.lead(Vec3(2, 0, 3.4) * mm, true);
+  desk.lead(Vec3(-1, 0, 3.4) * mm, false);
+  for (const double y : {0.0, -0.2, 0.2})
+    for (double x = -0.9; x < 1; x += 0.15) desk.lead(Vec3(x, y, 3.4) * mm, true);
 }
 
 TEST(ViewLoosePieces, DisappearWithANoticeAndComeBackWithAnUndo) {
@@ -153,7 +155,7 @@ TEST(ViewLoosePieces, StayWhileTheyAreNotAskedFor) {
   cut_through(desk);
   std::this_thread::sleep_for(200ms);
   EXPECT_NE(desk.model().workpiece().material_at(kTop), kEmpty);
-  EXPECT_GT(desk.session.simulation().totals().removed_volume[1], 0);
+  EXPECT_EQ(find_islands(desk.session.simulation().workpiece()).size(), 1U) << "the top is loose";
 }
 
 TEST(ViewLoosePieces, StayInARecording) {

@@ -69,19 +69,20 @@ TEST(ViewScenes, OfASettingsFileHaveWhatItSays) {
 }
 
 TEST(ViewScenes, HaveHeatAndLoosePiecesAsTheSettingsFileSays) {
-  const ViewScene molar = make_view_scene("molar");
-  EXPECT_FALSE(molar.shows_heat);
-  EXPECT_FALSE(molar.removes_loose_pieces);
-  EXPECT_EQ(molar.heat.by_material.at(0), thermal_properties_of(molar.workpiece.materials()[MaterialId(1)].name));
+  const ViewScene clay = make_view_scene("clay");
+  EXPECT_FALSE(clay.shows_heat);
+  EXPECT_FALSE(clay.removes_loose_pieces);
   const test::TemporaryFolder folder;
   const std::string block =
       "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"dentin\"\nvoxel_mm = 0.3\n";
-  test::write_bytes(folder / "a.toml",
-                    block + "[simulation]\nremove_loose_pieces = true\n[heat]\non = true\nirrigation = 2000\n");
+  test::write_bytes(
+      folder / "a.toml",
+      block + "[simulation]\nremove_loose_pieces = true\n[heat]\non = true\nirrigation_W_per_m2K = 2000\n");
   const ViewScene wet = make_view_scene((folder / "a.toml").string());
   EXPECT_TRUE(wet.shows_heat);
   EXPECT_TRUE(wet.removes_loose_pieces);
   EXPECT_EQ(wet.heat.irrigation, 2000);
+  EXPECT_EQ(wet.heat.by_material.at(0), thermal_properties_of("dentin"));
 }
 
 TEST(ViewScenes, OfAWorkpieceHaveABallThatSuitsIt) {
