@@ -92,6 +92,25 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_surface_look_at(Surface of, ref Vec3 p_WQ);
     [DllImport(Library)] internal static extern int hapticut_surface_catch_up(Surface of);
 
+    [DllImport(Library)]
+    internal static extern int hapticut_heat_open(Simulation of, ref HeatConfig config, ThermalProperties[] byMaterial,
+                                                  UIntPtr count, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_heat_update(Heat of, out double time);
+    [DllImport(Library)] internal static extern int hapticut_heat_advance(Heat of, double dt);
+    [DllImport(Library)] internal static extern int hapticut_heat_set_irrigation(Heat of, double coefficient);
+    [DllImport(Library)]
+    internal static extern int hapticut_heat_temperature_at(Heat of, ref Vec3 p_WQ, out double temperature);
+    [DllImport(Library)] internal static extern int hapticut_heat_structure(Heat of, uint id, ref HeatStructureInfo info);
+    [DllImport(Library)] internal static extern int hapticut_heat_balance(Heat of, ref HeatBalanceInfo info);
+    [DllImport(Library)] internal static extern int hapticut_heat_grid(Heat of, ref HeatGridInfo info);
+    [DllImport(Library)]
+    internal static extern int hapticut_heat_cells(Heat of, HeatQuantity quantity, float[] values, UIntPtr count);
+
+    [DllImport(Library)]
+    internal static extern int hapticut_islands_open(Simulation of, ref IslandsOptions options, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_islands_count(Islands of, out ulong count);
+    [DllImport(Library)] internal static extern int hapticut_islands_poll(Islands of, ref IslandInfo info);
+
     [DllImport(Library)] internal static extern int hapticut_sound_open(ref SoundOptions options, out IntPtr made);
     [DllImport(Library)]
     internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples,

@@ -223,6 +223,101 @@ namespace Hapticut {
     public void CatchUp() { Native.Check(Native.hapticut_surface_catch_up(this)); }
   }
 
+  /// <summary>The temperatures of a workpiece. One thread may use it, also while a loop runs.</summary>
+  public sealed class Heat : LibraryObject {
+    Heat(IntPtr made) : base(made) {}
+
+    /// <summary>Opens the temperatures. Heat comes from all later steps. Call it before the loop starts.</summary>
+    /// <param name="byMaterial">properties of the materials 1, 2, ...; 0 or absent: those of the scene or the name</param>
+    public static Heat Of(Simulation simulation, HeatConfig config = default(HeatConfig),
+                          params ThermalProperties[] byMaterial) {
+      config.structSize = Native.SizeOf<HeatConfig>();
+      IntPtr made;
+      Native.Check(Native.hapticut_heat_open(simulation, ref config, byMaterial, (UIntPtr)byMaterial.Length, out made));
+      return new Heat(made);
+    }
+
+    /// <summary>Adds the heat of all steps since the last call, and advances by their duration.</summary>
+    /// <returns>[s] that duration</returns>
+    public double Update() {
+      double time;
+      Native.Check(Native.hapticut_heat_update(this, out time));
+      return time;
+    }
+
+    /// <summary>Advances the temperatures by dt [s] without steps.</summary>
+    public void Advance(double dt) { Native.Check(Native.hapticut_heat_advance(this, dt)); }
+
+    /// <param name="coefficient">[W/(m^2 K)] some thousands under a spray; 0: dry</param>
+    public void SetIrrigation(double coefficient) {
+      Native.Check(Native.hapticut_heat_set_irrigation(this, coefficient));
+    }
+
+    /// <summary>The temperature [deg C] at a point.</summary>
+    /// <returns>false if there is no material</returns>
+    public bool TemperatureAt(Vec3 p_WQ, out double temperature) {
+      return Native.Check(Native.hapticut_heat_temperature_at(this, ref p_WQ, out temperature));
+    }
+
+    /// <param name="id">1 ... SceneInfo.materials</param>
+    public HeatStructureInfo Structure(uint id) {
+      HeatStructureInfo info = new HeatStructureInfo { structSize = Native.SizeOf<HeatStructureInfo>() };
+      Native.Check(Native.hapticut_heat_structure(this, id, ref info));
+      return info;
+    }
+
+    public HeatBalanceInfo Balance {
+      get {
+        HeatBalanceInfo info = new HeatBalanceInfo { structSize = Native.SizeOf<HeatBalanceInfo>() };
+        Native.Check(Native.hapticut_heat_balance(this, ref info));
+        return info;
+      }
+    }
+
+    public HeatGridInfo Grid {
+      get {
+        HeatGridInfo info = new HeatGridInfo { structSize = Native.SizeOf<HeatGridInfo>() };
+        Native.Check(Native.hapticut_heat_grid(this, ref info));
+        return info;
+      }
+    }
+
+    /// <summary>Copies a quantity of all cells; x is the fastest index.</summary>
+    /// <param name="values">one for each cell of the grid; NaN where it has no material</param>
+    public void Cells(HeatQuantity quantity, float[] values) {
+      Native.Check(Native.hapticut_heat_cells(this, quantity, values, (UIntPtr)values.Length));
+    }
+  }
+
+  /// <summary>The removal of pieces that are cut loose, until it is disposed of.</summary>
+  public sealed class Islands : LibraryObject {
+    Islands(IntPtr made) : base(made) {}
+
+    /// <summary>Removes each piece that the tool cuts loose from now on. Call it before the loop starts.</summary>
+    public static Islands Of(Simulation simulation, IslandsOptions options = default(IslandsOptions)) {
+      options.structSize = Native.SizeOf<IslandsOptions>();
+      IntPtr made;
+      Native.Check(Native.hapticut_islands_open(simulation, ref options, out made));
+      return new Islands(made);
+    }
+
+    /// <summary>The number of pieces that were removed.</summary>
+    public ulong Count {
+      get {
+        ulong count;
+        Native.Check(Native.hapticut_islands_count(this, out count));
+        return count;
+      }
+    }
+
+    /// <summary>The next of the pieces that were removed.</summary>
+    /// <returns>false if no other piece was removed</returns>
+    public bool Poll(out IslandInfo info) {
+      info = new IslandInfo { structSize = Native.SizeOf<IslandInfo>() };
+      return Native.Check(Native.hapticut_islands_poll(this, ref info));
+    }
+  }
+
   /// <summary>The sound of a drill. Use it in the thread that needs the samples.</summary>
   public sealed class Sound : LibraryObject {
     Sound(IntPtr made) : base(made) {}

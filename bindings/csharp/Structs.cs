@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structs of hapticut/c/types.h, which documents the fields.
+// The structs of hapticut/c/types.h and heat_types.h, which document the fields.
 using System;
 using System.Runtime.InteropServices;
 
@@ -52,6 +52,7 @@ namespace Hapticut {
     internal uint unused;
     public double removedVolume, volume;
     [MarshalAs(UnmanagedType.ByValArray, SizeConst = 64)] internal byte[] name;
+    public double detachedVolume;
     public string Name { get { return Text.Of(name); } }
   }
 
@@ -229,5 +230,61 @@ namespace Hapticut {
     internal uint structSize;
     internal uint unused;
     public ulong recorded, lost;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HeatConfig {
+    internal uint structSize;
+    public uint voxelsPerCell;
+    public double cuttingShare, rubbingShare, bodyTemperature, irrigation, waterTemperature, threshold;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ThermalProperties {
+    public double conductivity, heatCapacity;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HeatStructureInfo {
+    internal uint structSize;
+    public uint material;
+    public double temperature, peak, timeAbove, cem43, volumeAbove;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HeatBalanceInfo {
+    internal uint structSize;
+    internal uint unused;
+    public double broughtIn, stored, chips, irrigation, imbalance;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HeatGridInfo {
+    internal uint structSize;
+    public uint dimsX, dimsY, dimsZ;
+    public double cellSize;
+    public Pose X_WC;
+  }
+
+  public enum HeatQuantity : uint { Temperature = 0, Peak = 1, Dose = 2 }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct IslandsOptions {
+    internal uint structSize;
+    internal uint hasFixed;
+    internal Vec3 fixedMin, fixedMax;
+    public double minFill, period;
+    public ulong blocksPerTick;
+
+    /// <summary>The pieces that reach into this box [m] in W stay, in place of the largest one.</summary>
+    public void Fix(Vec3 min, Vec3 max) { hasFixed = 1; fixedMin = min; fixedMax = max; }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  public struct IslandInfo {
+    internal uint structSize;
+    internal uint unused;
+    public ulong voxels;
+    public Vec3 center;
   }
 }

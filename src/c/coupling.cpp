@@ -21,11 +21,6 @@ class CouplingObject final : public Object {
   VirtualCoupling coupling;
 };
 
-/// Sets a value, where 0 means the default.
-void set_if_given(double given, double& value) noexcept {
-  if (given != 0) value = given;
-}
-
 CouplingGains gains_of(const hapticut_coupling_gains& given) noexcept {
   CouplingGains gains;
   set_if_given(given.stiffness, gains.stiffness);
@@ -84,6 +79,7 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
     put(tick.X_WH, own.X_WH);
     put(tick.first_touched, own.first_touched);
     write_struct(own, result);
+    object.remove_loose_pieces();
     return HAPTICUT_OK;
   });
 }

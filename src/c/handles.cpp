@@ -68,8 +68,17 @@ Slot& slot_of(hapticut_handle handle) noexcept { return table().slots[(handle & 
 }  // namespace
 
 const char* name_of(Kind kind) noexcept {
-  constexpr std::array<const char*, kKinds> kNames = {"handle", "simulation", "snapshot", "coupling", "device",
-                                                      "loop",   "surface",    "sound",    "recording"};
+  constexpr std::array<const char*, kKinds> kNames = {"handle",
+                                                      "simulation",
+                                                      "snapshot",
+                                                      "coupling",
+                                                      "device",
+                                                      "loop",
+                                                      "surface",
+                                                      "sound",
+                                                      "recording",
+                                                      "heat field",
+                                                      "removal of loose pieces"};
   return kNames[std::size_t(kind)];
 }
 

@@ -20,8 +20,20 @@
 /// of another copy is stale here, and a reused slot has another handle.
 namespace hapticut::c {
 
-enum class Kind : std::uint8_t { none, simulation, snapshot, coupling, device, loop, surface, sound, recording };
-inline constexpr std::size_t kKinds = 9;
+enum class Kind : std::uint8_t {
+  none,
+  simulation,
+  snapshot,
+  coupling,
+  device,
+  loop,
+  surface,
+  sound,
+  recording,
+  heat,
+  islands
+};
+inline constexpr std::size_t kKinds = 11;
 [[nodiscard]] const char* name_of(Kind kind) noexcept;
 
 /// Threads that may be in a call with an object at the same time: one thread per lane.

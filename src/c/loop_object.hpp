@@ -13,6 +13,26 @@
 
 namespace hapticut::c {
 
+/// The model of a loop, which also removes loose pieces between two ticks.
+class RemovingModel final : public LoopModel {
+ public:
+  RemovingModel(LoopModel& model, SimulationObject& simulation) : model_(model), simulation_(simulation) {}
+
+  Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+    Wrench wrench = model_.step(state, dt, snapshot);
+    simulation_.remove_loose_pieces();
+    return wrench;
+  }
+  [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
+  void check(const LoopCommand& command) const override { model_.check(command); }
+  bool apply(LoopCommand& command) noexcept override { return model_.apply(command); }
+  [[nodiscard]] Simulation* simulation() noexcept override { return model_.simulation(); }
+
+ private:
+  LoopModel& model_;
+  SimulationObject& simulation_;
+};
+
 /// A loop from its start to its end. It owns simulation and device meanwhile.
 ///
 /// Lanes: `first` starts and stops, `reading` reads snapshots, `sending` sends commands.
@@ -31,6 +51,7 @@ class LoopObject final : public Object {
   const std::shared_ptr<SimulationObject> simulation;
   const std::shared_ptr<DeviceObject> device;
   SimulationModel model;
+  RemovingModel removing;
   RealtimeLoop loop;
   LoopListener listener;            // used in lane reading
   std::atomic<bool> running{true};  // until stopped

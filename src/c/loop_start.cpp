@@ -117,7 +117,8 @@ LoopObject::LoopObject(std::shared_ptr<SimulationObject> a_simulation, std::shar
     : simulation(std::move(a_simulation)),
       device(std::move(a_device)),
       model(simulation->simulation, *device->device, model_options),
-      loop(*device->device, model, options),
+      removing(model, *simulation),
+      loop(*device->device, removing, options),
       listener(simulation->rate) {
   loop.start();
 }

@@ -32,22 +32,26 @@ int make(const char* source, const char* name, const MakeScene& make_scene, cons
     if (own.for_coupling == 1) scene.config.contact_time = ContactTime::end;
     Simulation simulation(std::move(scene.workpiece), std::move(scene.tool), std::move(scene.config));
     if (own.undo_blocks > 0) simulation.history().reserve(own.undo_blocks);
-    *to = add_object(Kind::simulation,
-                     std::make_shared<SimulationObject>(std::move(simulation), std::move(scene.motion)));
+    *to = add_object(Kind::simulation, std::make_shared<SimulationObject>(std::move(simulation), std::move(scene)));
     return HAPTICUT_OK;
   });
 }
 
 }  // namespace
 
-SimulationObject::SimulationObject(Simulation a_simulation, std::optional<settings::Motion> a_motion)
+SimulationObject::SimulationObject(Simulation a_simulation, settings::Scene&& scene)
     : simulation(std::move(a_simulation)),
-      motion(std::move(a_motion)),
+      motion(std::move(scene.motion)),
+      heat(std::move(scene.heat)),
       first_tool(simulation.tool()),
       removal(simulation.config().removal),
       box(box_of_workpiece(simulation.workpiece())),
       bounds(simulation.workpiece().bounds()),
-      rate(simulation.config().update_rate) {}
+      rate(simulation.config().update_rate) {
+  if (!scene.remove_loose_pieces) return;
+  watch_of_scene = std::make_unique<IslandWatch>(simulation);
+  watch.store(watch_of_scene.get());
+}
 
 int SimulationObject::require_idle() const noexcept {
   if (!driven.load(std::memory_order_acquire)) return HAPTICUT_OK;
@@ -68,6 +72,14 @@ void SimulationObject::sweep() {
     const std::lock_guard lock(mutex_);
     ended.swap(retired_);
   }
+}
+
+void require_material(const Workpiece& workpiece, std::uint32_t id) {
+  const int materials = workpiece.materials().size();
+  if (id < 1 || id > std::uint32_t(materials))
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT, "id = " + std::to_string(id) +
+                                               "; the materials of this scene have the ids 1 to " +
+                                               std::to_string(materials) + ".");
 }
 
 Tool tool_from_toml(const char* text, const Tool& before) {
@@ -136,14 +148,11 @@ int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_mate
   if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
   return within(IdleSimulation(simulation), [&](const auto& use) {
     const Workpiece& workpiece = use->simulation.workpiece();
-    const int materials = workpiece.materials().size();
-    if (id < 1 || id > std::uint32_t(materials))
-      throw Refusal(HAPTICUT_ERROR_ARGUMENT, "id = " + std::to_string(id) +
-                                                 "; the materials of this scene have the ids 1 to " +
-                                                 std::to_string(materials) + ".");
+    require_material(workpiece, id);
     hapticut_material_info own{};
     own.removed_volume = use->simulation.totals().removed_volume[id];
     own.volume = workpiece.amounts().at(id - 1).volume;
+    own.detached_volume = use->simulation.totals().detached_volume[id];
     copy_text(workpiece.materials()[MaterialId(id)].name, own.name, sizeof own.name);
     write_struct(own, info);
   });

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "c/handles.hpp"
-#include "hapticut/settings/motion.hpp"
+#include "hapticut/islands/island_watch.hpp"
+#include "hapticut/settings/scene.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
@@ -20,10 +21,12 @@ class SimulationObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::simulation;
 
-  SimulationObject(Simulation a_simulation, std::optional<settings::Motion> a_motion);
+  /// @param scene  whose workpiece, tool and configuration `a_simulation` has
+  SimulationObject(Simulation a_simulation, settings::Scene&& scene);
 
   Simulation simulation;
   const std::optional<settings::Motion> motion;  ///< X_WT
+  const std::optional<HeatConfig> heat;          ///< [heat] of the scene
   const Tool first_tool;                         ///< the tool of the scene, to which `motion` refers
   const RemovalLaw removal;                      ///< removal law of the scene
   const Box box;                                 ///< [m] box around the workpiece at its creation, in W
@@ -35,6 +38,16 @@ class SimulationObject final : public Object {
 
   /// Whether a loop drives it. Then no other thread may access it.
   std::atomic<bool> driven{false};
+
+  /// Removes pieces that are cut loose; null: they stay. Whoever takes it from here then destroys or retires it.
+  std::atomic<IslandWatch*> watch{nullptr};
+  std::unique_ptr<IslandWatch> watch_of_scene;  ///< while the scene demands the removal, and no handle does
+
+  /// Continues the removal of loose pieces. To be called in the thread that makes the steps, between two steps.
+  /// @realtime no allocation, no lock
+  void remove_loose_pieces() noexcept {
+    if (IslandWatch* const present = watch.load(std::memory_order_acquire)) present->tick();
+  }
 
   /// @return HAPTICUT_OK, or the code of an error when a loop drives it
   [[nodiscard]] int require_idle() const noexcept;
@@ -81,6 +94,9 @@ class IdleStay {
   Stay stay_;
   int code_;
 };
+
+/// @throws Refusal when the workpiece has no material with the id, which counts from 1
+void require_material(const Workpiece& workpiece, std::uint32_t id);
 
 /// Makes a tool from a text in TOML with a table [tool]. The cutter is that of `before`, because the materials depend
 /// on it.

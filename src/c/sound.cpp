@@ -27,9 +27,9 @@ int hapticut_sound_open(const hapticut_sound_options* options, hapticut_sound* s
     hapticut_sound_options own;
     if (const int code = read_struct_if_given(options, "options", own); code != HAPTICUT_OK) return code;
     SoundOptions given;
-    if (own.flutes != 0) given.flutes = int(std::min(own.flutes, 1'000'000U));
-    if (own.volume != 0) given.volume = own.volume;
-    if (own.half_power != 0) given.half_power = own.half_power;
+    set_if_given(std::min(own.flutes, kTooMany), given.flutes);
+    set_if_given(own.volume, given.volume);
+    set_if_given(own.half_power, given.half_power);
     *sound = add_object(Kind::sound, std::make_shared<SoundObject>(given));
     return HAPTICUT_OK;
   });

@@ -125,6 +125,7 @@ int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* inp
     put(use->simulation.first_touched(), own.first_touched);
     own.X_WH = in.X_WH;
     write_struct(own, result);
+    use->remove_loose_pieces();
   });
 }
 

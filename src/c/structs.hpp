@@ -85,6 +85,14 @@ void write_struct(const S& own, S* to) noexcept {
   if (size > sizeof(S)) std::memset(bytes + sizeof(S), 0, size - sizeof(S));
 }
 
+inline constexpr std::uint32_t kTooMany = 1'000'000;  // a count that is refused and fits an int
+
+/// Sets a value, where 0 means the default.
+template <class Given, class Value>
+void set_if_given(Given given, Value& value) noexcept {
+  if (given != 0) value = Value(given);
+}
+
 [[nodiscard]] inline Vec3 vector_of(const double* values) noexcept { return {values[0], values[1], values[2]}; }
 
 [[nodiscard]] inline Pose pose_of(const hapticut_pose& given) noexcept {

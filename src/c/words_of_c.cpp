@@ -28,6 +28,9 @@ constexpr Word kWords[] = {
     {"DeviceCapabilities::peak_force", ""},
     {"DeviceCapabilities::stiffness", "hapticut_loop_options.stiffness"},
     {"GuardOptions::period", "simulation.rate_Hz of the scene, as a period"},
+    {"HeatConfig::by_material.conductivity", "hapticut_thermal_properties.conductivity"},
+    {"HeatConfig::by_material.heat_capacity", "hapticut_thermal_properties.heat_capacity"},
+    {"IslandOptions::fixed", "hapticut_islands_options.fixed_min ... fixed_max"},
     {"OutputLimits", ""},
     {"PictureOptions::up", ""},
     {"PictureOptions::view_direction", ""},
@@ -50,9 +53,15 @@ constexpr Word kWords[] = {
 
 /// Structs whose fields callers of C set by the same names in a struct or in the scene.
 constexpr Word kScopes[] = {
-    {"CouplingGains", "hapticut_coupling_gains."}, {"RealtimeOptions", "hapticut_loop_options."},
-    {"RunOptions", "hapticut_loop_options."},      {"SimulationConfig", "simulation."},
-    {"SoundOptions", "hapticut_sound_options."},   {"WorkspaceMapOptions", "hapticut_loop_options."},
+    {"CouplingGains", "hapticut_coupling_gains."},
+    {"HeatConfig", "hapticut_heat_config."},
+    {"IslandOptions", "hapticut_islands_options."},
+    {"IslandWatchOptions", "hapticut_islands_options."},
+    {"RealtimeOptions", "hapticut_loop_options."},
+    {"RunOptions", "hapticut_loop_options."},
+    {"SimulationConfig", "simulation."},
+    {"SoundOptions", "hapticut_sound_options."},
+    {"WorkspaceMapOptions", "hapticut_loop_options."},
 };
 
 /// "value of HAPTICUT_COMMAND_SET_SCALE" for the scope "SetScale". Commands of C have one number.

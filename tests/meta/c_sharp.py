@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares lists of C's interface that no compiler compares. Each difference names the place to change.
 
-  C#     the structs of Structs.cs have the fields of hapticut/c/types.h, its enumerations the values
-  tests  every_layout of tests/unit/c/layout.h has each field of types.h
+  C#     the structs of Structs.cs have the fields of HEADERS, its enumerations the values
+  tests  every_layout of tests/unit/c/layout.h has each field of HEADERS
   C++    hapticut_command_kind has the name and the place of each command in LoopCommand that one number can make
 """
 import re
@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+HEADERS = ["include/hapticut/c/types.h", "include/hapticut/c/heat_types.h"]
 NOT_IN_C_SHARP = {"energy_ledger", "probe_result", "coupling_gains"}
 OTHER_NAMES = {"page": "NativePage"}  # names of structs in C#; else PascalCase
 OTHER_FIELDS = {("Pose", "r00"), ("LoopOptions", "given"), ("Vertex", "x"), ("Vertex", "nx")}  # C# names them unlike C
@@ -121,7 +122,7 @@ def compare_commands(c):
 
 
 def main():
-    c, c_sharp = text_of("include/hapticut/c/types.h"), text_of("bindings/csharp/Structs.cs")
+    c, c_sharp = "".join(map(text_of, HEADERS)), text_of("bindings/csharp/Structs.cs")
     structs = structs_of_c(c)
     mistakes = [*compare_structs(structs, structs_of_c_sharp(c_sharp)), *compare_enums(c, c_sharp), *compare_layout(structs),
                 *compare_commands(c)]

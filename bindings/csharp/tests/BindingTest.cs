@@ -54,8 +54,10 @@ spindle_rpm = 40000
   static void Sizes() {
     Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo),
                      typeof(StepInput), typeof(StepResult), typeof(RayHit), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
-                     typeof(Vertex), typeof(SoundInput), typeof(RecordingReport) };
-    int[] sizes = { 96, 16, 336, 88, 160, 304, 64, 240, 160, 472, 1344, 12, 32, 24 };
+                     typeof(Vertex), typeof(SoundInput), typeof(RecordingReport), typeof(HeatConfig),
+                     typeof(ThermalProperties), typeof(HeatStructureInfo), typeof(HeatBalanceInfo), typeof(HeatGridInfo),
+                     typeof(IslandsOptions), typeof(IslandInfo) };
+    int[] sizes = { 96, 16, 336, 96, 160, 312, 64, 240, 160, 472, 1344, 12, 32, 24, 56, 16, 48, 48, 120, 80, 40 };
     for (int n = 0; n < types.Length; ++n)
       Require(Marshal.SizeOf(types[n]) == sizes[n], types[n].Name + " has " + Marshal.SizeOf(types[n]) + " bytes");
   }

@@ -15,7 +15,8 @@
  * Structs. Each struct begins with `struct_size`, which the caller sets to its sizeof. The library reads and writes no
  * more than that. When an old caller uses a new library, fields that the caller lacks have their default, which is
  * always 0. When a new caller uses an old library, fields that the library lacks must be 0 in inputs, and are 0 in
- * outputs. hapticut_pose and hapticut_vertex have no size and never change. 64-bit processors only.
+ * outputs. hapticut_pose, hapticut_vertex and hapticut_thermal_properties have no size and never change. 64-bit
+ * processors only.
  *
  * Texts. They are UTF-8 and end with 0, also when they are cut to fit.
  *
@@ -25,6 +26,9 @@
  * loop at the same time, one for each of: `hapticut_loop_latest`; `hapticut_loop_send` and `hapticut_loop_set_tool`;
  * `hapticut_loop_stop`. Emergency stop and reset never fail while a loop runs. There are no callbacks: no code of the
  * caller runs in the 1 kHz thread.
+ *
+ * Observers. A simulation has eight places: a surface or a recording takes one, a heat two, the removal of loose pieces
+ * one. Open them before a loop starts: while it runs, that returns BUSY. Released meanwhile, they leave when it ends.
  *
  * Real time. hapticut_step, _probe, _touches, _distance_to, _first_hit, _coupling_step, _loop_latest, _loop_send and
  * _sound_render neither allocate nor lock when they succeed. All other functions are for set-up.
@@ -37,6 +41,7 @@
 #ifndef HAPTICUT_C_HAPTICUT_H
 #define HAPTICUT_C_HAPTICUT_H
 
+#include "hapticut/c/heat_types.h"
 #include "hapticut/c/types.h"
 
 #if defined(HAPTICUT_C_BUILDS)
@@ -220,7 +225,7 @@ HAPTICUT_C_API int hapticut_loop_stop(hapticut_loop loop, hapticut_loop_report* 
 /* --- surface ------------------------------------------------------------------------------------------------------ */
 
 /** Opens the surface of the workpiece, in pages of 32 x 32 x 32 voxels. Open it before the first cut, and before the
- * loop starts. A simulation has at most 8 surfaces and recordings. */
+ * loop starts. */
 HAPTICUT_C_API int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface);
 
 /** The next changed page; the page nearest to the point of hapticut_surface_look_at comes first. Also while a loop
@@ -238,6 +243,74 @@ HAPTICUT_C_API int hapticut_surface_look_at(hapticut_surface surface, const doub
 /** Updates the surface with all blocks of the workpiece. A step sends at most 16 blocks; after the last step, or after
  * undo and restore, this call sends the rest. O(blocks) */
 HAPTICUT_C_API int hapticut_surface_catch_up(hapticut_surface surface);
+
+/* --- heat: docs/beside-the-step.md -------------------------------------------------------------------------------- */
+
+/** Opens the temperatures of the workpiece, which begins at body temperature. Heat comes from all later steps, also
+ * those of a coupling or a loop. Open it before the loop starts.
+ * @param config       or null. A field that is 0 has its value in the table [heat] of the scene, else its default
+ * @param by_material  [count] properties of the materials 1 ... count, or null. The materials without an entry have
+ *                     those of the scene, else of their names: enamel, dentin, pulp, ...; others are as cortical bone
+ * REFUSED: a number is out of range, or the workpiece spans too many cells
+ */
+HAPTICUT_C_API int hapticut_heat_open(hapticut_simulation simulation, const hapticut_heat_config* config,
+                                      const hapticut_thermal_properties* by_material, size_t count,
+                                      hapticut_heat* heat);
+
+/** Adds the heat of all steps since the last call, and advances the temperatures by their duration. Call it ten to
+ * thirty times a second, in one thread, also while a loop runs; it takes milliseconds, and no step waits for it. A step
+ * tells of at most 16 changed blocks, so the blocks of an undo come with the next steps.
+ * @param time  [s] duration of these steps, 0 if there were none; or null */
+HAPTICUT_C_API int hapticut_heat_update(hapticut_heat heat, double* time);
+
+/** Advances the temperatures without steps, e.g. while the tool is put away.
+ * @param dt  [s] >= 0 */
+HAPTICUT_C_API int hapticut_heat_advance(hapticut_heat heat, double dt);
+
+/** Sets the heat transfer to the water from now on.
+ * @param coefficient  [W/(m^2 K)] some thousands under a spray; 0: dry */
+HAPTICUT_C_API int hapticut_heat_set_irrigation(hapticut_heat heat, double coefficient);
+
+/** The temperature at a point, between the centres of the cells.
+ * @param p_WQ         [m] [3] in W
+ * @param temperature  [deg C]
+ * NOTHING: there is no material */
+HAPTICUT_C_API int hapticut_heat_temperature_at(hapticut_heat heat, const double* p_WQ, double* temperature);
+
+/** The effect of the heat on a material.
+ * @param id  1 ... hapticut_scene_info.materials */
+HAPTICUT_C_API int hapticut_heat_structure(hapticut_heat heat, uint32_t id, hapticut_heat_structure_info* info);
+
+/** Where the heat has gone since the beginning. */
+HAPTICUT_C_API int hapticut_heat_balance(hapticut_heat heat, hapticut_heat_balance_info* info);
+
+/** Describes the cells. */
+HAPTICUT_C_API int hapticut_heat_grid(hapticut_heat heat, hapticut_heat_grid_info* info);
+
+/** Copies a quantity of all cells, e.g. into a texture: cell (i, j, k) is number i + dims[0] (j + dims[1] k).
+ * @param quantity  hapticut_heat_quantity
+ * @param values    [count] NaN where a cell has no material
+ * @param count     the product of hapticut_heat_grid_info.dims */
+HAPTICUT_C_API int hapticut_heat_cells(hapticut_heat heat, uint32_t quantity, float* values, size_t count);
+
+/* --- loose pieces: docs/beside-the-step.md ------------------------------------------------------------------------ */
+
+/** Removes each piece that is cut loose, until the handle is released: from now on, hapticut_step,
+ * hapticut_coupling_step and the ticks of a loop remove a few blocks at their end. A thread of the library searches.
+ * Open it before the loop starts. hapticut_material_info.detached_volume has the volume of the pieces, which costs no
+ * energy. A recording ends with the first piece. A scene with `remove_loose_pieces` needs no handle; one that is opened
+ * takes the place of the scene's.
+ * @param options  or null
+ * REFUSED: a handle of this simulation removes loose pieces already; or an option is out of range */
+HAPTICUT_C_API int hapticut_islands_open(hapticut_simulation simulation, const hapticut_islands_options* options,
+                                         hapticut_islands* islands);
+
+/** The number of pieces that were removed. Also while a loop runs. */
+HAPTICUT_C_API int hapticut_islands_count(hapticut_islands islands, uint64_t* count);
+
+/** The next of the pieces that were removed, e.g. to let it fall. Also while a loop runs. Of pieces that were not
+ * polled, the latest 64 are kept. NOTHING: no other piece was removed */
+HAPTICUT_C_API int hapticut_islands_poll(hapticut_islands islands, hapticut_island_info* info);
 
 /* --- sound -------------------------------------------------------------------------------------------------------- */
 

@@ -79,6 +79,7 @@ typedef struct hapticut_material_info {
   double removed_volume; /**< [m^3] cut away so far */
   double volume;         /**< [m^3] remaining */
   char name[64];
+  double detached_volume; /**< [m^3] removed so far as loose pieces: hapticut_islands_open */
 } hapticut_material_info;
 
 typedef struct hapticut_step_input {

@@ -34,6 +34,12 @@ struct Arguments {
   hapticut_page page = sized<hapticut_page>();
   hapticut_sound_input sound = sized<hapticut_sound_input>();
   hapticut_recording_report recording = sized<hapticut_recording_report>();
+  hapticut_heat_structure_info structure = sized<hapticut_heat_structure_info>();
+  hapticut_heat_balance_info balance = sized<hapticut_heat_balance_info>();
+  hapticut_heat_grid_info grid = sized<hapticut_heat_grid_info>();
+  hapticut_island_info island = sized<hapticut_island_info>();
+  double number = 0;
+  std::uint64_t count = 0;
   hapticut_pose pose = above(0).X_WH;
   std::array<double, 3> point{};
   std::array<float, 16> samples{};
@@ -111,6 +117,24 @@ std::vector<Function> functions() {
        [](auto h, auto& a) { return hapticut_surface_release_page(h, a.page.ticket); }},
       {"surface_look_at", "surface", [](auto h, auto& a) { return hapticut_surface_look_at(h, a.point.data()); }},
       {"surface_catch_up", "surface", [](auto h, auto&) { return hapticut_surface_catch_up(h); }},
+      {"heat_open", "simulation", [](auto h, auto& a) { return hapticut_heat_open(h, nullptr, nullptr, 0, &a.made); }},
+      {"heat_update", "heat field", [](auto h, auto& a) { return hapticut_heat_update(h, &a.number); }},
+      {"heat_advance", "heat field", [](auto h, auto&) { return hapticut_heat_advance(h, 0.1); }},
+      {"heat_set_irrigation", "heat field", [](auto h, auto&) { return hapticut_heat_set_irrigation(h, 1000); }},
+      {"heat_temperature_at", "heat field",
+       [](auto h, auto& a) { return hapticut_heat_temperature_at(h, a.point.data(), &a.number); }},
+      {"heat_structure", "heat field", [](auto h, auto& a) { return hapticut_heat_structure(h, 1, &a.structure); }},
+      {"heat_balance", "heat field", [](auto h, auto& a) { return hapticut_heat_balance(h, &a.balance); }},
+      {"heat_grid", "heat field", [](auto h, auto& a) { return hapticut_heat_grid(h, &a.grid); }},
+      {"heat_cells", "heat field",
+       [](auto h, auto& a) {
+         hapticut_heat_grid(h, &a.grid);
+         std::vector<float> values(std::size_t(a.grid.dims[0]) * a.grid.dims[1] * a.grid.dims[2] + 1);
+         return hapticut_heat_cells(h, HAPTICUT_HEAT_PEAK, values.data(), values.size() - 1);
+       }},
+      {"islands_open", "simulation", [](auto h, auto& a) { return hapticut_islands_open(h, nullptr, &a.made); }, true},
+      {"islands_count", "removal of loose pieces", [](auto h, auto& a) { return hapticut_islands_count(h, &a.count); }},
+      {"islands_poll", "removal of loose pieces", [](auto h, auto& a) { return hapticut_islands_poll(h, &a.island); }},
       {"sound_render", "sound",
        [](auto h, auto& a) { return hapticut_sound_render(h, &a.sound, 48000, a.samples.data(), a.samples.size()); }},
       {"recording_start", "simulation",
@@ -122,12 +146,14 @@ std::vector<Function> functions() {
 /// One handle of each kind.
 struct All {
   Owned simulation{simulation_of(kScene, 1)}, device{device_of("mock:rest")}, snapshot, coupling, loop, surface, sound;
-  Owned loop_simulation{simulation_of(kScene, 1)};
+  Owned loop_simulation{simulation_of(kScene, 1)}, heat, islands;
   All() {
     EXPECT_EQ(hapticut_snapshot_take(simulation.get(), snapshot.to()), HAPTICUT_OK);
     EXPECT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
     EXPECT_EQ(hapticut_surface_open(simulation.get(), surface.to()), HAPTICUT_OK);
     EXPECT_EQ(hapticut_sound_open(nullptr, sound.to()), HAPTICUT_OK);
+    EXPECT_EQ(hapticut_heat_open(simulation.get(), nullptr, nullptr, 0, heat.to()), HAPTICUT_OK);
+    EXPECT_EQ(hapticut_islands_open(simulation.get(), nullptr, islands.to()), HAPTICUT_OK);
     auto options = sized<hapticut_loop_options>();
     options.up = HAPTICUT_UP_Z;
     options.ordinary_priority = 1;
@@ -135,13 +161,9 @@ struct All {
         << hapticut_last_error();
   }
   [[nodiscard]] std::vector<std::pair<std::string, hapticut_handle>> handles() const {
-    return {{"simulation", simulation.get()},
-            {"device", device.get()},
-            {"snapshot", snapshot.get()},
-            {"coupling", coupling.get()},
-            {"loop", loop.get()},
-            {"surface", surface.get()},
-            {"sound", sound.get()}};
+    return {{"simulation", simulation.get()}, {"device", device.get()},   {"snapshot", snapshot.get()},
+            {"coupling", coupling.get()},     {"loop", loop.get()},       {"surface", surface.get()},
+            {"sound", sound.get()},           {"heat field", heat.get()}, {"removal of loose pieces", islands.get()}};
   }
 };
 
@@ -267,6 +289,17 @@ TEST(CArguments, ThatAreNullAreNamed) {
       {"surface", [&] { return hapticut_surface_open(simulation, nullptr); }},
       {"page", [&] { return hapticut_surface_poll(all.surface.get(), nullptr); }},
       {"p_WQ", [&] { return hapticut_surface_look_at(all.surface.get(), nullptr); }},
+      {"heat", [&] { return hapticut_heat_open(simulation, nullptr, nullptr, 0, nullptr); }},
+      {"by_material", [&] { return hapticut_heat_open(simulation, nullptr, nullptr, 1, &a.made); }},
+      {"p_WQ", [&] { return hapticut_heat_temperature_at(all.heat.get(), nullptr, &a.number); }},
+      {"temperature", [&] { return hapticut_heat_temperature_at(all.heat.get(), a.point.data(), nullptr); }},
+      {"info", [&] { return hapticut_heat_structure(all.heat.get(), 1, nullptr); }},
+      {"info", [&] { return hapticut_heat_balance(all.heat.get(), nullptr); }},
+      {"info", [&] { return hapticut_heat_grid(all.heat.get(), nullptr); }},
+      {"values", [&] { return hapticut_heat_cells(all.heat.get(), 0, nullptr, 1); }},
+      {"islands", [&] { return hapticut_islands_open(simulation, nullptr, nullptr); }},
+      {"count", [&] { return hapticut_islands_count(all.islands.get(), nullptr); }},
+      {"info", [&] { return hapticut_islands_poll(all.islands.get(), nullptr); }},
       {"sound", [&] { return hapticut_sound_open(nullptr, nullptr); }},
       {"input", [&] { return hapticut_sound_render(all.sound.get(), nullptr, 48000, a.samples.data(), 1); }},
       {"samples", [&] { return hapticut_sound_render(all.sound.get(), &a.sound, 48000, nullptr, 1); }},

@@ -51,14 +51,33 @@ TEST(CStructs, LieInMemoryInCAsTheyDoInCpp) {
 
 // The structs of ABI version 1 may grow at their ends; their fields never move.
 TEST(CStructs, KeepTheirPublishedSizes) {
-  const std::map<std::string, std::size_t> given_out = {
-      {"hapticut_pose", 96},           {"hapticut_vertex", 12},          {"hapticut_simulation_options", 16},
-      {"hapticut_scene_info", 336},    {"hapticut_material_info", 88},   {"hapticut_step_input", 160},
-      {"hapticut_step_result", 312},   {"hapticut_ray_hit", 64},         {"hapticut_probe_result", 352},
-      {"hapticut_energy_ledger", 120}, {"hapticut_coupling_gains", 72},  {"hapticut_device_info", 240},
-      {"hapticut_loop_options", 160},  {"hapticut_loop_state", 472},     {"hapticut_command", 16},
-      {"hapticut_loop_report", 1344},  {"hapticut_page", 160},           {"hapticut_sound_options", 24},
-      {"hapticut_sound_input", 32},    {"hapticut_recording_report", 24}};
+  const std::map<std::string, std::size_t> given_out = {{"hapticut_pose", 96},
+                                                        {"hapticut_vertex", 12},
+                                                        {"hapticut_simulation_options", 16},
+                                                        {"hapticut_scene_info", 336},
+                                                        {"hapticut_material_info", 96},
+                                                        {"hapticut_step_input", 160},
+                                                        {"hapticut_step_result", 312},
+                                                        {"hapticut_ray_hit", 64},
+                                                        {"hapticut_probe_result", 352},
+                                                        {"hapticut_energy_ledger", 120},
+                                                        {"hapticut_coupling_gains", 72},
+                                                        {"hapticut_device_info", 240},
+                                                        {"hapticut_loop_options", 160},
+                                                        {"hapticut_loop_state", 472},
+                                                        {"hapticut_command", 16},
+                                                        {"hapticut_loop_report", 1344},
+                                                        {"hapticut_page", 160},
+                                                        {"hapticut_sound_options", 24},
+                                                        {"hapticut_sound_input", 32},
+                                                        {"hapticut_recording_report", 24},
+                                                        {"hapticut_heat_config", 56},
+                                                        {"hapticut_thermal_properties", 16},
+                                                        {"hapticut_heat_structure_info", 48},
+                                                        {"hapticut_heat_balance_info", 48},
+                                                        {"hapticut_heat_grid_info", 120},
+                                                        {"hapticut_islands_options", 80},
+                                                        {"hapticut_island_info", 40}};
   std::size_t seen = 0;
   for (const auto& [name, bytes] : layout_of(every_layout)) {
     if (!name.starts_with("hapticut_")) continue;  // a field

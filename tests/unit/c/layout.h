@@ -30,7 +30,8 @@ static inline void every_layout(layout_user use) {
   STRUCT(hapticut_simulation_options, F(struct_size) F(for_coupling) F(undo_blocks))
   STRUCT(hapticut_scene_info, F(struct_size) F(materials) F(rate) F(voxel_size) F(box_min) F(box_max) F(X_WV)
     F(X_HT) F(head_min) F(head_max) F(spindle_speed) F(path_duration) F(flutes) F(unused))
-  STRUCT(hapticut_material_info, F(struct_size) F(unused) F(removed_volume) F(volume) F(name))
+  STRUCT(hapticut_material_info, F(struct_size) F(unused) F(removed_volume) F(volume) F(name)
+    F(detached_volume))
   STRUCT(hapticut_step_input, F(struct_size) F(unused) F(X_WH) F(linear_velocity) F(angular_velocity) F(dt))
   STRUCT(hapticut_step_result, F(struct_size) F(status) F(force) F(torque) F(removed_volume) F(removed_voxels)
     F(spindle_speed) F(spindle_torque) F(contact_depth) F(contact_volume) F(contact_voxels) F(sub_steps) F(X_WH)
@@ -61,6 +62,17 @@ static inline void every_layout(layout_user use) {
   STRUCT(hapticut_sound_options, F(struct_size) F(flutes) F(volume) F(half_power))
   STRUCT(hapticut_sound_input, F(struct_size) F(touching) F(spindle_speed) F(power) F(removal_rate))
   STRUCT(hapticut_recording_report, F(struct_size) F(unused) F(recorded) F(lost))
+  STRUCT(hapticut_heat_config, F(struct_size) F(voxels_per_cell) F(cutting_share) F(rubbing_share)
+    F(body_temperature) F(irrigation) F(water_temperature) F(threshold))
+  STRUCT(hapticut_thermal_properties, F(conductivity) F(heat_capacity))
+  STRUCT(hapticut_heat_structure_info, F(struct_size) F(material) F(temperature) F(peak) F(time_above) F(cem43)
+    F(volume_above))
+  STRUCT(hapticut_heat_balance_info, F(struct_size) F(unused) F(brought_in) F(stored) F(chips) F(irrigation)
+    F(imbalance))
+  STRUCT(hapticut_heat_grid_info, F(struct_size) F(dims) F(cell_size) F(X_WC))
+  STRUCT(hapticut_islands_options, F(struct_size) F(has_fixed) F(fixed_min) F(fixed_max) F(min_fill) F(period)
+    F(blocks_per_tick))
+  STRUCT(hapticut_island_info, F(struct_size) F(unused) F(voxels) F(center_W))
 }
 /* clang-format on */
 
