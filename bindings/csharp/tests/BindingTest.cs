@@ -115,6 +115,53 @@ spindle_rpm = 40000
     }
   }
 
+  static void HeatAndPieces() {
+    const string beam = "remove_loose_pieces = true\n";
+    string scene = Scene.Replace("[6, 6, 3]", "[6, 0.8, 0.8]").Replace("0.2", "0.1").Replace("radius_mm = 1", "radius_mm = 0.6");
+    using (Simulation simulation = Simulation.FromToml(scene))
+    using (Heat heat = Heat.Of(simulation, new HeatConfig { voxelsPerCell = 2 }))
+    using (Islands islands = Islands.Of(simulation)) {
+      StepInput input = Above(0);
+      input.X_WH.position.x = 4e-3;
+      input.X_WH.position.y = 0.4e-3;
+      int ticks = 0;
+      Action step = () => {
+        if (ticks < 525) ++ticks;
+        input.X_WH.position.z = 20e-3 + 1.4e-3 - 4e-6 * ticks;
+        simulation.Step(input);
+      };
+      while (ticks < 525) step();
+      Require(Math.Abs(heat.Update() - 0.525) < 1e-9, "the time of the steps");
+      HeatStructureInfo bone = heat.Structure(1);
+      HeatBalanceInfo balance = heat.Balance;
+      Require(bone.material == 1 && bone.peak > 38 && bone.cem43 > 0, "drilling heats: " + bone.peak);
+      Require(balance.broughtIn > 0 && Math.Abs(balance.imbalance) < 1e-9 * balance.broughtIn, "the balance");
+      HeatGridInfo grid = heat.Grid;
+      float[] cells = new float[grid.dimsX * grid.dimsY * grid.dimsZ];
+      heat.Cells(HeatQuantity.Temperature, cells);
+      double temperature, warmest = 0;
+      foreach (float cell in cells) if (cell > warmest) warmest = cell;
+      Require(Math.Abs(warmest - bone.temperature) < 1e-3, "the cells: " + warmest);
+      Require(heat.TemperatureAt(new Vec3(2e-3, 0.4e-3, 0.4e-3), out temperature) && temperature >= 36.9 &&
+              !heat.TemperatureAt(new Vec3(1, 1, 1), out temperature), "a temperature");
+      heat.SetIrrigation(5000);
+      heat.Advance(20);
+      Require(heat.Structure(1).temperature < 37 && heat.Balance.irrigation > 0, "water cools");
+      Refused(() => heat.SetIrrigation(-1), "a coefficient");
+      Refused(() => heat.Cells(HeatQuantity.Dose, new float[3]), "a wrong number of cells");
+      Refused(() => Heat.Of(simulation, new HeatConfig(), new ThermalProperties { conductivity = -1 }), "a conductivity");
+
+      IslandInfo piece = new IslandInfo();
+      WaitFor(() => {
+        step();
+        return islands.Poll(out piece);
+      }, "a loose piece");
+      Require(islands.Count == 1 && piece.voxels > 500 && piece.center.x > 5e-3 &&
+              simulation.Material(1).detachedVolume > 0.6e-9, "the piece");
+    }
+    Simulation.FromToml(scene + "[simulation]\n" + beam).Dispose();
+  }
+
   static void Errors() {
     HapticutException refusal =
         Refused(() => Simulation.FromToml(Scene.Replace("radius_mm = 1", "radius_mm = -1")), "a radius");
@@ -260,6 +307,7 @@ spindle_rpm = 40000
     Enumerations(arguments[0]);
     Frames();
     Steps();
+    HeatAndPieces();
     Errors();
     Forgotten();
     GC.Collect();
