@@ -30,6 +30,7 @@ constexpr Word kWords[] = {
     {"GuardOptions::period", "simulation.rate_Hz of the scene, as a period"},
     {"HeatConfig::by_material.conductivity", "hapticut_thermal_properties.conductivity"},
     {"HeatConfig::by_material.heat_capacity", "hapticut_thermal_properties.heat_capacity"},
+    {"HeatConfig::voxels_per_cell", "hapticut_heat_config.voxels_per_cell"},
     {"IslandOptions::fixed", "hapticut_islands_options.fixed_min ... fixed_max"},
     {"OutputLimits", ""},
     {"PictureOptions::up", ""},

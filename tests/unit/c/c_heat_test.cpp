@@ -127,7 +127,7 @@ TEST(CHeat, HasThePropertiesThatTheCallerTheSceneOrTheNameGives) {
   EXPECT_EQ(after_a_cut(scene_of("enamel"), nullptr, {same}).temperature, by_name);
   EXPECT_LT(after_a_cut(scene_of("enamel"), nullptr, {slow}).temperature, kBody + 0.2 * (by_name - kBody));
 
-  const std::string cold = scene_of("enamel") + "[heat]\non = true\nbody_temperature = 20\n";
+  const std::string cold = scene_of("enamel") + "[heat]\non = true\nbody_temperature_degC = 20\n";
   EXPECT_NEAR(after_a_cut(cold).temperature, by_name - kBody + 20, 1e-9) << "the table [heat] of the scene";
   auto config = sized<hapticut_heat_config>();
   EXPECT_NEAR(after_a_cut(cold, &config).temperature, by_name - kBody + 20, 1e-9) << "0 is that of the scene";
