@@ -107,6 +107,7 @@ void bind_force(py::module_& m) {
       m, "Calibration", field("specific_cutting_energy", &Calibration::specific_cutting_energy),
       field("cutting_ratio", &Calibration::cutting_ratio), field("edge_pressure", &Calibration::edge_pressure),
       field("edge_length", &Calibration::edge_length), field("size_length", &Calibration::size_length),
+      field("cutter", &Calibration::cutter), field("term", &Calibration::term),
       field("ratio_identified", &Calibration::ratio_identified),
       field("edge_identified", &Calibration::edge_identified), field("edge_assumed", &Calibration::edge_assumed),
       field("size_assumed", &Calibration::size_assumed), field("better_term", &Calibration::better_term),
@@ -118,9 +119,14 @@ void bind_force(py::module_& m) {
   m.def("axial_cut_force", &axial_cut_force, py::arg("constants"), py::arg("radius"), py::arg("spindle_speed"),
         py::arg("feed_speed"), py::arg("lips") = 2.0, "Steady thrust and torque of a flat head fed axially (C22).");
   m.def(
-      "calibrate", [](const std::vector<DrillingTest>& tests, ChipTerm term) { return calibrate(tests, term); },
-      py::arg("tests"), py::arg("term") = ChipTerm::edge_length, doc("calibrate"));
-  m.def("advice_on", &advice_on, py::arg("constants"), py::arg("term") = ChipTerm::edge_length, doc("advice_on"));
+      "calibrate",
+      [](const std::vector<DrillingTest>& tests, std::optional<ChipTerm> term, std::optional<CutterKind> cutter) {
+        return calibrate(tests, term, cutter);
+      },
+      py::arg("tests"), py::arg("term") = py::none(), py::arg("cutter") = py::none(), doc("calibrate"));
+  m.def("advice_on", &advice_on, py::arg("constants"), doc("advice_on"));
+  m.def("presets_beside", &presets_beside, py::arg("constants"), py::arg("number"), py::return_value_policy::copy,
+        doc("presets_beside"));
 }
 
 }  // namespace hapticut::python

@@ -1,39 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
 """Computes u and kappa from a published drilling test, simulates the test, and predicts another spindle speed.
 
-Orelaja et al. 2020, J Healthc Eng 8817422, table 6: bovine bone, drill of 2.5 mm, 1000 rpm, 20.07 N and 41.2 N mm. The
-summary that we used gives no feed: 0.1 mm per revolution is assumed, and u is proportional to 1/feed. We have no
-measurement at another speed, so the prediction is compared with the closed form (C20)."""
+Hillery and Shuaib 1999, recalled (docs/measurements.md): bovine tibia, drill of 3.2 mm, 50 mm/min, 48 N and 14.5 N mm at
+400 rpm, 24 N and 10 N mm at 2000 rpm. One test does not tell the edge length: that of the presets is assumed. Those
+drills were worn, so the force falls less with the speed than predicted; both tests together give a longer edge."""
 import numpy as np
 
 import hapticut
-from hapticut.calibration import ChipTerm, DrillingTest, axial_cut_force, calibrate
+from hapticut.calibration import Calibration, DrillingTest, advice_on, axial_cut_force, calibrate
 from hapticut.units import N_mm, mm, ms, rpm
 
-RADIUS, SPEED = 1.25 * mm, 1000 * rpm
-FEED = 0.1 * mm * SPEED / (2 * np.pi)  # [m/s]
-test = DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
-found = calibrate([test], ChipTerm.edge_pressure)  # one test cannot determine the edge pressure: it becomes 0
-print(f"u = {found.specific_cutting_energy / 1e9:.3f} GJ/m^3, kappa = {found.cutting_ratio:.2f} "
-      "(the flutes of a drill rub: a burr has a smaller kappa)")
-bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_pressure=found.edge_pressure,
-                         specific_cutting_energy=found.specific_cutting_energy)
+RADIUS, FEED = 1.6 * mm, 50 / 60 * mm  # [m], [m/s]
+slow = DrillingTest(RADIUS, 400 * rpm, FEED, thrust=48, torque=14.5 * N_mm)
+fast = DrillingTest(RADIUS, 2000 * rpm, FEED, thrust=24, torque=10 * N_mm)
 head = hapticut.ToolHead(hapticut.FlatHead(RADIUS, 4 * mm, hapticut.FlatRule.bottom_only))
 
 
-def simulate(speed: float, feed: float) -> tuple[float, float]:
+def simulate(constants: Calibration, speed: float) -> tuple[float, float]:
     """Steady thrust [N] and torque [N·m], from 0.6 to 0.9 mm depth."""
-    box = hapticut.Box([-1.6 * mm, -1.6 * mm, -1.2 * mm], [1.6 * mm, 1.6 * mm, 0])
-    block = hapticut.build_block(box, 0.05 * mm, bone)
-    simulation = hapticut.Simulation(block, hapticut.Tool(head, spindle=hapticut.Spindle(speed)))
-    n = round(0.9 * mm / (feed * ms))
-    hand = np.outer(-feed * ms * np.arange(1, n + 1), [0, 0, 1]) + [0.007 * mm, 0.011 * mm, 0]
+    bone = hapticut.Material("bovine bone", cutting_ratio=constants.cutting_ratio, edge_length=constants.edge_length,
+                             specific_cutting_energy=constants.specific_cutting_energy, cutter=constants.cutter)
+    block = hapticut.build_block(hapticut.Box([-2 * mm, -2 * mm, -1.2 * mm], [2 * mm, 2 * mm, 0]), 0.05 * mm, bone)
+    drill = hapticut.Tool(head, spindle=hapticut.Spindle(speed), cutter=hapticut.Cutter(constants.cutter))
+    simulation = hapticut.Simulation(block, drill)
+    n = round(0.9 * mm / (FEED * ms))
+    hand = np.outer(-FEED * ms * np.arange(1, n + 1), [0, 0, 1]) + [0.007 * mm, 0.011 * mm, 0]
     trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1 * ms)[2 * n // 3:]
     return trace["force"][:, 2].mean(), -trace["torque"][:, 2].mean()
 
 
-for name, speed in (("measured at 1000 rpm", SPEED), ("predicted at 2000 rpm", 2 * SPEED)):
-    thrust, torque = simulate(speed, FEED)
-    theory = axial_cut_force(found, RADIUS, speed, FEED)
-    print(f"{name}: simulation {thrust:.2f} N, {torque / N_mm:.1f} N mm; closed form {theory.thrust:.2f} N, "
-          f"{theory.torque / N_mm:.1f} N mm")
+for name, tests in (("one test", [slow]), ("both tests", [slow, fast])):
+    found = calibrate(tests)
+    print(f"{name}: u = {found.specific_cutting_energy / 1e6:.1f} MJ/m^3, kappa = {found.cutting_ratio:.2f}, "
+          f"edge length {found.edge_length / 1e-6:.1f} um{' (assumed)' if found.edge_assumed else ''}")
+    for measured in (slow, fast):
+        thrust, torque = simulate(found, measured.spindle_speed)
+        theory = axial_cut_force(found, RADIUS, measured.spindle_speed, FEED)
+        print(f"{measured.spindle_speed / rpm:.0f} rpm: simulation {thrust:.2f} N, {torque / N_mm:.2f} N mm; closed form "
+              f"{theory.thrust:.2f} N, {theory.torque / N_mm:.2f} N mm; measured {measured.thrust:.2f} N, "
+              f"{measured.torque / N_mm:.2f} N mm")
+print(advice_on(found))

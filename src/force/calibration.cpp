@@ -29,9 +29,9 @@ constexpr double kWithinErrors = 4;      // [1] factor of the variance: two stan
 constexpr double kScatter = 0.05;        // [1] of measured numbers that do not contradict a prior
 constexpr double kLeastScatter = 0.02;   // [1] of measured numbers, even where a fit leaves less
 constexpr double kDullest = 30, kSharpest = 0.1;  // [1] edge over chip between which an edge length is assumed
-constexpr double kContradicts = 1.5;              // [1] Calibration::worst_factor
+constexpr double kThin = 0.01;                    // [1] chip over size length; its root is the share that tells h_s
 constexpr double kMuchBetter = 0.5;               // [1] residual of a better term over that of the term
-constexpr double kThinnestEdge = 1e-6;            // [m] below which a length is not that of an edge
+constexpr double kMinFeedPerTurn = 1e-9;          // [m]
 
 /// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both
 /// coefficients are for kappa = 1. Thrusts are proportional to 1/kappa, except that of p_e; the torque of p_e is
@@ -95,11 +95,21 @@ Fit fit_at(double kappa, const std::vector<Row>& rows, bool with_edge) {
   return best;
 }
 
+/// The ratio of the presets of a cutter.
+const PresetConstant& preset_ratio(CutterKind cutter) { return *find_constant(name_or_null(cutter), "cutting_ratio"); }
+
+/// How kappa is found.
+struct RatioSearch {
+  bool identified;  // otherwise it is that of the presets
+  CutterKind cutter;
+};
+
 /// The best fit of all kappa: on a logarithmic grid, then by halving the step about the best.
 /// @throws Error when it lies at an end of the grid, or no kappa fits
-Fit best_fit(const std::vector<Row>& rows, bool with_edge, bool ratio_identified) {
+Fit best_fit(const std::vector<Row>& rows, bool with_edge, const RatioSearch& ratio) {
   constexpr int kGrid = 69, kHalvings = 37;  // steps of 0.1 to each side, 0.001 to 1000, down to 1e-12
-  if (!ratio_identified) return fit_at(kAssumedRatio, rows, with_edge);
+  const PresetConstant& presets = preset_ratio(ratio.cutter);
+  if (!ratio.identified) return fit_at(presets.typical, rows, with_edge);
   const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), rows, with_edge).squares; };
   double best = 0, step = 0.1;
   const auto try_at = [&](double at) {
@@ -114,9 +124,9 @@ Fit best_fit(const std::vector<Row>& rows, bool with_edge, bool ratio_identified
   }
   const Fit fit = fit_at(std::exp(best), rows, with_edge);
   if (at_an_end || !std::isfinite(fit.squares))
-    throw Error(
-        "no cutting ratio between 0.001 and 1000 explains the drilling tests; that of drills in bone is 0.4 to "
-        "5.3. Check the units of radius, feed, thrust and torque.");
+    throw Error("no cutting ratio between 0.001 and 1000 explains the drilling tests; the presets of " +
+                std::string(presets.of) + " have " + format_number(presets.low) + " to " + format_number(presets.high) +
+                ". Check the units of radius, feed, thrust and torque.");
   return fit;
 }
 
@@ -156,14 +166,18 @@ Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identifi
 }
 
 /// The best fit with a given ratio of the second constant to u.
-Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, bool ratio_identified) {
+Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, const RatioSearch& ratio) {
   for (Row& row : rows) row.chip += edge_over_u * row.edge;
-  Fit fit = best_fit(rows, false, ratio_identified);
+  Fit fit = best_fit(rows, false, ratio);
   fit.edge = edge_over_u * fit.u;
   return fit;
 }
 
-void require_measured(const DrillingTest& t) {
+/// [m] Feed per revolution.
+double feed_per_turn(const DrillingTest& t) { return 2 * kPi * t.feed_speed / std::abs(t.spindle_speed); }
+
+/// @param number  of the test, from 1
+void require_measured(const DrillingTest& t, std::size_t number) {
   require_positive(t.radius, "DrillingTest::radius [m]");
   require_metres(t.radius, kMaxRadius, "DrillingTest::radius [m]");
   require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
@@ -171,6 +185,12 @@ void require_measured(const DrillingTest& t) {
   require_positive(t.lips, "DrillingTest::lips [1]");
   if (t.thrust != 0) require_positive(t.thrust, "DrillingTest::thrust [N]");
   if (t.torque != 0 || t.thrust == 0) require_positive(t.torque, "DrillingTest::torque [N m]");
+  if (const double feed = feed_per_turn(t), diameter = 2 * t.radius; !(kMinFeedPerTurn <= feed && feed <= diameter))
+    throw Error("drilling test " + std::to_string(number) + " has a feed of " +
+                format_number(feed / units::mm, diameter / units::mm) + " mm per revolution; must be from " +
+                format_number(kMinFeedPerTurn / units::mm) + " mm to the diameter of the tool, " +
+                format_number(diameter / units::mm, feed / units::mm) +
+                " mm. Check the units of feed, speed and radius: publications often have the feed per minute.");
 }
 
 }  // namespace
@@ -193,18 +213,37 @@ struct Prior {
   double length = 0;  // [m]
 };
 
-/// Edges of drills where they matter and leave something to the chip; the size effect of blades for thinner chips.
-Prior prior_for(ChipTerm asked, double thinnest, double thickest) {
-  if (asked != ChipTerm::edge_length || kAssumedEdgeLength < kSharpest * thinnest) return {};
-  if (kAssumedEdgeLength > kDullest * thickest) return {ChipTerm::size_length, kAssumedSizeLength};
-  return {ChipTerm::edge_length, kAssumedEdgeLength};
+/// [m] The length that presets of a cutter have for a term; 0: none.
+double preset_length(CutterKind cutter, ChipTerm term) {
+  const PresetConstant* const row = find_constant(name_or_null(cutter), name_or_null(term));
+  return row != nullptr ? row->typical : 0;
+}
+
+/// The size effect of blades; edges of drills where they matter.
+Prior prior_for(ChipTerm asked, CutterKind cutter, double thinnest) {
+  if (asked == ChipTerm::edge_pressure) return {};
+  if (const double size = preset_length(cutter, ChipTerm::size_length); size > 0) return {ChipTerm::size_length, size};
+  const double edge = preset_length(cutter, ChipTerm::edge_length);
+  if (asked != ChipTerm::edge_length || edge < kSharpest * thinnest) return {};
+  return {ChipTerm::edge_length, edge};
+}
+
+/// Blades where the edge of a drill would leave nothing to the chip, else a drill.
+CutterKind cutter_for(double thickest) {
+  const double edge = preset_length(CutterKind::twist_drill, ChipTerm::edge_length);
+  return edge > kDullest * thickest ? CutterKind::carbide_bur : CutterKind::twist_drill;
+}
+
+/// The term of the presets of a cutter; for diamonds, which have none, that of edges.
+ChipTerm term_for(CutterKind cutter) {
+  return preset_length(cutter, ChipTerm::size_length) > 0 ? ChipTerm::size_length : ChipTerm::edge_length;
 }
 
 /// [m] Smallest and largest feed per lip.
 std::pair<double, double> feeds_per_lip(std::span<const DrillingTest> tests) {
   double thinnest = std::numeric_limits<double>::infinity(), thickest = 0;
   for (const DrillingTest& t : tests) {
-    const double feed = 2 * kPi * t.feed_speed / (std::abs(t.spindle_speed) * t.lips);
+    const double feed = feed_per_turn(t) / t.lips;
     thinnest = std::min(thinnest, feed), thickest = std::max(thickest, feed);
   }
   return {thinnest, thickest};
@@ -229,12 +268,10 @@ void compare(std::span<const DrillingTest> tests, Calibration& c) {
   c.torque_residual = std::sqrt(c.torque_residual / std::max(torque_count, 1.0));
 }
 
-Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term) {
-  if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
+Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term, CutterKind cutter) {
   double min_chip = std::numeric_limits<double>::infinity(), max_chip = 0;
   bool thrusts = false, torques = false;
   for (const DrillingTest& t : tests) {
-    require_measured(t);
     const double section = term == ChipTerm::edge_pressure ? t.radius : t.lips;  // factor of the edge
     const double chip = t.feed_speed / (std::abs(t.spindle_speed) * section);
     min_chip = std::min(min_chip, chip);
@@ -244,24 +281,30 @@ Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term) {
   }
   const std::vector<Row> rows = rows_of(tests, term);
   Calibration c;
+  c.cutter = cutter;
+  c.term = term;
   c.ratio_identified = thrusts && torques;
+  const RatioSearch ratio_search{c.ratio_identified, cutter};
   const int freedom = freedom_of(rows, true, c.ratio_identified);
   const bool may_separate = max_chip > kMinSpread * min_chip && freedom >= 0;
-  Fit fit = best_fit(rows, may_separate, c.ratio_identified);
+  Fit fit = best_fit(rows, may_separate, ratio_search);
   ChipTerm fitted = term;
-  if (may_separate) {
-    const Known known = known_by(fit, rows, c.ratio_identified);
-    c.edge_identified = known.edge;
-    c.chip_identified = known.chip;
-  }
   const auto [thinnest, thickest] = feeds_per_lip(tests);
   c.thinnest_chip = thinnest;
-  if (const Prior prior = prior_for(term, thinnest, thickest); !c.edge_identified) {
+  const Prior prior = prior_for(term, cutter, thinnest);
+  // All but a tenth of the force is proportional to u sqrt(h_s): a fit would take h_s from the scatter.
+  const bool held = term == ChipTerm::size_length && thickest < kThin * prior.length;
+  if (may_separate) {
+    const Known known = known_by(fit, rows, c.ratio_identified);
+    c.edge_identified = known.edge && !held;
+    c.chip_identified = known.chip;
+  }
+  if (!c.edge_identified) {
     const double ratio = prior.term == ChipTerm::size_length ? std::sqrt(prior.length) : prior.length;
-    const Fit assumed = fit_with_ratio(ratio, rows_of(tests, prior.term), c.ratio_identified);
+    const Fit assumed = fit_with_ratio(ratio, rows_of(tests, prior.term), ratio_search);
     const double bearable = std::max(fit.squares * (1 + (freedom > 0 ? kWithinErrors / freedom : 0)),
                                      double(rows.size()) * kScatter * kScatter);
-    if (prior.length == 0 || !may_separate || assumed.squares <= bearable) {
+    if (prior.length == 0 || !may_separate || held || assumed.squares <= bearable) {
       fit = assumed;
       fitted = prior.term;
       c.edge_assumed = prior.length > 0 && fitted == ChipTerm::edge_length;
@@ -278,9 +321,8 @@ Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term) {
     const double max_length = range_of(&Material::edge_length).high;
     const double min_u = fit.edge / (fitted == ChipTerm::edge_length ? max_length : std::sqrt(max_length));
     const double u = c.specific_cutting_energy = fitted == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, min_u);
-    if (fitted == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
-    if (fitted == ChipTerm::size_length)
-      c.size_length = c.size_assumed ? kAssumedSizeLength : std::pow(fit.edge / u, 2);
+    if (fitted == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? prior.length : fit.edge / u;
+    if (fitted == ChipTerm::size_length) c.size_length = c.size_assumed ? prior.length : std::pow(fit.edge / u, 2);
   }
   compare(tests, c);
   return c;
@@ -288,56 +330,22 @@ Calibration fit_term(std::span<const DrillingTest> tests, ChipTerm term) {
 
 }  // namespace
 
-Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
-  Calibration c = fit_term(tests, term);
+Calibration calibrate(std::span<const DrillingTest> tests, std::optional<ChipTerm> term,
+                      std::optional<CutterKind> cutter) {
+  if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
+  for (std::size_t i = 0; i < tests.size(); ++i) require_measured(tests[i], i + 1);
+  const CutterKind by = cutter.value_or(cutter_for(feeds_per_lip(tests).second));
+  Calibration c = fit_term(tests, term.value_or(term_for(by)), by);
   double least = kMuchBetter * residual_of(c);
-  if (!c.checked || least < kScatter) return c;
+  if (!c.checked || c.size_assumed || least < kScatter) return c;
   for (const auto& other : names_of(Of<ChipTerm>{})) {
-    if (other.value == term) continue;
-    const Calibration with_other = fit_term(tests, other.value);
+    if (other.value == c.term) continue;
+    const Calibration with_other = fit_term(tests, other.value, by);
     if (!with_other.edge_identified || residual_of(with_other) >= least) continue;
     least = residual_of(with_other);
     c.better_term = other.value;
   }
   return c;
-}
-
-std::string advice_on(const Calibration& c, ChipTerm term) {
-  std::string advice =
-      "These constants belong together: set all of them in the material, including zeros, and set cutter and lips of "
-      "the tests in the tool.\n";
-  const auto in_um = [](double length) { return format_number(length / units::um) + " um"; };
-  const std::string asked = name_or_null(term);
-  if (c.better_term)
-    advice += std::string(name_or_null(*c.better_term)) + " describes these tests better than " + asked +
-              ", with less than half of its residual: fit that.\n";
-  if (c.worst_factor >= kContradicts)
-    advice += "No constants of this kind fit these tests: one differs by a factor of " + format_number(c.worst_factor) +
-              ". They contradict each other, or are not of one material and tool; fit those of each laboratory and "
-              "each bone alone.\n";
-  if (c.size_assumed)
-    advice += "With feeds per lip of " + in_um(c.thinnest_chip) +
-              " the chips are those of blades, not of a drill: a size length of " + in_um(kAssumedSizeLength) +
-              " was assumed, and no edge.\n";
-  if (c.edge_identified && term == ChipTerm::edge_length && c.edge_length > 0 && c.edge_length < kThinnestEdge)
-    advice +=
-        "An edge length of " + in_um(c.edge_length) +
-        " is right for these tests, but it is not the edge of a tool, which has 1 ... 100 um: chips so thin have a "
-        "size effect; fit size_length.\n";
-  if (!c.edge_identified && !c.better_term)
-    advice +=
-        "To separate edge and chip, add tests at other feeds per revolution, or repeat these tests if they scatter.\n";
-  else if (!c.checked)
-    advice +=
-        "The constants fit exactly, which proves nothing: to check them, add a test at another feed per revolution.\n";
-  if (!c.edge_identified && !c.edge_assumed && !c.size_assumed)
-    advice += "No edge was assumed: at feeds per lip below " + in_um(c.thinnest_chip) + " the force may be too low.\n";
-  if (!c.ratio_identified) advice += "To identify the cutting ratio, add tests with thrust and torque.\n";
-  if (!c.chip_identified)
-    advice +=
-        "The edge causes nearly all of thrust and torque; to identify the chip, add tests at a larger feed per "
-        "revolution.\n";
-  return advice;
 }
 
 }  // namespace hapticut

@@ -47,6 +47,10 @@ def test_stiffness_and_calibration_give_back_what_they_were_given():
     assert found.edge_identified and found.checked and not found.edge_assumed
     assert found.specific_cutting_energy == pytest.approx(3e8, rel=1e-4)
     assert found.cutting_ratio == pytest.approx(0.6, rel=1e-4) and found.thrust_residual < 1e-4
+    assert found.cutter == h.CutterKind.twist_drill and found.term == h.calibration.ChipTerm.edge_pressure
+    assert h.calibration.presets_beside(found, "cutting_ratio").of == "twist_drill"
+    bur = h.calibration.calibrate(tests, cutter=h.CutterKind.carbide_bur)
+    assert bur.term == h.calibration.ChipTerm.size_length and h.calibration.advice_on(bur).startswith("These constants")
 
 
 def test_a_stiffness_goes_to_another_point():

@@ -9,6 +9,7 @@ from ._hapticut import (
     advice_on as advice_on,
     axial_cut_force as axial_cut_force,
     calibrate as calibrate,
+    presets_beside as presets_beside,
 )
 
 export(__name__)
