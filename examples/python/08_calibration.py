@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Computes u and kappa from a published drilling test, simulates the test, and predicts another spindle speed.
 
-Hillery and Shuaib 1999, recalled (docs/measurements.md): bovine tibia, drill of 3.2 mm, 50 mm/min, 48 N and 14.5 N mm at
-400 rpm, 24 N and 10 N mm at 2000 rpm. One test does not tell the edge length: that of the presets is assumed. Those
+Hillery and Shuaib 1999, recalled (docs/measurements.md): bovine tibia, drill of 3.2 mm, 50 mm/min, 48 N and 14.5 N mm
+at 400 rpm, 24 N and 10 N mm at 2000 rpm. One test does not tell the edge length: that of the presets is assumed. Those
 drills were worn, so the force falls less with the speed than predicted; both tests together give a longer edge."""
 import numpy as np
 
@@ -36,7 +36,7 @@ for name, tests in (("one test", [slow]), ("both tests", [slow, fast])):
     for measured in (slow, fast):
         thrust, torque = simulate(found, measured.spindle_speed)
         theory = axial_cut_force(found, RADIUS, measured.spindle_speed, FEED)
-        print(f"{measured.spindle_speed / rpm:.0f} rpm: simulation {thrust:.2f} N, {torque / N_mm:.2f} N mm; closed form "
-              f"{theory.thrust:.2f} N, {theory.torque / N_mm:.2f} N mm; measured {measured.thrust:.2f} N, "
+        print(f"{measured.spindle_speed / rpm:.0f} rpm: simulation {thrust:.2f} N, {torque / N_mm:.2f} N mm; closed "
+              f"form {theory.thrust:.2f} N, {theory.torque / N_mm:.2f} N mm; measured {measured.thrust:.2f} N, "
               f"{measured.torque / N_mm:.2f} N mm")
 print(advice_on(found))

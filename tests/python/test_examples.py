@@ -63,7 +63,8 @@ def test_examples_fit_on_a_screen():
 def test_the_calibration_gives_back_what_was_measured():
     done = subprocess.run([sys.executable, str(FOLDER / "08_calibration.py")], capture_output=True, text=True,
                           check=True)
-    numbers = [[float(n) for n in re.findall(r"([\d.]+) N\b", line)] for line in done.stdout.splitlines() if "simulation" in line]
+    lines = [line for line in done.stdout.splitlines() if "simulation" in line]
+    numbers = [[float(n) for n in re.findall(r"([\d.]+) N\b", line)] for line in lines]
     for simulated_thrust, simulated_torque, thrust, torque, *_ in numbers:
         # A thin engaged layer: C35 within 4 % (docs/validation.md).
         assert simulated_thrust == pytest.approx(thrust, rel=0.04)
