@@ -106,8 +106,9 @@ ViewScene make_view_scene(const std::string& name) {
                                       : scene_of_file(name);
   tell_on_stderr(s.workpiece);
   if (s.workpiece.source.empty()) s.workpiece.source = "molar";
-  Workpiece workpiece = with_bar(
-      s.workpiece.source, [&] { return make_workpiece(s.workpiece, CutterKind::carbide_bur, s.tool.sharpness); });
+  const CutterKind cutter = s.tool.head ? make_tool(s.tool).cutter().kind : CutterKind::carbide_bur;
+  Workpiece workpiece =
+      with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, cutter, s.tool.sharpness); });
   const Box box = summarize(name, workpiece).box;
   complete_tool(s.tool, box);
   s.simulation.texture_by_default = true;

@@ -61,9 +61,10 @@ TEST(ViewScenes, OfASettingsFileHaveWhatItSays) {
   test::write_bytes(folder / "a.toml",
                     "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"dentin\"\nvoxel_mm = 0.3\n"
                     "[tool]\nhead = \"cone\"\nhalf_angle_deg = 30\nheight_mm = 2\nspindle_rpm = "
-                    "30000\n[simulation]\nrate_Hz = 1000\n");
+                    "30000\ncutter = \"coarse_diamond\"\n[simulation]\nrate_Hz = 1000\n");
   const ViewScene scene = make_view_scene((folder / "a.toml").string());
   EXPECT_EQ(scene.workpiece.materials()[MaterialId(1)].name, "dentin");
+  EXPECT_EQ(scene.workpiece.materials()[MaterialId(1)].cutter, CutterKind::coarse_diamond);
   EXPECT_TRUE(std::holds_alternative<ConeHead>(scene.tool.head().shape()));
   expect_ready_to_drill(scene);
 }
