@@ -21,7 +21,7 @@ std::string in_um(double length) { return brief(length / units::um) + " um"; }
 /// A number in the unit of its range, lengths in um.
 std::string text_of(double value, const PresetConstant& range) {
   if (range.unit == "m") return in_um(value);
-  return brief(value) + (range.unit == "1" ? "" : " " + std::string(range.unit));
+  return range.unit == "1" ? brief(value) : brief(value).append(" ").append(range.unit);
 }
 
 /// "6 um ... 45 um", "0.3 ... 0.6"

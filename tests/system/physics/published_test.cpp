@@ -55,6 +55,7 @@ TEST(PublishedMeasurements, ArePredictedWithinAFactorOfTwoInTheMedian) {
   EXPECT_GE(summary.rows, 10);
   EXPECT_LE(summary.median, 2.0);
   EXPECT_GE(2 * summary.within_two, summary.rows);
+  EXPECT_GE(2 * summary.bracketed, summary.rows) << "between a new and a worn cutter";
   EXPECT_GE(2 * summary.allowed, summary.rows) << "between the ends of the ranges";
 }
 
