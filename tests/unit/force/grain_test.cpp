@@ -28,11 +28,12 @@ struct Statistics {
   double mean = 0, variation = 0, of_neighbours = 0;  // [1] the last is a correlation
 };
 
-/// Over one voxel of each of 40 x 40 x 40 cells.
+/// Over one voxel of each of 40 x 40 x 40 cells, inside it.
 Statistics over_cells(const Grain& grain, int voxels_per_cell) {
   constexpr int kCells = 40;
   const auto at = [&](int i, int j, int k) {
-    return double(grain.at(kBone, {voxels_per_cell * i, voxels_per_cell * j, voxels_per_cell * k}));
+    const auto inside = [&](int cell) { return voxels_per_cell * cell + voxels_per_cell / 2; };
+    return double(grain.at(kBone, {inside(i), inside(j), inside(k)}));
   };
   double sum = 0, squares = 0, products = 0;
   for (int i = 0; i < kCells; ++i)
@@ -40,10 +41,10 @@ Statistics over_cells(const Grain& grain, int voxels_per_cell) {
       for (int k = 0; k < kCells; ++k) {
         const double g = at(i, j, k);
         sum += g, squares += g * g;
-        products += g * (at(i + 1, j, k) + at(i, j + 1, k) + at(i, j, k + 1)) / 3;
+        products += (g - 1) * ((at(i + 1, j, k) + at(i, j + 1, k) + at(i, j, k + 1)) / 3 - 1);
       }
   const double count = std::pow(kCells, 3), mean = sum / count, variance = squares / count - mean * mean;
-  return {mean, std::sqrt(variance) / mean, (products / count - mean * mean) / variance};
+  return {mean, std::sqrt(variance) / mean, products / count / variance};
 }
 
 TEST(Grain, HasTheMean1AndTheVariationOfTheMaterialInIndependentCells) {
