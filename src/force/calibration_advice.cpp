@@ -54,7 +54,7 @@ std::string remark_on(const Calibration& c, std::string_view number, double valu
   if (!is_far && (!has_range || out == 1)) return "";
   return (is_far ? "Warning: the " : "The ") + std::string(number) + " of " + text_of(value, *range) + " is " +
          (is_far ? "far " : "") + "outside the presets' " + text_of(*range) + " of " + std::string(range->of) +
-         ": check " + check + ". ";
+         ": check " + check + ".";
 }
 
 const char* const kOfFeed = "that the feed is per second, not per minute, and the speed in its unit";
@@ -67,7 +67,7 @@ const char* const kOfRatio = "the units of thrust and torque, and that the radiu
 std::string remarks_on(const Calibration& c) {
   std::string remarks;
   const auto add = [&](const std::string& remark, const std::string& more) {
-    if (!remark.empty()) remarks += remark + more + "\n";
+    if (!remark.empty()) remarks += remark + (more.empty() ? "" : " ") + more + "\n";
   };
   if (const double u = c.specific_cutting_energy; c.chip_identified)
     add(remark_on(c, "specific_cutting_energy", u, kOfEnergy),

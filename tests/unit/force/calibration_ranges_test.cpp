@@ -43,6 +43,7 @@ TEST(CalibrationRanges, GoodTestsAreWithinThem) {
   const PresetConstant& edges = *presets_beside(c, "edge_length");
   ASSERT_GT(c.edge_length, edges.high) << "Hillery's drills were worn";
   expect_sentence(c, "The edge_length of 58.");
+  expect_no_sentence(c, " \n");
   expect_no_sentence(c, "Warning");
   expect_no_sentence(c, "specific_cutting_energy");
   expect_no_sentence(c, "cutting_ratio");
