@@ -38,11 +38,12 @@ StepTimes times_of(std::vector<float> times) {
           double(times.back()), std::size_t(misses)};
 }
 
-void add(const StepResult& step, const Simulation& simulation, DrillResult& result) {
+void add(const StepResult& step, double speed, const Simulation& simulation, DrillResult& result) {
   result.removed_voxels += step.removed_voxels.size();
   result.removed_volume += step.removed_volume;
   if (step.removed_volume > 0) {
     ++result.steps_cutting;
+    result.max_feed = std::max(result.max_feed, speed);
     const bool turns = !has_any(step.status, StepStatus::spindle_stands | StepStatus::spindle_stalled);
     if (turns && has_any(step.status, StepStatus::engaged_layer_thick)) ++result.steps_too_soft;
   }
@@ -54,7 +55,6 @@ void add(const StepResult& step, const Simulation& simulation, DrillResult& resu
     result.max_force = std::max(result.max_force, force);
     result.max_torque = std::max(result.max_torque, torque);
   }
-  result.load_to_cut = std::max(result.load_to_cut, step.contact.load_to_cut);
   for (int id = 1; id <= simulation.workpiece().materials().size(); ++id)
     result.pressed[std::size_t(id)] += simulation.normal_forces()[std::size_t(id)];
   for (auto bits = std::uint32_t(step.status); bits != 0; bits &= bits - 1)
@@ -93,7 +93,7 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     const StepResult& step = simulation.step(pose, velocity, dt);
     times[i] = float(thread_time() - start);
 
-    add(step, simulation, result);
+    add(step, velocity.linear.norm(), simulation, result);
     if (has_any(step.status, kRejected) && ++result.steps_rejected == 1) result.first_rejected = i + 1;
     if (i == 0) result.starts_in_contact = step.contact.voxels > 0;
     if (keep_rows)

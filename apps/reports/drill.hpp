@@ -45,7 +45,7 @@ struct DrillResult {
   bool starts_in_contact = false;
   bool blocks_refilled = false;
   ByMaterial<double> pressed = {};  ///< [N] sum over the steps of Simulation::normal_forces
-  double load_to_cut = 0;           ///< [N] largest Contact::load_to_cut
+  double max_feed = 0;              ///< [m/s] largest speed of the hand in steps that cut
   EnergyLedger energy;
   StepTimes times;
   std::array<std::size_t, 32> status_counts = {};  ///< number of steps, by bit of StepStatus

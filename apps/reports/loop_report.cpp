@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/loop_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hapticut/core/units.hpp"
 #include "reports/flag_words.hpp"
+#include "reports/shared_warnings.hpp"
 #include "reports/table.hpp"
+#include "simulation/status_limits.hpp"
 
 namespace hapticut::apps {
 namespace {
 
 constexpr double kMicrosecond = 1e-6;
+constexpr double kHardlyAnyCut = 0.1;  // [1] cutting's part of the work of edges in a run, whose beginning may cut more
 
 Json to_json(const LatencyHistogram& h) {
   Json buckets = Json::array();  // [lower edge in us, count], without empty buckets
@@ -41,6 +45,8 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   std::vector<std::string> warnings;
   const auto warn = [&](const Sentence& warning) { warnings.push_back(in_words_of_flags(warning)); };
   if (!cuts && r.simulation.last_result().energy.turnover > 0) warn(removal_is_off());
+  for (const Sentence& unsuited : warnings_of_cutter(r.simulation)) warn(unsuited);
+  if (const auto strong = warning_of_force(r.seen.last.max_commanded)) warn(*strong);
   warnings.insert(warnings.end(), r.run.warnings.begin(), r.run.warnings.end());
   if (r.device.name() == "mouse")
     warn("this program has no window, so the mouse moved nothing; MouseDevice needs a program with a window.");
@@ -59,13 +65,26 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   else if (saw(StepStatus::engaged_layer_thick))
     warn(
         "the engaged layer was thicker than a tenth of the head, so forces are too low: the material is too soft for "
-        "the feed.");
+        "the feed; " +
+        "simulation.reference_stiffness_N_per_m4"_name + " is " +
+        rounded(r.simulation.config().reference_stiffness, 2) + " N/m^4.");
+  const EnergyLedger& energy = r.simulation.last_result().energy;
+  const MotorAdvice motor = advice_on_motor(r.simulation.tool().spindle());
   if (cuts && saw(StepStatus::spindle_stalled))
-    warn("the load stalled the spindle, and the head did not cut until it ran again; press less, or raise " +
-         "tool.power_limit_W"_name + " or " + "tool.torque_limit_Nmm"_name + ".");
-  if (cuts && saw(StepStatus::edges_carry_load) && tool.removed_volume == 0)
-    warn("the edges of the drill carried the whole load, so it cut nothing; press harder, or set " +
-         "tool.sharpness"_name + " new.");
+    warn("the load stalled the spindle, and the head did not cut until it ran again; " + motor.limits + ". Press less" +
+         motor.cure + ".");
+  if (cuts && saw(StepStatus::edges_carry_load) && energy.cutting < kHardlyAnyCut * energy.rubbing) {
+    const BluntEdges edges = blunt_edges(r.simulation);
+    const double peak = r.device.capabilities().peak_force;
+    const bool too_much = peak > 0 && peak < edges.load;
+    warn("the edges of the drill carried the load, so it cut hardly anything; press harder than " +
+         rounded(edges.load, 3) + " N" +
+         (too_much ? ", of which the device gives " + rounded(peak, 3) + " N, or take a thinner drill" : "") +
+         sharper_drill(edges) + ".");
+  }
+  if (saw(StepStatus::material_crushed) && !saw(StepStatus::spindle_stands | StepStatus::spindle_stalled) &&
+      energy.crushed > kMuchCrushed * (energy.crushed + std::max(0.0, energy.cutting)))
+    warn(std::string("the head crushed material where it did not cut it; ") + kCureOfCrushing);
   const std::uint64_t slow = r.run.compute.at_least(r.run.period);
   if (double(slow) > kOftenSlow * double(r.run.ticks))
     warn(std::to_string(slow) + " of " + std::to_string(r.run.ticks) +

@@ -54,6 +54,15 @@ Json status_json(const DrillResult& result) {
   return json;
 }
 
+/// Whether a bit was set in so few steps of the contact as on the way into ordinary material, so that a table need not
+/// list it.
+bool is_of_entry(StepStatus bit, const DrillResult& result) {
+  constexpr double kEntry = 0.05;  // [1] of the steps in contact
+  constexpr StepStatus kOfEntry = StepStatus::engaged_layer_thick | StepStatus::edges_carry_load |
+                                  StepStatus::material_crushed | StepStatus::point_thin;
+  return has_any(kOfEntry, bit) && double(result.count(bit)) < kEntry * double(result.steps_in_contact);
+}
+
 /// [1] Shares of the materials in a sum, of those that have one.
 Json shares_json(const MaterialTable& materials, const ByMaterial<double>& sums) {
   double all = 0;
@@ -191,7 +200,8 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
                              rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
                              std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");
   for_each_bit<StepStatus>([&](StepStatus bit, const std::string& name) {
-    if (r.count(bit) > 0) table.add("status", name + " in " + std::to_string(r.count(bit)) + " steps");
+    if (r.count(bit) > 0 && !is_of_entry(bit, r))
+      table.add("status", name + " in " + std::to_string(r.count(bit)) + " steps");
   });
   for (const std::string& warning : report.warnings) table.add("warning", warning);
   return table.text();

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "reports/flag_words.hpp"
 #include "reports/report.hpp"
+#include "reports/shared_warnings.hpp"
 #include "reports/table.hpp"
 
 namespace hapticut::apps {
 namespace {
 
-constexpr double kMaxClosure = 0.01;  // [1] above it, energies and forces are inconsistent
-constexpr double kOftenThick = 0.5;   // [1] fraction of the cutting steps
-constexpr double kOftenBlunt = 0.5;   // [1] fraction of the steps in contact
+constexpr double kMaxClosure = 0.01;   // [1] above it, energies and forces are inconsistent
+constexpr double kOftenThick = 0.5;    // [1] fraction of the cutting steps
+constexpr double kOftenBlunt = 0.5;    // [1] fraction of the steps in contact
+constexpr double kOftenCrushed = 0.2;  // [1] fraction of the steps in contact; on entry it is less
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
+
+/// "raise --reference_stiffness, which is 1e+12 N/m^4, to 3e+13": what the feed demands of the touched materials.
+Sentence stiffer(const DrillResult& r, const Simulation& simulation) {
+  const Tool& tool = simulation.tool();
+  const double in_use = simulation.config().reference_stiffness;
+  double enough = 2 * in_use;
+  simulation.totals().touched.for_each([&](MaterialId id) {
+    const Material& m = simulation.workpiece().materials()[id];
+    if (m.cutting_ratio > 0 && r.max_feed > 0 && tool.spindle().speed != 0)
+      enough = std::max(enough, stiffness_for_accuracy(tool.head(), m, tool.spindle().speed,
+                                                       std::min(r.max_feed, kMaxFeed), tool.cutter()));
+  });
+  return "raise " + "simulation.reference_stiffness_N_per_m4"_name + ", which is " + rounded(in_use, 2) +
+         " N/m^4, to " + rounded(1.2 * enough, 2);
+}
 
 }  // namespace
 
@@ -22,7 +42,10 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   const auto warn = [&](const Sentence& warning) { warnings.push_back(in_words_of_flags(warning)); };
   const bool cuts = simulation.config().removal != RemovalLaw::none;
   const std::size_t stood = r.count(StepStatus::spindle_stands), stalled = r.count(StepStatus::spindle_stalled);
+  const double in_contact = double(r.steps_in_contact);
   if (!cuts && r.steps_in_contact > 0) warn(removal_is_off());
+  for (const Sentence& unsuited : warnings_of_cutter(simulation)) warn(unsuited);
+  if (const auto strong = warning_of_force(r.max_force); strong && cuts && stood == 0 && stalled == 0) warn(*strong);
   if (r.steps_in_contact == 0 && r.steps_rejected == 0)
     warn("the path never touches the workpiece; check the positions and " + "path.point"_name + " against its box.");
   else if (cuts && r.steps_in_contact > 0 && r.removed_volume == 0 && stood == 0 && stalled == 0)
@@ -49,20 +72,25 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   if (stood > 0)
     warn("the spindle stood in " + steps(stood) +
          " of contact, so the head pressed, rubbed and crushed, but did not cut; set " + "tool.spindle_rpm"_name + ".");
+  const MotorAdvice motor = advice_on_motor(simulation.tool().spindle());
   if (cuts && stalled > 0)
     warn("the load stalled the spindle in " + steps(stalled) + " of " + std::to_string(r.steps_in_contact) +
-         " in contact, so the head did not cut; lower the feed, or raise " + "tool.power_limit_W"_name + " or " +
-         "tool.torque_limit_Nmm"_name + ".");
-  if (const std::size_t blunt = r.count(StepStatus::edges_carry_load);
-      double(blunt) > kOftenBlunt * double(r.steps_in_contact))
+         " in contact, so the head did not cut; " + motor.limits + ". Lower the feed" + motor.cure + ".");
+  if (const std::size_t blunt = r.count(StepStatus::edges_carry_load); double(blunt) > kOftenBlunt * in_contact) {
+    const BluntEdges edges = blunt_edges(simulation);
     warn("in " + steps(blunt) + " of " + std::to_string(r.steps_in_contact) +
-         " in contact the edges of the drill carried the load, so it cut hardly anything; press harder than " +
-         rounded(r.load_to_cut, 3) + " N, feed faster, or set " + "tool.sharpness"_name + " new.");
+         " in contact the edges of the drill carried the load, so it cut hardly anything; they carry " +
+         rounded(edges.load, 3) + " N. Feed faster than " + rounded(edges.feed / units::mm, 2) + " mm/s" +
+         sharper_drill(edges) + ".");
+  }
+  if (const std::size_t crushed = r.count(StepStatus::material_crushed);
+      stood == 0 && stalled == 0 && double(crushed) > kOftenCrushed * in_contact)
+    warn("in " + steps(crushed) + " of " + std::to_string(r.steps_in_contact) +
+         " in contact the head crushed material where it did not cut it; " + kCureOfCrushing);
   if (double(r.steps_too_soft) > kOftenThick * double(r.steps_cutting))
     warn("in " + steps(r.steps_too_soft) + " of " + std::to_string(r.steps_cutting) +
-         " that cut, the engaged layer was thicker than a tenth of the head, so forces are too low; "
-         "raise " +
-         "simulation.reference_stiffness_N_per_m4"_name + " or lower the feed.");
+         " that cut, the engaged layer was thicker than a tenth of the head, so forces are too low; " +
+         stiffer(r, simulation) + ", or lower the feed.");
   if (double(r.times.deadline_misses) > kOftenSlow * double(r.steps))
     warn(steps(r.times.deadline_misses) + " of " + std::to_string(r.steps) +
          " took longer than 1 ms; for a haptic loop choose larger voxels, a smaller head or " +

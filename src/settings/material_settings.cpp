@@ -24,6 +24,9 @@ std::vector<Setting> settings_of(MaterialChange& change) {
     const std::string unit = unit_in_names(field.unit);
     settings.push_back(number(field.name + (unit.empty() ? "" : "_" + unit), "", value, field.range, field.text));
   });
+  settings.push_back(choice("cutter", "", change.cutter,
+                            "kind of cutter that the constants are for; of a preset it chooses them [that of the tool; "
+                            "for a .vdb that of the file]"));
   return settings;
 }
 
@@ -31,6 +34,7 @@ void apply(const MaterialChange& change, Material& material) {
   visit_numbers(change, [&](const auto& field, const std::optional<double>& value) {
     material.*field.member = value.value_or(material.*field.member);
   });
+  if (change.cutter) material.cutter = change.cutter;
   validate(material);
 }
 
@@ -49,6 +53,12 @@ Setting MaterialChanges::setting() {
   setting.key = "material";
   setting.meaning = "constants of materials, one table for each name";
   setting.kind = Setting::Kind::named_tables;
+  setting.explain = [](const std::string& key) {
+    return key.ends_with(".share") ? key +
+                                         ": there is no such setting, because the share is a factor of presets. "
+                                         "Multiply specific_cutting_energy_J_per_m3 by it, and divide size_length_m."
+                                   : "";
+  };
   setting.open_table = [this](const std::string& name) { return settings_of(changes_[name]); };
   return setting;
 }
@@ -62,9 +72,11 @@ Material MaterialChanges::find(const std::string& name) const {
   const auto change = changes_.find(name);
   const std::string& base = base_of(name);
   require_preset(base);
-  Material material = find_preset(base, cutter, sharpness.value_or(Sharpness::used));
+  const bool is_changed = change != changes_.end();
+  const CutterKind by = is_changed ? change->second.cutter.value_or(cutter) : cutter;
+  Material material = find_preset(base, by, sharpness.value_or(Sharpness::used));
   material.name = name;
-  if (change != changes_.end()) apply(change->second, material);
+  if (is_changed) apply(change->second, material);
   return material;
 }
 

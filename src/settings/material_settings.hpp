@@ -15,7 +15,8 @@ namespace hapticut::settings {
 
 /// Changes to one material: `[material.NAME]` in a settings file, in SI units like Material.
 struct MaterialChange {
-  std::string based_on;  ///< name of a preset; empty: the preset of the same name
+  std::string based_on;              ///< name of a preset; empty: the preset of the same name
+  std::optional<CutterKind> cutter;  ///< that the constants are for; empty: the tool's, or that of the .vdb file
   std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< ordered like Material's fields
 };
 

@@ -46,6 +46,8 @@ struct Setting {
   /// For kind `tables`: appends an element and returns its settings, with relative keys. For kind `named_tables`: opens
   /// the table of that name and returns its settings.
   std::function<std::vector<Setting>(const std::string& name)> open_table = {};
+  /// For kind `named_tables`: why there is no such key, as a message; empty: no reason is known.
+  std::function<std::string(const std::string& key)> explain = {};
   /// For kind `tables`: removes all elements, before a list replaces them.
   std::function<void()> clear = {};
   /// For kind `tables`: appends one element from the short form of the flag.

@@ -84,7 +84,7 @@ class Reader {
 
   /// @param prefix  prefix of the keys in messages, "" or "tool."
   void read_table(const toml::table& table, const std::string& prefix, const std::vector<Setting>& settings) const {
-    read_entries(table, "", prefix, settings);
+    read_entries(table, "", prefix, settings, explain_);
   }
 
  private:
@@ -93,7 +93,7 @@ class Reader {
   }
 
   void read_entries(const toml::table& table, const std::string& inner, const std::string& prefix,
-                    const std::vector<Setting>& settings) const {
+                    const std::vector<Setting>& settings, const ExplainKey& explain) const {
     for (const auto& [key_node, node] : table) {
       const std::string key = inner + std::string(key_node.str());
       const auto setting =
@@ -103,9 +103,9 @@ class Reader {
       } else if (std::any_of(settings.begin(), settings.end(),
                              [&](const Setting& s) { return s.key.starts_with(key + "."); })) {
         if (!node.is_table()) fail(node.source(), prefix + key + ": must be a table, written [" + prefix + key + "].");
-        read_entries(*node.as_table(), key + ".", prefix, settings);
+        read_entries(*node.as_table(), key + ".", prefix, settings, explain);
       } else {
-        const std::string explained = explain_ ? explain_(prefix + key) : "";
+        const std::string explained = explain ? explain(prefix + key) : "";
         if (!explained.empty()) fail(key_node.source(), explained);
         std::vector<std::string> known;
         known.reserve(settings.size());
@@ -155,7 +155,7 @@ class Reader {
       } catch (const Error& error) {
         fail(key_node.source(), name + "." + key + ": " + error.sentence());
       }
-      read_table(*element.as_table(), name + "." + key + ".", inner);
+      read_entries(*element.as_table(), "", name + "." + key + ".", inner, setting.explain);
     }
   }
 

@@ -130,6 +130,16 @@ void ToolSettings::set_sphere(double radius_mm) {
   dimensions["radius"] = radius_mm;
 }
 
+Setting cutter_setting(std::optional<CutterKind>& cutter, const std::string& standard) {
+  return choice("tool.cutter", "--cutter", cutter,
+                "kind of cutter, which the constants of presets depend on [" + standard + "]");
+}
+
+Setting sharpness_setting(std::optional<Sharpness>& sharpness) {
+  return choice("tool.sharpness", "--sharpness", sharpness,
+                "how worn the cutter is, which the constants of presets depend on [used]");
+}
+
 std::vector<Setting> settings_of(ToolSettings& t) {
   std::vector<Setting> settings = {choice("tool.head", "--head", t.head, names_of_heads(),
                                           "shape of the cutting head; docs/heads-and-materials.md shows the shapes")};
@@ -173,9 +183,8 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "acceleration of the spindle after a load [immediate recovery]"),
       number("tool.droop_rpm_per_Nmm", "--droop_rpm_per_Nmm", t.droop_rpm_per_Nmm, Range::not_negative(),
              "speed drop per load torque, as in an air turbine [value of the motor]"),
-      choice("tool.cutter", "--cutter", t.cutter, "kind of cutter [twist_drill for a twist drill, else carbide_bur]"),
-      choice("tool.sharpness", "--sharpness", t.sharpness,
-             "how worn the cutter is, which the constants of presets depend on [used]"),
+      cutter_setting(t.cutter, "twist_drill for a twist drill, else carbide_bur"),
+      sharpness_setting(t.sharpness),
       integer("tool.lips", "--lips", t.lips, 1, 1000,
               "number of cutting edges that pass a point per revolution [value of common cutters]"),
   };

@@ -42,6 +42,13 @@ struct ToolSettings {
 
 [[nodiscard]] std::vector<Setting> settings_of(ToolSettings& tool);
 
+/// `tool.sharpness`, for the presets of a workpiece.
+[[nodiscard]] Setting sharpness_setting(std::optional<Sharpness>& sharpness);
+
+/// `tool.cutter`.
+/// @param standard  kind without the setting, in words
+[[nodiscard]] Setting cutter_setting(std::optional<CutterKind>& cutter, const std::string& standard);
+
 /// The key of a dimension of heads: "tool.tip_diameter_mm".
 [[nodiscard]] std::string key_of_dimension(std::string_view name, std::string_view unit);
 

@@ -6,14 +6,13 @@
 
 #include "simulation/hand_motion.hpp"
 #include "simulation/simulation_state.hpp"
+#include "simulation/status_limits.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] above the error of matrices from devices
 constexpr double kMaxSpeed = 1e6;            // [m/s], [rad/s] above any hand's velocity
-constexpr double kMuchCrushed = 0.1;         // [1] crushing's part of the energy that removes material
-constexpr double kHardlyCut = 0.01;          // [1] cutting's part of the work of edges that carry the load
 constexpr double kThickLayer = 0.1;          // [1] engaged layer over the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -246,9 +245,9 @@ double Simulation::State::load_to_cut() const noexcept {
     const Material& m = *workpiece.materials().find(MaterialId(id));
     const double force = contact_stages.pressed()[std::size_t(id)];
     pressed += force;
-    if (m.cutting_ratio > 0) load += force * m.specific_cutting_energy * m.edge_length / m.cutting_ratio;
+    load += force * load_of_edges(m, tool);
   }
-  return pressed > 0 ? load / pressed * tool.cutter().lips * tool.head().cutting_radius() : 0;
+  return pressed > 0 ? load / pressed : 0;
 }
 
 /// Sets the status bits that a sub-step shows.

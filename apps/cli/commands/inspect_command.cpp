@@ -8,6 +8,7 @@
 #include "reports/json_file.hpp"
 #include "reports/progress.hpp"
 #include "reports/report.hpp"
+#include "reports/shared_warnings.hpp"
 #include "reports/table.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IMPORT
@@ -110,6 +111,7 @@ void inspect_workpiece(const InspectSettings& s, Delivery& delivery) {
   Json report = to_json(summary, workpiece.materials());
   const double size = summary.voxel_size / units::mm;
   report["spacing_mm"] = {size, size, size};
+  report["cutter"] = Json::object();
 
   Table table("hapticut inspect: " + summary.source);
   table.add("size", size_text(summary.size));
@@ -120,6 +122,10 @@ void inspect_workpiece(const InspectSettings& s, Delivery& delivery) {
       table.add(workpiece.materials()[amount.material].name,
                 std::to_string(amount.voxels) + " voxels, " + rounded(amount.volume / units::mm3, 6) + " mm^3, " +
                     rounded(1e3 * amount.mass) + " g, centre " + position_text(amount.center) + " mm");
+  for (const auto& [kind, names] : names_by_cutter(workpiece.materials())) {
+    for (const std::string& name : names) report["cutter"][name] = name_or_null(kind);
+    table.add("constants", "for " + std::string(name_or_null(kind)) + ": " + text_of_names(names));
+  }
   table.add("memory", bytes(summary.memory_bytes));
   write_json(delivery, s.json, report);
   delivery.print(table.text());

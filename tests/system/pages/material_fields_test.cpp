@@ -56,7 +56,6 @@ TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
 
 TEST(MaterialFields, AreAllSettings) {
   settings::MaterialChanges changes;
-  changes.cutter = *unusual().cutter;  // a scene gets it from its tool
   std::vector<settings::Setting> settings = changes.setting().open_table("unusual");
   std::size_t n = 0;
   ASSERT_EQ(settings.at(n).key, "based_on");
@@ -68,6 +67,8 @@ TEST(MaterialFields, AreAllSettings) {
     EXPECT_FALSE(settings[n].assign(-1.0)) << field.name;
     EXPECT_TRUE(settings[n++].assign(unusual().*field.member)) << field.name;
   });
+  ASSERT_EQ(settings.at(n).key, "cutter");
+  EXPECT_TRUE(settings.at(n++).assign(std::string(name_or_null(*unusual().cutter))));
   EXPECT_EQ(n, settings.size());
   expect_same(changes.find("unusual"), "the settings");
 }
