@@ -17,8 +17,6 @@ namespace {
 /// [N] Hands press a drill with 4 ... 19 N (20 operators with 9 N in docs/measurements.md); more than twice that.
 constexpr double kMaxHandForce = 50;
 
-static_assert(kEdgesLeave == 2 * kHardlyCut);
-
 std::string word_of(CutterKind kind) { return name_or_null(kind); }
 
 /// The cutter that the shape of the head tells, if the tool has another one.
@@ -92,7 +90,7 @@ BluntEdges blunt_edges(const Simulation& simulation) {
   BluntEdges edges;
   for (const Material& m : touched_materials(simulation)) {
     edges.load = std::max(edges.load, load_of_edges(m, tool));
-    edges.feed = std::max(edges.feed, kEdgesLeave * m.edge_length * tooth_rate(tool.cutter(), tool.spindle().speed));
+    edges.feed = std::max(edges.feed, 2 * kHardlyCut * m.edge_length * tooth_rate(tool.cutter(), tool.spindle().speed));
     if (edge != nullptr && (m.edge_length == edge->typical || m.edge_length == edge->high)) edges.can_be_sharper = true;
   }
   return edges;

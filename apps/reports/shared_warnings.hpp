@@ -27,13 +27,10 @@ using NamesByCutter = std::map<CutterKind, std::vector<std::string>>;
 /// @param force  [N] maximum of the run
 [[nodiscard]] std::optional<Sentence> warning_of_force(double force);
 
-/// [1] Twice the share of cutting below which a step sets StepStatus::edges_carry_load: a drill above it cuts.
-inline constexpr double kEdgesLeave = 0.02;
-
 /// What a drill does to the touched materials, of the dearest one.
 struct BluntEdges {
   double load = 0;              ///< [N] that the edges carry without a chip
-  double feed = 0;              ///< [m/s] at which kEdgesLeave of the work of the edges cuts
+  double feed = 0;              ///< [m/s] twice that above which StepStatus::edges_carry_load ends
   bool can_be_sharper = false;  ///< whether tool.sharpness would change a material
 };
 [[nodiscard]] BluntEdges blunt_edges(const Simulation& simulation);

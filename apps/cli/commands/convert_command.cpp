@@ -26,8 +26,9 @@ struct ConvertSettings {
 void require_constants_for(CutterKind cutter, const MaterialTable& materials, const std::string& source) {
   for (const auto& [kind, names] : names_by_cutter(materials)) {
     if (kind == cutter) continue;
-    throw Error("tool.cutter"_name + " = " + std::string(name_or_null(cutter)) + " was given, but " + joined(names) +
-                " of '" + source + "' keeps its constants for " + std::string(name_or_null(kind)) +
+    throw Error("tool.cutter"_name + " = " + std::string(name_or_null(cutter)) + " was given, but " +
+                text_of_names(names) + " of '" + source + "' keeps its constants for " +
+                std::string(name_or_null(kind)) +
                 ". Leave it out, convert the source of that file again, or write based_on = \"a preset\" into " +
                 "[material." + names.front() + "] of a settings file.");
   }
