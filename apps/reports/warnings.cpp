@@ -16,6 +16,7 @@ namespace {
 constexpr double kMaxClosure = 0.01;   // [1] above it, energies and forces are inconsistent
 constexpr double kOftenThick = 0.5;    // [1] fraction of the cutting steps
 constexpr double kOftenBlunt = 0.5;    // [1] fraction of the steps in contact
+constexpr double kAllOfTheHead = 4;    // [1] stiffness for the slow middle of the head over that for its rim
 constexpr double kOftenCrushed = 0.2;  // [1] fraction of the steps in contact; on entry it is less
 
 std::string steps(std::size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
@@ -24,15 +25,15 @@ std::string steps(std::size_t count) { return std::to_string(count) + (count == 
 Sentence stiffer(const DrillResult& r, const Simulation& simulation) {
   const Tool& tool = simulation.tool();
   const double in_use = simulation.config().reference_stiffness;
-  double enough = 2 * in_use;
+  double enough = std::max(2 * in_use, stiffness_for_head(tool.head()));
   simulation.totals().touched.for_each([&](MaterialId id) {
     const Material& m = simulation.workpiece().materials()[id];
     if (m.cutting_ratio > 0 && r.max_feed > 0 && tool.spindle().speed != 0)
-      enough = std::max(enough, stiffness_for_accuracy(tool.head(), m, tool.spindle().speed,
-                                                       std::min(r.max_feed, kMaxFeed), tool.cutter()));
+      enough = std::max(enough, kAllOfTheHead * stiffness_for_accuracy(tool.head(), m, tool.spindle().speed,
+                                                                       std::min(r.max_feed, kMaxFeed), tool.cutter()));
   });
   return "raise " + "simulation.reference_stiffness_N_per_m4"_name + ", which is " + rounded(in_use, 2) +
-         " N/m^4, to " + rounded(1.2 * enough, 2);
+         " N/m^4, to " + rounded(enough, 2);
 }
 
 }  // namespace
@@ -76,13 +77,13 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
   if (cuts && stalled > 0)
     warn("the load stalled the spindle in " + steps(stalled) + " of " + std::to_string(r.steps_in_contact) +
          " in contact, so the head did not cut; " + motor.limits + ". Lower the feed" + motor.cure + ".");
-  if (const std::size_t blunt = r.count(StepStatus::edges_carry_load); double(blunt) > kOftenBlunt * in_contact) {
-    const BluntEdges edges = blunt_edges(simulation);
+  const BluntEdges edges = blunt_edges(simulation);
+  if (const std::size_t blunt = r.count(StepStatus::edges_carry_load);
+      double(blunt) > kOftenBlunt * in_contact && r.max_feed <= edges.feed)  // a faster drill has another trouble
     warn("in " + steps(blunt) + " of " + std::to_string(r.steps_in_contact) +
          " in contact the edges of the drill carried the load, so it cut hardly anything; they carry " +
          rounded(edges.load, 3) + " N. Feed faster than " + rounded(edges.feed / units::mm, 2) + " mm/s" +
          sharper_drill(edges) + ".");
-  }
   if (const std::size_t crushed = r.count(StepStatus::material_crushed);
       stood == 0 && stalled == 0 && double(crushed) > kOftenCrushed * in_contact)
     warn("in " + steps(crushed) + " of " + std::to_string(r.steps_in_contact) +

@@ -40,7 +40,8 @@ TEST_F(DrillMaterials, SaysWhatLoadAndFeedADrillNeedsToCut) {
             std::string::npos)
       << worn;
   EXPECT_NE(used.find("they carry 6 N. Feed faster than 0.018 mm/s, or take"), std::string::npos) << used;
-  for (const char* fast : {"--feed_mm_per_s 0.045 --sharpness worn", "--feed_mm_per_s 0.5 --sharpness new"})
+  for (const char* fast : {"--feed_mm_per_s 0.045 --sharpness worn", "--feed_mm_per_s 0.5 --sharpness new",
+                           "--feed_mm_per_s 1 --reference_stiffness 1e14"})
     EXPECT_EQ(warnings(kPlunge + "--rate 200 " + fast).find("carried the load"), std::string::npos) << fast;
 }
 
