@@ -55,6 +55,7 @@ void add(const StepResult& step, double speed, const Simulation& simulation, Dri
     result.max_force = std::max(result.max_force, force);
     result.max_torque = std::max(result.max_torque, torque);
   }
+  if (has_any(step.status, StepStatus::edges_carry_load)) result.blunt_feed += speed;
   for (int id = 1; id <= simulation.workpiece().materials().size(); ++id)
     result.pressed[std::size_t(id)] += simulation.normal_forces()[std::size_t(id)];
   for (auto bits = std::uint32_t(step.status); bits != 0; bits &= bits - 1)

@@ -46,6 +46,7 @@ struct DrillResult {
   bool blocks_refilled = false;
   ByMaterial<double> pressed = {};  ///< [N] sum over the steps of Simulation::normal_forces
   double max_feed = 0;              ///< [m/s] largest speed of the hand in steps that cut
+  double blunt_feed = 0;            ///< [m/s] speed of the hand, sum over the steps with StepStatus::edges_carry_load
   EnergyLedger energy;
   StepTimes times;
   std::array<std::size_t, 32> status_counts = {};  ///< number of steps, by bit of StepStatus

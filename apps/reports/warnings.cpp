@@ -79,7 +79,8 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
          " in contact, so the head did not cut; " + motor.limits + ". Lower the feed" + motor.cure + ".");
   const BluntEdges edges = blunt_edges(simulation);
   if (const std::size_t blunt = r.count(StepStatus::edges_carry_load);
-      double(blunt) > kOftenBlunt * in_contact && r.max_feed <= edges.feed)  // a faster drill has another trouble
+      double(blunt) > kOftenBlunt * in_contact &&
+      r.blunt_feed <= edges.feed * double(blunt))  // a faster drill has another trouble
     warn("in " + steps(blunt) + " of " + std::to_string(r.steps_in_contact) +
          " in contact the edges of the drill carried the load, so it cut hardly anything; they carry " +
          rounded(edges.load, 3) + " N. Feed faster than " + rounded(edges.feed / units::mm, 2) + " mm/s" +
