@@ -106,7 +106,9 @@ ViewScene make_view_scene(const std::string& name) {
                                       : scene_of_file(name);
   tell_on_stderr(s.workpiece);
   if (s.workpiece.source.empty()) s.workpiece.source = "molar";
-  const CutterKind cutter = s.tool.head ? make_tool(s.tool).cutter().kind : CutterKind::carbide_bur;
+  // A tool of the scene determines the constants; without one a ball is chosen to suit the workpiece.
+  const CutterKind cutter =
+      s.tool.head ? make_tool(s.tool).cutter().kind : s.tool.cutter.value_or(CutterKind::carbide_bur);
   Workpiece workpiece =
       with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, cutter, s.tool.sharpness); });
   const Box box = summarize(name, workpiece).box;
