@@ -35,7 +35,7 @@ class ColumnMaterials {
         for (int n = 0; n < (one == kEmpty ? c_.count : C::kCapacity); n += int(kWidth))
           c_.put(C::Name(C::kStiffness + name), n, each(n, [&](MaterialId id) { return constants_[id][name]; }));
     const Grain* grain = job_.motion.grain;
-    const bool changes = c_.smooth || grain != nullptr || job_.motion.resists();  // below and in `Stages::resist`
+    const bool changes = c_.smooth || job_.motion.resists();  // below and in `Stages::resist`
     in_columns_ = changes ? kEmpty : one;
     if (c_.smooth) set_smooth();
     if (grain != nullptr) vary(*grain, tasks);
@@ -97,9 +97,12 @@ class ColumnMaterials {
   HWY_NOINLINE void vary(const Grain& grain, std::span<BlockTask> tasks) {
     for (int n = 0; n < c_.count; ++n) {
       const auto at = unsigned(c_.index[n]);
-      const BlockView& block = tasks[at / kBlockVoxels].block;
       const MaterialId id = count_ == 1 ? listed_.front() : MaterialId(c_.of[C::kMaterial][n]);
-      c_.of[C::kEnergy][n] *= grain.at(id, voxel_at(block.origin, int(at % kBlockVoxels)));
+      if (at / kBlockVoxels != entered_ || id != entered_id_) {
+        entered_ = at / kBlockVoxels, entered_id_ = id;
+        in_block_.enter(grain, id, tasks[entered_].block.origin);
+      }
+      c_.of[C::kEnergy][n] = constants_[id][C::kEnergy - C::kStiffness] * in_block_.at(int(at % kBlockVoxels));
     }
     for (int n = 0; n < c_.count; n += int(kWidth))
       c_.put(C::kPerEnergy, n, c_.material(n).with_energy(c_.get(C::kEnergy, n)).per_energy);
@@ -112,6 +115,9 @@ class ColumnMaterials {
   MaterialId in_columns_ = kEmpty;  // whose constants are in all columns; kEmpty: of none
   ByMaterial<std::array<float, kConstants>> constants_;
   ByMaterial<bool> known_ = {};  // which of them are computed
+  Grain::OfBlock in_block_;
+  unsigned entered_ = ~0U;  // number of the block of `in_block_`
+  MaterialId entered_id_ = kEmpty;
 };
 
 }  // namespace strips

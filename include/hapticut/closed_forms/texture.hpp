@@ -18,9 +18,9 @@ namespace hapticut::closed_forms {
   return grain * grain_length / std::sqrt(area);
 }
 
-/// C44: the area A of the side of a cylinder that mills a slot as wide as itself, `(2 pi/3) R H`, for
-/// the force along the feed: the pressure of diamond grains is proportional to cos(q), q the angle from the feed, and f
-/// to its square.
+/// C44: the area A of the side of a cylinder with diamond grains that mills a slot as wide as itself, `(2 pi/3) R H`:
+/// the pressure is proportional to cos(q), q the angle from the feed, and f to its square. For the force along the feed
+/// alone it is A/(1 + kappa^2/3), for thin chips of blades, whose pressure goes as the root of cos(q), 2.29 R H.
 /// @param R, H  [m] radius of the cylinder, depth of the slot
 /// @return [m^2]
 [[nodiscard]] inline double cutting_area_of_a_slot(double R, double H) { return 2 * units::kPi / 3 * R * H; }

@@ -18,8 +18,8 @@ namespace hapticut {
 /// and counted from the world's origin, and independent between cells: a number of the cell and of the seed alone. So
 /// neither the size of the voxels nor the rate of the steps changes it.
 ///
-/// Cells are at least two voxels wide. Where this makes them wider than the grain's length, the variation is less in
-/// the same ratio, so that a force varies as much (`closed_forms::grain_variation`).
+/// Cells are at least two voxels wide. Where this makes them wider than the grain's length, they depend on the voxels
+/// and vary less in the same ratio, so a force over many cells varies as much (`closed_forms::grain_variation`).
 class Grain {
  public:
   static constexpr int kClasses = 16;
@@ -48,17 +48,47 @@ class Grain {
   [[nodiscard]] bool any() const noexcept { return any_; }  ///< some material has a grain
   [[nodiscard]] bool has(MaterialId id) const noexcept { return per_length_[id] > 0; }
 
-  /// [1] g at the centre of a voxel; 1 in a material without grain.
+  /// [1] g at the centre of a voxel; 1 in a material without grain. A centre on a face belongs to the cell above it.
   /// @realtime no allocation, no lock; O(1)
   [[nodiscard]] float at(MaterialId id, const VoxelIndex& voxel) const noexcept {
     if (!has(id)) return 1;
     std::uint32_t bits = seed_;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double place = (first_[axis] + voxel_size_ * voxel[std::size_t(axis)]) * per_length_[id];
-      bits = mixed(bits + std::uint32_t(std::int32_t(std::floor(place))));
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) bits = mixed(bits + cell_at(id, axis, voxel[axis]));
     return classes_[id][bits % kClasses];
   }
+
+  /// `at` in one block and material: what neighbours share is computed once.
+  class OfBlock {
+   public:
+    /// @param grain   must outlive it and not change
+    /// @param origin  of the block
+    /// @realtime no allocation, no lock; O(1)
+    void enter(const Grain& grain, MaterialId id, const VoxelIndex& origin) noexcept {
+      classes_ = grain.has(id) ? &grain.classes_[id] : nullptr;
+      row_ = -1;
+      if (classes_ == nullptr) return;
+      for (int n = 0; n < kBlockEdge; ++n) {
+        after_first_[n] = mixed(grain.seed_ + grain.cell_at(id, 0, origin[0] + n));
+        for (std::size_t axis = 1; axis < 3; ++axis) others_[axis - 1][n] = grain.cell_at(id, axis, origin[axis] + n);
+      }
+    }
+    /// @param offset  `block_offset` of a voxel
+    /// @pre entered
+    /// @realtime no allocation, no lock; O(1)
+    [[nodiscard]] float at(int offset) noexcept {
+      if (classes_ == nullptr) return 1;
+      const int row = offset / kBlockEdge;
+      if (row != row_) row_ = row, bits_ = mixed(after_first_[row / kBlockEdge] + others_[0][row % kBlockEdge]);
+      return (*classes_)[mixed(bits_ + others_[1][offset % kBlockEdge]) % kClasses];
+    }
+
+   private:
+    const Classes* classes_ = nullptr;       // null: no grain
+    std::uint32_t after_first_[kBlockEdge];  // bits, by the place along that axis
+    std::uint32_t others_[2][kBlockEdge];    // cells along the other two
+    int row_ = -1;
+    std::uint32_t bits_ = 0;  // after the second axis, in that row
+  };
 
   /// [1] g of each class, from low to high.
   /// @param variation  [1] coefficient of variation, at most 1
@@ -86,6 +116,12 @@ class Grain {
       -0.4887764111146695, -0.3186393639643752, -0.1573106846101707, 0,
       0.1573106846101707,  0.3186393639643752,  0.4887764111146695,  0.6744897501960817,
       0.8871465590188760,  1.1503493803760083,  1.5341205443525463};
+
+  [[nodiscard]] std::uint32_t cell_at(MaterialId id, std::size_t axis, int voxel) const noexcept {
+    constexpr double kRounding = 1e-6;  // [1] far more than that of a place
+    const double place = (first_[int(axis)] + voxel_size_ * voxel) * per_length_[id];
+    return std::uint32_t(std::int32_t(std::floor(place + kRounding)));
+  }
 
   /// A number that looks random, from another: multiplications and shifts that change every bit with half a chance.
   [[nodiscard]] static constexpr std::uint32_t mixed(std::uint32_t bits) noexcept {

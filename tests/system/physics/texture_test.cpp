@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much the grain of a material makes the force of a cut vary: C44.
+// How much the grain of a material makes the force of a cut vary, C44, and how long a hole takes in it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,10 @@
 
 #include "experiments/setup/cutting.hpp"
 #include "hapticut/closed_forms.hpp"
+#include "hapticut/force/contact_materials.hpp"
+#include "hapticut/force/grain.hpp"
 #include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/simulation/coupling.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/refusal.hpp"
 
@@ -105,6 +108,63 @@ TEST(Texture, BooksEachVolumeAtItsOwnEnergy) {
   const double even = material.specific_cutting_energy * simulation.totals().removed_volume[1];
   EXPECT_NEAR(energy.cutting / even, 1, 0.15);
   EXPECT_GT(std::abs(energy.cutting / even - 1), 1e-3) << "the cells that were cut are not the mean of all";
+}
+
+/// [s] Time in which a constant force drives a flat head through cells of 1.6 mm, each wider than the head.
+/// @param expected  [s] from the speed of C36 with the energy of each cell
+double time_of_a_hole(Material material, std::size_t seed, double& expected) {
+  constexpr double kEdge = 1.6 * mm, kNarrow = 0.3 * mm, kForce = 3.6, kFirst = -1.6 * mm, kLast = -9.6 * mm;
+  material.grain_length = kEdge;
+  SimulationConfig config;
+  config.grain = material.grain > 0, config.grain_seed = seed;
+  config.contact_time = ContactTime::end;
+  const Tool tool(ToolHead(FlatHead{kNarrow, 4 * mm}), RayHandle{0}, Spindle{80e3 * rpm});
+  Simulation simulation(build_block({Vec3(0.2, 0.2, -11) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material), tool,
+                        config);
+  Grain grain;
+  grain.set(contact_materials(simulation.workpiece().materials(), 1e12), simulation.workpiece().frame(), seed);
+  closed_forms::SteadyCut cut = {0, material.cutting_ratio, tool.spindle().speed, 1};
+  cut.tooth_rate = tooth_rate(tool.cutter(), cut.spin), cut.size_length = material.size_length;
+  expected = 0;
+  for (double z = kFirst - kEdge / 2; z > kLast; z -= kEdge) {
+    const Vec3 voxel = simulation.workpiece().frame().X_WV.inverse() * Vec3(0.8 * mm, 0.8 * mm, z) / kVoxel;
+    const auto along = [&](int axis) { return int(std::lround(voxel[axis])); };
+    cut.specific_cutting_energy =
+        material.specific_cutting_energy * double(grain.at(1, {along(0), along(1), along(2)}));
+    expected += kEdge / closed_forms::feed_with_chips_under(kForce, cut, kNarrow);
+  }
+  const CouplingGains gains;
+  VirtualCoupling coupling(simulation, gains);
+  double z = 0.01 * mm, time = 0;
+  coupling.step(Pose::from_translation({0.813 * mm, 0.821 * mm, z}), {}, kTick);
+  while (z > kLast && time < 10) {
+    const Pose hand = Pose::from_translation({0.813 * mm, 0.821 * mm, z - kForce / gains.stiffness});
+    z = coupling.step(hand, coupling.last_result().V_WH, kTick).X_WH.translation.z();
+    if (z < kFirst) time += kTick;
+  }
+  return time;
+}
+
+TEST(Texture, MakesAHoleOfBladesLongerAsTheSquareOfTheEnergy) {
+  Material blades = plain_material(), grains = plain_material();
+  blades.specific_cutting_energy = 1e8, blades.size_length = 0.18 * mm;
+  grains.specific_cutting_energy = 2e9;
+  /// [1] Mean time of holes in grained over that in even material; each is compared with that of its cells.
+  const auto longer = [](Material material, double error) {
+    double expected_even = 0, sum = 0;
+    const double even = time_of_a_hole(material, 1, expected_even);
+    EXPECT_NEAR(even / expected_even, 1, 0.08) << "the layer in which it presses has a thickness";
+    material.grain = 0.4;
+    constexpr std::size_t kHoles = 4;
+    for (std::size_t seed = 1; seed <= kHoles; ++seed) {
+      double expected = 0;
+      const double ratio = time_of_a_hole(material, seed, expected) / even;
+      EXPECT_NEAR(ratio / (expected / expected_even), 1, error) << seed;
+      sum += ratio;
+    }
+    return sum / kHoles;
+  };
+  EXPECT_GT(longer(blades, 0.08), 1.15 * longer(grains, 0.01));
 }
 
 TEST(Texture, IsForTheDefaultLawOnly) {

@@ -97,6 +97,24 @@ TEST(Grain, IsTheSameAtAPlaceForVoxelsOfEachSizeAndInATurnedGrid) {
   }
 }
 
+TEST(Grain, IsTheSameForTheVoxelsOfABlock) {
+  const Grain grain = grain_of(0.4, 0.23 * mm, {0.1 * mm, {Mat3::Identity(), {1.3 * mm, -2 * mm, 40 * mm}}});
+  Grain::OfBlock in_block;
+  for (const VoxelIndex& origin : {VoxelIndex{0, 0, 0}, VoxelIndex{-8, 0, 0}, VoxelIndex{-8, 16, -24}})
+    for (const MaterialId id : {kBone, kEven}) {
+      in_block.enter(grain, id, origin);
+      for (int step = 0; step < 2 * kBlockVoxels; ++step) {
+        const int offset = step * 7 % kBlockVoxels;
+        ASSERT_EQ(in_block.at(offset), grain.at(id, voxel_at(origin, offset))) << offset;
+      }
+    }
+}
+
+TEST(Grain, PutsACentreOnAFaceIntoTheCellAbove) {
+  const Grain grain = grain_of(1, 0.2 * mm, {0.1 * mm, {}});  // even voxels have their centres on faces
+  for (int x = -3000; x < 3000; x += 2) ASSERT_EQ(grain.at(kBone, {x, 0, 0}), grain.at(kBone, {x + 1, 0, 0})) << x;
+}
+
 TEST(Grain, HasCellsOfAtLeastTwoVoxelsThatVaryLess) {
   const Statistics s = over_cells(grain_of(0.4, 0.1 * mm, {0.2 * mm, {}}), 2);
   EXPECT_NEAR(s.variation, 0.4 / 4, 0.002);

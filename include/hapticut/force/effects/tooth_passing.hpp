@@ -16,8 +16,8 @@ namespace hapticut {
 ///
 /// F is the force of the model or of the coupling. Over a turn the mean is zero, and so is the work on a hand that
 /// moves steadily; the variance is F^2 (a_1^2 + a_z^2)/2 (`closed_forms::tooth_passing_variation`). A part that is
-/// faster than 0.45 of the rate of the steps is left out, because samples could not show it. At 1 kHz only the teeth of
-/// slow drills can be felt: z times the speed below 27 000 rpm.
+/// faster than 0.45 of the rate of the steps is left out, because samples could not show it: at 1 kHz turns above
+/// 27 000 rpm, and teeth above 27 000 rpm over z. A cutter with one lip, as of diamonds, has turns only.
 struct ToothPassing {
   /// [1] a_1, amplitude of the change once per turn, over the force.
   /// Assumed; no source gives it. Run-out is 3.5 ... 7.8 um (Kim et al. 2019), and 20 ... 50 um with welded shanks
