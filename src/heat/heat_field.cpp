@@ -21,14 +21,13 @@ constexpr int kMaxDistance = 3;    // [cells] distance in which heat looks for m
 HeatField::Cells::Cells(std::size_t count) {
   for (std::vector<double>* numbers :
        {&heat, &capacity, &conductivity, &filled, &wetted, &cooling, &rise, &peak, &above, &dose, &removed, &held,
-        &conductance[0], &conductance[1], &conductance[2]})
+        &held_capacity, &conductance[0], &conductance[1], &conductance[2]})
     numbers->resize(count);
 }
 
 HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
     : config_(std::move(config)), frame_(workpiece.frame()), cells_(0) {
   require_fields_within(config_, "HeatConfig::");
-  require_fields_within(config_.properties, "HeatConfig::properties.");
   for (const ThermalProperties& p : config_.by_material) require_fields_within(p, "HeatConfig::by_material.");
   const int width = config_.voxels_per_cell;
   if (kBlockEdge % width != 0)
@@ -54,8 +53,10 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
   volumes_.resize(std::size_t(count) * materials_);
   peaks_.resize(materials_);
   for (std::size_t id = 1; id <= materials_; ++id) {
-    properties_.push_back(id <= config_.by_material.size() ? config_.by_material[id - 1] : config_.properties);
-    cutting_energy_.push_back(workpiece.materials()[MaterialId(id)].specific_cutting_energy);
+    const Material& material = workpiece.materials()[MaterialId(id)];
+    properties_.push_back(id <= config_.by_material.size() ? config_.by_material[id - 1]
+                                                           : thermal_properties_of(material.name));
+    cutting_energy_.push_back(material.specific_cutting_energy);
   }
   BlockContent content;
   workpiece.for_each_block([&](const BlockView& block) {
@@ -139,6 +140,7 @@ void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes)
   if (lost_capacity > 0) {
     heat -= leaves;
     cells_.held[cell] += leaves;
+    cells_.held_capacity[cell] += lost_capacity * cell_volume_;
     if (cells_.removed[cell] == 0) removed_.push_back(cell);
     cells_.removed[cell] += removed * cell_volume_;
   }
@@ -299,7 +301,8 @@ void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
 }
 
 /// Adds heat to a cell in proportion to its fill, so a small remainder does not get hotter than a full cell would. The
-/// rest goes to the material beside it in proportion to capacity, or farther away if there is none.
+/// rest goes to the material around, in proportion to capacity, if there is as much of it as beside a plane; where
+/// there is less, only such a part, and the rest farther away. What finds no material leaves with the chips.
 void HeatField::spread(std::size_t cell, double heat) {
   balance_.brought_in += heat;
   const double own = cells_.filled[cell] * heat;
@@ -315,16 +318,39 @@ void HeatField::spread(std::size_t cell, double heat) {
         if (apart > 0 && apart <= far) visit(number_of(near));
       });
     };
-    double capacity = 0;
-    for_each([&](std::size_t n) { capacity += cells_.capacity[n]; });
+    double capacity = 0, filled = 0;
+    for_each([&](std::size_t n) { capacity += cells_.capacity[n], filled += cells_.filled[n]; });
     if (!(capacity > 0)) continue;
-    for_each([&](std::size_t n) { cells_.heat[n] += rest * (cells_.capacity[n] / capacity); });
-    rest = 0;
+    const double beside_a_plane = far * (2 * far * (far + 1.5) + 4) / 3;  // [1] half of the cells within this distance
+    const double taken = rest * std::min(1.0, filled / beside_a_plane);
+    for_each([&](std::size_t n) { cells_.heat[n] += taken * (cells_.capacity[n] / capacity); });
+    rest -= taken;
   }
-  if (cells_.capacity[cell] > 0)
-    cells_.heat[cell] += rest;
-  else
-    balance_.chips += rest;
+  balance_.chips += rest;
+}
+
+/// Gives the heat that cut material held to the colder material in its cell and beside it; under water, what it lacked
+/// to the warmer.
+void HeatField::give_back(std::size_t cell) {
+  const double held = cells_.held[cell];
+  if (held == 0) return;
+  const double rise = held / cells_.held_capacity[cell];
+  std::array<double, 7> takes;  // [J] to be as warm as the cut material was
+  const std::array<std::size_t, 7> near = {cell,
+                                           cell - stride_[0],
+                                           cell + stride_[0],
+                                           cell - stride_[1],
+                                           cell + stride_[1],
+                                           cell - stride_[2],
+                                           cell + stride_[2]};
+  double all = 0;
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    const double lacks = cells_.capacity[near[n]] * rise - cells_.heat[near[n]];
+    all += takes[n] = lacks * held > 0 ? lacks : 0.0;
+  }
+  const double part = all == 0 ? 0.0 : std::min(1.0, held / all);
+  for (std::size_t n = 0; n < near.size(); ++n) cells_.heat[near[n]] += part * takes[n];
+  balance_.chips += held - part * all;
 }
 
 void HeatField::add_cutting_heat(double heat) {
@@ -335,12 +361,12 @@ void HeatField::add_cutting_heat(double heat) {
   if (!(removed > 0)) return;
   for (const std::size_t cell : removed_) {
     if (waiting_ > 0) {
-      spread(cell, waiting_ * (cells_.removed[cell] / removed) + cells_.held[cell]);
-      balance_.brought_in -= cells_.held[cell];  // it had been brought in before
+      give_back(cell);
+      spread(cell, waiting_ * (cells_.removed[cell] / removed));
     } else {
       balance_.chips += cells_.held[cell];
     }
-    cells_.removed[cell] = cells_.held[cell] = 0;
+    cells_.removed[cell] = cells_.held[cell] = cells_.held_capacity[cell] = 0;
   }
   removed_.clear();
   waiting_ = 0;

@@ -38,7 +38,8 @@ void HeatField::advance(double dt) {
   require_within(dt, Range::not_negative(), "HeatField::advance: dt [s]");
   refresh_changed();
   if (!(waiting_ > 0))
-    for (const std::size_t cell : removed_) balance_.chips += std::exchange(cells_.held[cell], 0);  // no cut claimed it
+    for (const std::size_t cell : removed_)  // that no cut has claimed
+      balance_.chips += std::exchange(cells_.held[cell], 0), cells_.held_capacity[cell] = 0;
   if (rate_ == 0) rate_ = max_rate();
   const auto sub_steps = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
   for (std::uint64_t n = 0; n < sub_steps; ++n) {

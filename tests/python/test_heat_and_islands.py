@@ -21,7 +21,7 @@ def test_heat_of_a_plunge_is_where_the_tool_is_and_its_balance_closes(simulation
     balance, bone = field.balance(), field.structures()[0]
     assert balance.brought_in > 0 and abs(balance.imbalance()) < 1e-9 * balance.brought_in
     assert bone.peak >= bone.temperature > 40 and bone.material == 1
-    assert balance.stored > 0 and balance.chips == 0  # what chips take is in the share
+    assert balance.stored > 0 and 0 < balance.chips < 0.1 * balance.brought_in  # what chips take is in the share
     assert min(bone.time_above, bone.cem43, bone.volume_above) >= 0
     temperatures = field.temperatures()
     assert temperatures.shape == tuple(field.dims) == field.peaks().shape == field.doses().shape

@@ -24,7 +24,7 @@ typedef struct hapticut_heat_config {
   double cutting_share;     /**< [1] part of the work of a cut that heats the wall; 0: that of the cutter */
   double rubbing_share;     /**< [1] part of the energy of steps that only rub that stays in the workpiece; 0: 0.2 */
   double body_temperature;  /**< [deg C] temperature of the workpiece at the beginning; 0: 37 */
-  double irrigation;        /**< [W/(m^2 K)] heat transfer to the water, some thousands under a spray; 0: dry */
+  double irrigation;        /**< [W/(m^2 K)] heat transfer to the water, some thousands under a spray; 0: none */
   double water_temperature; /**< [deg C] temperature of the irrigation; 0: 23 */
   double threshold;         /**< [deg C] temperature above which time is counted; 0: 47 */
 } hapticut_heat_config;
@@ -50,7 +50,7 @@ typedef struct hapticut_heat_structure_info {
 typedef struct hapticut_heat_balance_info {
   uint32_t struct_size;
   uint32_t unused;
-  double brought_in; /**< [J] heat of cutting and rubbing */
+  double brought_in; /**< [J] share of cutting and rubbing that heats the workpiece */
   double stored;     /**< [J] heat above body temperature, now; negative where water has cooled the workpiece */
   double chips;      /**< [J] left with removed material, or brought in where no material is left */
   double irrigation; /**< [J] removed by the water */

@@ -28,8 +28,8 @@ struct HeatConfig {
   /// workpiece
   double rubbing_share = 0.2;
 
-  ThermalProperties properties;  ///< properties of materials without an entry in `by_material`
-  /// Properties of the materials in the order of their ids, from 1; may be shorter
+  /// Properties of the materials in the order of their ids, from 1; may be shorter.
+  /// The others have those of their name (`thermal_properties_of`).
   std::vector<ThermalProperties> by_material;
 
   double body_temperature = 37;  ///< [deg C] temperature of the workpiece at the beginning
@@ -52,7 +52,6 @@ constexpr auto fields_of(Of<HeatConfig>) {
       field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
             "part of the energy of rubbing, damping and dry friction, in steps that cut nothing, that stays in the "
             "workpiece"),
-      field("properties", &C::properties, "properties of materials without an entry in `by_material`"),
       field("by_material", &C::by_material,
             "properties of the materials in the order of their ids, from 1; may be shorter"),
       field("body_temperature", &C::body_temperature, "deg C", Range::between(-50, 200),
@@ -102,11 +101,11 @@ constexpr auto fields_of(Of<WarmestPlace>) {
 }
 
 /// Balance of the heat, in [J] since the beginning. It closes to rounding: heat that was brought in is stored or has
-/// left.
+/// left. What a cut gives to chips and tool at once, 1 minus the share, is not in it.
 struct HeatBalance {
-  double brought_in = 0;  ///< [J] heat of cutting and rubbing, and of `add_heat`
+  double brought_in = 0;  ///< [J] share of cutting and rubbing that heats the workpiece, and heat of `add_heat`
   double stored = 0;      ///< [J] heat above body temperature, now; negative where water has cooled the workpiece
-  double chips = 0;       ///< [J] left with removed material, or brought in where no material is left
+  double chips = 0;       ///< [J] left later with removed material, or brought in where no material is left
   double irrigation = 0;  ///< [J] removed by the water
 
   /// [J] Error of the balance; 0 when it closes.
@@ -116,10 +115,11 @@ struct HeatBalance {
 constexpr auto fields_of(Of<HeatBalance>) {
   using B = HeatBalance;
   return std::tuple{
-      field("brought_in", &B::brought_in, "J", "heat of cutting and rubbing, and of `add_heat`"),
+      field("brought_in", &B::brought_in, "J",
+            "share of cutting and rubbing that heats the workpiece, and heat of `add_heat`"),
       field("stored", &B::stored, "J",
             "heat above body temperature, now; negative where water has cooled the workpiece"),
-      field("chips", &B::chips, "J", "left with removed material, or brought in where no material is left"),
+      field("chips", &B::chips, "J", "left later with removed material, or brought in where no material is left"),
       field("irrigation", &B::irrigation, "J", "removed by the water"),
   };
 }
@@ -137,8 +137,9 @@ constexpr auto fields_of(Of<HeatBalance>) {
 ///
 /// explicit in time, in as many equal sub-steps as keep every cell between its neighbours. Partly filled material
 /// stores and conducts in proportion to its fill. To the air, heat leaves only by irrigation. A cut counts the heat of
-/// its chips once, in the share that does not stay: what the cut material held goes to the material around. Material
-/// that is removed otherwise takes its heat along. Not thread-safe: one thread calls it, ten to thirty times a second.
+/// its chips once, in the share that does not stay: what the cut material held goes to colder material around, which
+/// gets no warmer than the cut material was; the rest leaves with the chips. Material that is removed otherwise takes
+/// its heat along. Not thread-safe: one thread calls it, ten to thirty times a second.
 class HeatField {
  public:
   /// The whole workpiece begins at body temperature.
@@ -156,8 +157,8 @@ class HeatField {
   void add_heat(const Vec3& p_WQ, double heat, double radius = 0);
 
   /// Adds heat where material was removed since the last call, in proportion to its volume and specific cutting energy,
-  /// to the material that is left in those cells and beside them, with the heat that the removed material held. If no
-  /// material was removed yet, the heat waits until some is.
+  /// to the material that is left in those cells and beside them, with the heat that the removed material held. Where
+  /// little is left, the rest leaves with the chips. If no material was removed yet, the heat waits until some is.
   /// @throws Error when the heat [J] is not finite or negative
   void add_cutting_heat(double heat);
 
@@ -201,7 +202,7 @@ class HeatField {
     std::vector<double> wetted;                                // [m^2] area of the surface
     std::vector<double> cooling;                               // [W/K] conductance to the water
     std::vector<double> rise, peak, above, dose;               // [K], [K], [s], [min]
-    std::vector<double> removed, held;  // [J] cutting energy of removed material, and heat that it held
+    std::vector<double> removed, held, held_capacity;          // of removed material: cutting energy, heat [J], [J/K]
   };
 
   [[nodiscard]] std::size_t number_of(const std::array<int, 3>& cell) const;
@@ -211,6 +212,7 @@ class HeatField {
   void refresh_cooling(std::size_t cell);
   [[nodiscard]] bool add_to_surface(const Vec3& p_WQ, double heat, double radius);
   void spread(std::size_t cell, double heat);
+  void give_back(std::size_t cell);
   void step(double dt);
   void count_dose(double dt);
   [[nodiscard]] double max_rate() const;

@@ -44,12 +44,11 @@ constexpr auto fields_of(Of<KnownThermalProperties>) {
   };
 }
 
-/// All materials whose thermal properties are known, the table of docs/beside-the-step.md.
+/// The thermal properties of all presets, the table of docs/beside-the-step.md.
 [[nodiscard]] std::span<const KnownThermalProperties> known_thermal_properties();
 
-/// Conductivity [W/(m K)] and heat capacity of a volume [J/(m^3 K)] of a material by its name: enamel, dentin, pulp,
-/// cortical_bone, trabecular_bone. Every other name has those of cortical bone. `known_thermal_properties` has the
-/// sources.
+/// Conductivity [W/(m K)] and heat capacity of a volume [J/(m^3 K)] of a preset by its name. Every other name has those
+/// of cortical bone. `known_thermal_properties` has the sources.
 [[nodiscard]] ThermalProperties thermal_properties_of(std::string_view material) noexcept;
 
 }  // namespace hapticut

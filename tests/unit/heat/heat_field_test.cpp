@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
@@ -147,7 +148,47 @@ TEST(HeatField, KeepsItsBalanceWhileMaterialGoesAndWaterFlows) {
     ASSERT_LT(std::abs(balance.imbalance()), 1e-9 * (balance.brought_in + std::abs(balance.irrigation)));
   }
   EXPECT_NEAR(field.balance().brought_in, 200 * 3e-3, 1e-12);
-  EXPECT_EQ(field.balance().chips, 0);
+  EXPECT_LT(std::abs(field.balance().chips), 1e-3 * field.balance().brought_in);
+}
+
+/// [deg C] Maximum while a square of 2 mm is cut out of enamel at 0.2 mm/s, down to 1.2 mm, dry: 1250 J/cm^3 stay.
+double peak_of_a_pit(double thickness) {
+  constexpr double kSpeed = 0.2 * mm, kHeatPerVolume = 1.25e9, kVoxel = 0.1 * mm;
+  constexpr int kParts = 4, kWide = 10;  // parts of a slice, [voxels] half of the square
+  Workpiece plate =
+      build_block({Vec3(-4 * mm, -4 * mm, -thickness), Vec3(4 * mm, 4 * mm, 0)}, kVoxel, test::named("enamel"));
+  plate.reserve_blocks(1000);
+  HeatField field(plate);
+  const IndexBox all = plate.bounds();
+  const int middle = (all.min[0] + all.max[0]) / 2;
+  for (int n = 0; n < 12 * kParts; ++n) {
+    std::map<VoxelIndex, BlockMask> square;
+    for (int x = middle - kWide; x < middle + kWide; ++x)
+      for (int y = middle - kWide; y < middle + kWide; ++y) {
+        const VoxelIndex at = {x, y, all.max[2] - n / kParts};
+        square[{block_start(x), block_start(y), block_start(at[2])}].add(block_offset(x & 7, y & 7, at[2] & 7));
+      }
+    std::vector<VoxelIndex> origins;
+    for (const auto& [origin, mask] : square) {
+      float* fill = plate.writable_fill(origin);
+      mask.for_each([&](int voxel) { fill[voxel] -= 1.0F / kParts; });
+      if (n % kParts == kParts - 1) plate.empty_voxels(origin, mask);
+      origins.push_back(origin);
+    }
+    field.update(plate, origins);
+    field.add_cutting_heat(kHeatPerVolume * 4 * kWide * kWide * std::pow(kVoxel, 3) / kParts);
+    field.advance(kVoxel / kParts / kSpeed);
+  }
+  const HeatBalance balance = field.balance();
+  EXPECT_LT(std::abs(balance.imbalance()), 1e-9 * balance.brought_in);
+  EXPECT_LT(balance.chips, 0.05 * balance.brought_in);
+  return field.warmest()->temperature;
+}
+
+TEST(HeatField, LeavesTheHeatOfTheLastOfAThinWallToTheChips) {
+  const double in_a_block = peak_of_a_pit(6 * mm), through_a_plate = peak_of_a_pit(1.2 * mm);
+  EXPECT_NEAR(in_a_block, 300, 30);
+  EXPECT_LT(through_a_plate, 3 * in_a_block);  // six times with all of the heat in what is left
 }
 
 TEST(HeatField, CountsEquivalentMinutesAt43) {

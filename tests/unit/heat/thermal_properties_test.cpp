@@ -36,8 +36,9 @@ TEST(ThermalProperties, AreTheTableOfTheDocumentation) {
   EXPECT_EQ(rows_of_page(), expected);
 }
 
-TEST(ThermalProperties, BelongToTheNameOfAPreset) {
+TEST(ThermalProperties, BelongToTheNameOfEachPreset) {
   const auto presets = preset_names();
+  EXPECT_EQ(known_thermal_properties().size(), presets.size());
   for (const KnownThermalProperties& known : known_thermal_properties()) {
     EXPECT_NE(std::ranges::find(presets, known.material), presets.end()) << known.material;
     EXPECT_EQ(thermal_properties_of(known.material), known.properties) << known.material;

@@ -80,7 +80,7 @@ TEST(HeatSettings, TakeTheThermalPropertiesOfAMaterialFromItsNameOrItsPreset) {
   const auto heat = scene("[heat]\non = true\n").heat;
   ASSERT_TRUE(heat);
   const std::vector<ThermalProperties> expected = {thermal_properties_of("enamel"), thermal_properties_of("dentin"),
-                                                   ThermalProperties{}};
+                                                   thermal_properties_of("clay")};
   EXPECT_EQ(heat->by_material, expected);
 }
 
