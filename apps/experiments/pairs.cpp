@@ -46,12 +46,11 @@ double rim_of(const Tool& tool) {
 }
 
 /// A rate in mm^3/s with two digits, and what the step says of it.
-std::string cell_of(const PushedCut& cut) {
+std::string cell_of(const PushedCut& cut, double load) {
   const double rate = cut.rate / 1e-9, step = std::pow(10, std::floor(std::log10(std::max(rate, 1e-3))) - 1);
-  const bool none = rate < 1e-3;
-  std::string cell = none ? "0" : format_number(std::round(rate / step) * step);
+  std::string cell = rate < 1e-3 ? "0" : format_number(std::round(rate / step) * step);
   if (has_any(cut.status, StepStatus::material_crushed)) return cell + " crushed";
-  if (none && has_any(cut.status, StepStatus::edges_carry_load)) return cell + " edges";
+  if (load < cut.load_to_cut) return cell + " edges";
   if (has_any(cut.status, StepStatus::spindle_stalled)) return cell + " stalls";
   return cell + (has_any(cut.status, StepStatus::power_limited) ? " limit" : "");
 }
@@ -115,15 +114,19 @@ PushedCut push(const Tool& tool, const Material& material, double load, double l
 }
 
 std::string pairs_report() {
-  constexpr std::array kShown = {"enamel", "amalgam", "dentin", "caries", "trabecular_bone", "bone_d4", "pulp", "clay"};
+  constexpr std::array kShown = {"enamel",  "amalgam",         "dentin",  "caries", "bone_d2",
+                                 "bone_d3", "trabecular_bone", "bone_d4", "pulp",   "clay"};
   std::ostringstream report;
   report
       << "## Every cutter in every material\n\n"
          "Rates [mm^3/s] of usual tools, pushed along their axis with a constant force, behind the default coupling:\n"
          "a ball of 2 mm at 300000 rpm on `air_turbine` (dental) or at 80000 rpm on `surgical_drill` (mastoid), and\n"
-         "a drill of 2 mm at 1500 rpm on `electric`. Cortical bone and `bone_d1` are as dentin, `bone_d2`, `bone_d3`\n"
-         "and `bone_d5` 3, 4 and 25 times as fast as `bone_d1`.\n\n"
+         "a drill of 2 mm at 1500 rpm on `electric`. Cortical bone and `bone_d1` are as dentin. Where nothing limits "
+         "a\n"
+         "bur, it is 2.5 times as fast in `bone_d5` as in `bone_d4`.\n\n"
          "* \"edges\": the edges of the drill carry the load. Just above, the rate begins from 0.\n"
+         "* A ball that removes more than 60 mm^3/s sinks faster than 20 mm/s: it plunges, which a hand would "
+         "prevent.\n"
          "* \"limit\", \"stalls\": the motor was at its limit at some moment, or the spindle stalled. Then the order "
          "of\n"
          "  the materials ends: in a softer one the ball sinks in deeper and stalls the turbine more.\n"
@@ -134,14 +137,14 @@ std::string pairs_report() {
          "  probably too fast, because no measurement supports its square of the load, and coarse diamonds are too\n"
          "  slow by 1.8 in the row above.\n\n| cutter | load [N] |";
   for (const char* material : kShown) report << " " << material << " |";
-  report << "\n|---|---|---|---|---|---|---|---|---|---|\n";
+  report << "\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& kind : names_of(Of<CutterKind>{})) {
     const Tool tool = usual_tool(kind.value);
     const bool is_dental = common_motor(tool.spindle().speed) == MotorKind::air_turbine;
     for (const double load : is_dental ? std::array{0.5, 1.0, 2.0, 4.0} : std::array{1.0, 2.0, 5.0, 10.0}) {
       report << "| " << kind.name << " | " << digits(load) << " |";
       for (const char* material : kShown)
-        report << " " << cell_of(push(tool, find_preset(material, kind.value), load)) << " |";
+        report << " " << cell_of(push(tool, find_preset(material, kind.value), load), load) << " |";
       report << "\n";
     }
   }

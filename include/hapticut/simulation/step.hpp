@@ -159,7 +159,7 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{point_thin, "point_thin",
             "The point of the head is thinner than the voxels, so its depth is wrong: use smaller voxels."},
       Named{edges_carry_load, "edges_carry_load",
-            "The edges of the drill carry the whole load, so it cuts nothing: press harder, or take a sharper drill."},
+            "The edges of the drill carry the whole load, so it hardly cuts: press harder, or take a sharper drill."},
   };
 }
 

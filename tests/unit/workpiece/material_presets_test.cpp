@@ -158,7 +158,7 @@ TEST(MaterialPresets, GoToTheEndsOfTheirRanges) {
   EXPECT_DOUBLE_EQ(changed.cutting_ratio, 0.6);
   EXPECT_EQ(changed.density, 1234) << "a number without that range stays";
   EXPECT_EQ(changed.edge_length, bone.edge_length);
-  EXPECT_DOUBLE_EQ(presets::enamel().with(Estimate::low, "share").size_length, 180e-6 / 1.6);
+  EXPECT_DOUBLE_EQ(presets::enamel().with(Estimate::low, "share").size_length, 180e-6 / 1.5);
   EXPECT_DOUBLE_EQ(presets::pulp().with(Estimate::high).viscosity, 30e6);
 
   Material granite = bone;
